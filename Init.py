@@ -4,4 +4,4 @@
 from CNCStepper.workbench import broken_pipes, packages
 
 packages.make_available()
-broken_pipes.outlive()
+broken_pipes.raise_on_broken_pipe()

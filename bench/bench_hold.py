@@ -22,7 +22,7 @@ from typing import Any
 from paced_controller import serve
 
 from CNCStepper.control.program.send_job import SendJob
-from CNCStepper.control.service.connection_client import DeskClient
+from CNCStepper.control.service.connection_client import ConnectionClient
 
 BAUDS = (115_200, 1_000_000)
 LINES_OVER = ("socket", "terminal")  # see `paced_controller`
@@ -45,7 +45,7 @@ class Window:
     """A window at a desk whose port is a paced controller; `busy` is what the window does besides."""
 
     def __init__(self, port: str, baud: int, folder: Path, notes: Connection, busy: Busy):
-        self._client = DeskClient.launch(port, baud, folder)
+        self._client = ConnectionClient.launch(port, baud, folder)
         self._notes = notes
         self._busy = busy
         self._refused = ""

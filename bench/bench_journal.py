@@ -16,7 +16,7 @@ from pathlib import Path
 
 from CNCStepper.control.journal.writer import Journal
 from CNCStepper.control.program.send_job import SendJob
-from CNCStepper.control.protocol.grbl.connect import Found
+from CNCStepper.control.protocol.grbl.connect import ControllerInfo
 from CNCStepper.control.protocol.grbl.driver import Grbl
 from CNCStepper.control.protocol.grbl.report import Feedback, Status
 
@@ -54,8 +54,8 @@ def begun(folder: Path, lines: Sequence[str], clock=time.monotonic) -> Journal:
     driver.settings = {100: 80.0, 101: 80.0, 102: 400.0}
     driver.status = Status("Run", mpos=(12.345, 67.891, -1.5))
     journal = Journal(folder, clock=clock)
-    journal.begin(SendJob("none", lines), driver, Found("1.1h"))
-    journal.hear([Feedback("OPT", "V,15,128")])
+    journal.begin(SendJob("none", lines), driver, ControllerInfo("1.1h"))
+    journal.on_message([Feedback("OPT", "V,15,128")])
     return journal
 
 

@@ -19,7 +19,7 @@ from pathlib import Path
 import numpy as np
 
 from CNCStepper.gcode.interpreter.program_file import FileReading, interpret_file
-from CNCStepper.machine.backlash import Play
+from CNCStepper.machine.backlash import Backlash
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.motion.planner.backlash import motor_chunks
 from CNCStepper.motion.planner.buffers import new_planner
@@ -154,7 +154,7 @@ def first_pulse(file: Path) -> None:
     print(f"first pulse of {len(path)} blocks: {taken:.2f} s after they are read, kernels loaded in that time")
 
 
-def memory(file: Path, play: Play | None = None) -> None:
+def memory(file: Path, play: Backlash | None = None) -> None:
     """Print what a program takes that is read, planned and stepped at once."""
     reading = FileReading(file, START)
     table, chunks = reading.interpreter.table, reading.chunks()
@@ -169,7 +169,7 @@ def memory(file: Path, play: Play | None = None) -> None:
 
 def memory_with_play(file: Path) -> None:
     """Print the same of a machine whose axes have 0.05 mm of play."""
-    memory(file, Play((0.05,) * 3, (-1,) * 3, tuple(axis.steps_per_mm for axis in MACHINE.axes)))
+    memory(file, Backlash((0.05,) * 3, (-1,) * 3, tuple(axis.steps_per_mm for axis in MACHINE.axes)))
 
 
 def peak_mb() -> float:

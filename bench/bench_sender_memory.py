@@ -28,7 +28,7 @@ from typing import Any
 from CNCStepper.control.program.certificate import FORMAT, VERSION, digest_of, digest_of_lines
 from CNCStepper.control.program.long_json import pieces
 from CNCStepper.control.program.send_job import SendJob
-from CNCStepper.control.service.connection_client import DeskClient
+from CNCStepper.control.service.connection_client import ConnectionClient
 from CNCStepper.control.service.spool_process import spooled
 from CNCStepper.control.session.client import SessionClient
 from CNCStepper.control.session.files import read_private, sessions
@@ -139,7 +139,7 @@ def show_desk(port: str, count: int, folder: Path) -> None:
     """Print the memory of a desk, and of the process that writes its spool, with the certificate of a program."""
     file = folder / "job.json"
     write_certificate(file, count)
-    client = DeskClient.launch(port, BAUD, folder)
+    client = ConnectionClient.launch(port, BAUD, folder)
 
     def status() -> SenderStatus:
         for event in client.poll():

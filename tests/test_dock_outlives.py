@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from CNCStepper.control.service.connection_client import DeskClient, running_desks
+from CNCStepper.control.service.connection_client import ConnectionClient, running_services
 
 WINDOW = Path(__file__).parent / "window"
 sys.path.append(str(WINDOW))
@@ -52,20 +52,20 @@ def window(display: str, mark: str, folder: Path, end: str) -> subprocess.Popen[
 
 
 def desks(folder: Path) -> list[Path]:
-    return running_desks(folder / "state" / "cncstepper" / "sessions")
+    return running_services(folder / "state" / "cncstepper" / "sessions")
 
 
-def goes_on(folder: Path) -> DeskClient:
+def goes_on(folder: Path) -> ConnectionClient:
     """Return a client of the desk that was left, after more of its job has been cut."""
     [session_file] = desks(folder)
-    client = DeskClient.attach(session_file)
+    client = ConnectionClient.attach(session_file)
     wait(lambda: client.poll() is not None and client.phase == "connected", 10, "the desk")
     before = client.status.acknowledged
     wait(lambda: client.poll() is not None and client.status.acknowledged > before + 3, 20, "the cut to go on")
     return client
 
 
-def stop(client: DeskClient) -> None:
+def stop(client: ConnectionClient) -> None:
     client.stop()
     wait(lambda: client.poll() is not None and client.outcome, 20, "the stop")
     assert client.outcome.kind == "stopped" and client.outcome.position_known

@@ -11,7 +11,7 @@ import numpy as np
 
 from CNCStepper.geometry.box_tree import direction_at, place_at
 from CNCStepper.geometry.curve_bundle import Bundle
-from CNCStepper.geometry.loop_pieces import Pieces, chained, crossed, looked_at_mm
+from CNCStepper.geometry.loop_pieces import LoopPieces, chained, crossed, looked_at_mm
 from CNCStepper.geometry.offset import source_of
 from CNCStepper.geometry.proximity_tree import spines_of
 from CNCStepper.geometry.winding_number import windings
@@ -32,10 +32,10 @@ def bounds(source: Bundle, outlines: int, small_mm: float, beside_mm: float) -> 
     return closes, Bundle(*found)
 
 
-def _turned(pieces: Pieces, which: np.ndarray) -> Pieces:
+def _turned(pieces: LoopPieces, which: np.ndarray) -> LoopPieces:
     """Return the pieces, some of them run backwards."""
     row, first, last, begin, end = pieces
-    return Pieces(
+    return LoopPieces(
         row,
         np.where(which, last, first),
         np.where(which, first, last),

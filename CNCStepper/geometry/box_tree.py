@@ -23,7 +23,7 @@ DEEPEST = 128  # places on the stack of a walk through a tree
 
 
 @njit
-def lay_row(rows, row, bx, by, ex, ey, sweep):
+def write_row(rows, row, bx, by, ex, ey, sweep):
     """Write a segment into the table: its begin, its end and the angle it turns by."""
     wx, wy = ex - bx, ey - by
     size = math.sqrt(wx * wx + wy * wy)
@@ -42,7 +42,7 @@ def rows_of(xy, bulge):
     rows = np.empty((len(bulge), WIDTH))
     for row in range(len(bulge)):
         sweep = 4.0 * math.atan(bulge[row])
-        lay_row(rows, row, xy[row, 0], xy[row, 1], xy[row + 1, 0], xy[row + 1, 1], sweep)
+        write_row(rows, row, xy[row, 0], xy[row, 1], xy[row + 1, 0], xy[row + 1, 1], sweep)
     return rows
 
 
@@ -102,7 +102,7 @@ def _widen(tree, node, boxes, row):
 
 
 @njit
-def lay_below(stack, least, height, node, left, right, best):
+def push_children(stack, least, height, node, left, right, best):
     """Lay both nodes below a node on the stack of a walk, the nearer one on top, and return its new height.
 
     left, right: how far they are at least; what is no nearer than the best found so far is left out.

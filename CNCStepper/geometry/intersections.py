@@ -13,7 +13,7 @@ import math
 import numpy as np
 
 from CNCStepper.geometry.box_tree import DEEPEST, LEAF
-from CNCStepper.geometry.proximity_tree import FAR, beside, distance, look
+from CNCStepper.geometry.proximity_tree import FAR, distance, look, near_neighbours
 from CNCStepper.kernels import njit
 
 NODE_MM = 1e-6  # places that are no farther apart are one
@@ -58,8 +58,8 @@ def crossings(rows, own, boxes, tree, near, spines, limit):
                     if ends or a < 0.0 or b < 0.0:
                         continue
                     if (
-                        beside(near, own[i], x, y, limit)
-                        or beside(near, own[j], x, y, limit)
+                        near_neighbours(near, own[i], x, y, limit)
+                        or near_neighbours(near, own[j], x, y, limit)
                         or look(near, spines, x, y, limit, limit, room) != FAR
                     ):
                         continue

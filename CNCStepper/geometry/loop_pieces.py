@@ -23,7 +23,7 @@ SHORT_MM = 4.0 * NODE_MM  # what is shorter and returns to its node is nothing
 TWINS_MM = 1e-5  # pieces between the same nodes whose middles are no farther apart are one
 
 
-class Pieces(NamedTuple):
+class LoopPieces(NamedTuple):
     """Pieces of rows (see box_tree.py): row, lengths on it, nodes, all [m]; `last_mm` < `first_mm` runs backwards."""
 
     row: np.ndarray
@@ -36,7 +36,7 @@ class Pieces(NamedTuple):
 @njit
 def some_of(pieces, which):
     """Return some of the pieces, int64[k]."""
-    return Pieces(
+    return LoopPieces(
         pieces.row[which],
         pieces.first_mm[which],
         pieces.last_mm[which],
@@ -91,7 +91,7 @@ def cut(rows, met):
             first[real], last[real] = here, after
             real += 1
     first, last = first[:real], last[:real]
-    return Pieces(row[first], length[first], length[last], node[first], node[last]), nodes
+    return LoopPieces(row[first], length[first], length[last], node[first], node[last]), nodes
 
 
 @njit

@@ -11,7 +11,7 @@ import math
 
 import numpy as np
 
-from CNCStepper.geometry.box_tree import DEEPEST, LEAF, lay_below
+from CNCStepper.geometry.box_tree import DEEPEST, LEAF, push_children
 from CNCStepper.geometry.proximity_tree import distance, square_to
 from CNCStepper.kernels import njit
 
@@ -64,7 +64,7 @@ def _nearest_row(rows, spines, x, y, limit, stack, least):
                     best, found = away, row
             continue
         left, right = _least(spines, 2 * node, x, y), _least(spines, 2 * node + 1, x, y)
-        height = lay_below(stack, least, height, node, left, right, best)
+        height = push_children(stack, least, height, node, left, right, best)
     return best, found
 
 

@@ -25,7 +25,7 @@ import math
 import numpy as np
 
 from CNCStepper.errors import GeometryError
-from CNCStepper.geometry.box_tree import WIDTH, lay_row, place_at
+from CNCStepper.geometry.box_tree import WIDTH, place_at, write_row
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.curve_bundle import Bundle, bundle_of, long_enough
 from CNCStepper.geometry.curve_columns import COINCIDENT_MM
@@ -135,7 +135,7 @@ def _lay_chain(rows, vertices, bulge, shortest_mm):
             after = len(bulge)
         (bx, by), (ex, ey) = vertices[here], vertices[after]
         flat = abs(bulge[here]) * math.hypot(ex - bx, ey - by) / 2.0 <= FLAT_MM
-        lay_row(rows, row, bx, by, ex, ey, 0.0 if flat else 4.0 * math.atan(bulge[here]))
+        write_row(rows, row, bx, by, ex, ey, 0.0 if flat else 4.0 * math.atan(bulge[here]))
     return len(keep), closed
 
 
@@ -182,8 +182,8 @@ def _caps(rows, follower, radius_mm):
         for end in range(2):
             if loose[row, end]:
                 x, y = rows[row, 2 * end], rows[row, 2 * end + 1]
-                lay_row(caps, count, x + radius_mm, y, x - radius_mm, y, math.pi)
-                lay_row(caps, count + 1, x - radius_mm, y, x + radius_mm, y, math.pi)
+                write_row(caps, count, x + radius_mm, y, x - radius_mm, y, math.pi)
+                write_row(caps, count + 1, x - radius_mm, y, x + radius_mm, y, math.pi)
                 count += 2
     return caps[:count]
 

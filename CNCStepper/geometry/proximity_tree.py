@@ -142,7 +142,7 @@ def look(rows, spines, x, y, limit, dead, stack):
 
 
 @njit
-def beside(rows, own, x, y, limit):
+def near_neighbours(rows, own, x, y, limit):
     """Return whether a neighbour of the row `own` lies nearer to a place than a limit: mostly they are what does."""
     return (own > 0 and distance(rows, own - 1, x, y) < limit) or (
         own + 1 < len(rows) and distance(rows, own + 1, x, y) < limit
@@ -155,7 +155,7 @@ def looks(rows, spines, places, own, limit, dead):
     found, stack = np.empty(len(places), np.int64), np.empty(DEEPEST, np.int64)
     for place in range(len(places)):
         x, y = places[place, 0], places[place, 1]
-        if beside(rows, own[place], x, y, min(limit, dead[place])):
+        if near_neighbours(rows, own[place], x, y, min(limit, dead[place])):
             found[place] = DEAD
         else:
             found[place] = look(rows, spines, x, y, limit, dead[place], stack)

@@ -20,13 +20,13 @@ from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.protocol.grbl.readiness import expected_settings
 from CNCStepper.errors import JobError
 from CNCStepper.gcode.interpreter.functions.coordinate_offsets import HOMES
-from CNCStepper.gcode.wire.backlash_compensation import play_of
+from CNCStepper.gcode.wire.backlash_compensation import backlash_of
 from CNCStepper.gcode.wire.encoder import prepare
 from CNCStepper.gcode.wire.wire_lines import WireLines
 from CNCStepper.gcode.wire.wire_text import WireText
 from CNCStepper.job.proof_inputs import Given
 from CNCStepper.job.start_state_file import start_from
-from CNCStepper.machine.backlash import Play
+from CNCStepper.machine.backlash import Backlash
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.simulation.checks.clamps import Clamp
@@ -49,7 +49,7 @@ SENT = (
     "inputs",
 )
 Read = TypeVar("Read")
-_PLAY = TypeAdapter(Play)
+_PLAY = TypeAdapter(Backlash)
 ANY_TOOL = "any"  # the number of a tool that stands for every number
 
 
@@ -140,7 +140,7 @@ def certificate_of(proof: Proven) -> Certificate:
 
 def _play(given: Given) -> dict[str, Any] | None:
     """Return the play of the axes that the wire text takes up; None where it takes up none."""
-    play = play_of(given.machine, given.dialect)
+    play = backlash_of(given.machine, given.dialect)
     return asdict(play) if play else None
 
 
@@ -159,7 +159,7 @@ def proven_start(certificate: Certificate) -> Start:
     return _part_of(certificate, lambda content: start_from(content["start"]["state"]))
 
 
-def _play_in(content: Mapping[str, Any]) -> Play | None:
+def _play_in(content: Mapping[str, Any]) -> Backlash | None:
     told = content["wire"].get("play")
     play = _PLAY.validate_python(told) if told is not None else None
     if play and {len(play.backlash_mm), len(play.true_sense), len(play.steps_per_mm)} != {len(ZERO3)}:
@@ -201,13 +201,13 @@ def send_job(
         work_system=known.work_system if known else "",
         dialect=dialect or (machine.controller if machine else ""),
         machine=machine.name if machine else "",
-        retrace=_retrace(machine, start or Start(), dialect) if machine else {},
+        retrace=_path_retract(machine, start or Start(), dialect) if machine else {},
         plan=plan,
         inputs=[entry.model_dump(mode="json") for entry in machine.input] if machine else (),
     )
 
 
-def _retrace(machine: Machine, start: Start, dialect: str) -> dict[str, Any]:
+def _path_retract(machine: Machine, start: Start, dialect: str) -> dict[str, Any]:
     """Return what a way back along the cut is proven with, as plain data."""
     profile = machine.model_dump(mode="json")
     return {"machine": profile, "start": _start(start), "dialect": dialect or machine.controller}

@@ -14,7 +14,7 @@ from CNCStepper.state import Start
 from CNCStepper.toolpath import TableBuilder, Toolpath
 
 
-class CutOnce:
+class CycleCache:
     """A cycle, and the moves and the answer of its cut with one setup."""
 
     def __init__(self, cycle: Cycle, setup: Setup):

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from CNCStepper.cycles.cycle import Answer
 from CNCStepper.errors import Place
-from CNCStepper.job.detached_parts import cuts_into_loose, wanted_area
+from CNCStepper.job.detached_parts import cuts_into_detached, wanted_area
 from CNCStepper.job.first_lines import FirstLines
 from CNCStepper.job.model import Job
 from CNCStepper.job.stock_fit import ON_EDGE_MM
@@ -60,7 +60,7 @@ def _feeds(lines: FirstLines, job: Job, machine: Machine, file: str) -> Iterator
 
 def _loose(job: Job, first: int, places: Sequence[Place], answers: Sequence[Answer]) -> Iterator[Finding]:
     """Yield cuts into pieces that nothing holds any more, each at the first line of its operation."""
-    for index, text, place_mm in cuts_into_loose(job, first, answers):
+    for index, text, place_mm in cuts_into_detached(job, first, answers):
         if index < len(places):
             advice = "cut it before, or hold the piece by tabs"
             yield Finding("warning", "piece-loose", places[index], text, advice, place_mm=place_mm)

@@ -208,7 +208,7 @@ class Job(BaseModel):
         """Return what the job gives that operation besides its own parameters."""
         keep: tuple[Curve, ...] = ()
         parts: tuple[tuple[Curve, ...], ...] = ()
-        if looks_at_others(operation):  # a cut is kept by its setup: no more
+        if depends_on_contours(operation):  # a cut is kept by its setup: no more
             others = [other for other in self.operation if other is not operation]
             if operation.cycle == "contour":
                 keep = tuple(curve for other in others for curve in _kept_by(other))
@@ -219,7 +219,7 @@ class Job(BaseModel):
         return Setup(tool, self.clearance_mm, self.retract_mm, outline, keep, thickness_mm, parts)
 
 
-def looks_at_others(operation: Cycle) -> bool:
+def depends_on_contours(operation: Cycle) -> bool:
     """Return whether the setup of an operation depends on the contours of the job."""
     return operation.cycle == "contour" or isinstance(operation, AreaCycle | EllipticalPocket)
 
@@ -262,7 +262,9 @@ def _read(path: Path, share: Share) -> Job:
     if "tools" in content:
         take_tool_file(content, path)
     if isinstance(stock := content.get("stock"), dict) and "heights" in stock:
-        stock["heights_mm"] = read_heights(file_beside(path.parent, stock.pop("heights"), "stock.heights", str(path)))
+        stock["heights_mm"] = read_heights(
+            file_in_job_folder(path.parent, stock.pop("heights"), "stock.heights", str(path))
+        )
     return validated(Job, content, str(path))
 
 
@@ -286,7 +288,7 @@ def operation_of(
         model = cycle_class(raw.get("cycle", ""))
         content = with_curves(raw, shapes, file)
         if "points" in content:
-            points = file_beside(folder, content.pop("points"), "points", file)
+            points = file_in_job_folder(folder, content.pop("points"), "points", file)
             content["curves"] = (read_points(points, closed=content.get("closed") is True),)
             (drawn or Drawn()).add(content["curves"])
         return validated(model, content, file)  # type: ignore[return-value]
@@ -310,7 +312,7 @@ def _notes(content: dict[str, Any], path: Path) -> list[Any]:
     return notes
 
 
-def file_beside(folder: Path, name: Any, key: str, file: str) -> Path:
+def file_in_job_folder(folder: Path, name: Any, key: str, file: str) -> Path:
     """Return the path of a file that a job names, looked for in its folder; raises JobError for what is no text."""
     if not isinstance(name, str):
         advice = f'write {key} = "file"'

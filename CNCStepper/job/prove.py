@@ -25,7 +25,7 @@ from CNCStepper.job.make import Part, is_split, make_parts, make_program
 from CNCStepper.job.model import Job
 from CNCStepper.job.planned_times import milestones
 from CNCStepper.job.proof_inputs import Given
-from CNCStepper.job.wire_round_trip import wire_and_ways
+from CNCStepper.job.wire_round_trip import wire_round_trip
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.motion.planner.plan import begun, times_and_whole_s
@@ -42,7 +42,7 @@ from CNCStepper.toolpath import Toolpath, require_straight_axes
 
 if TYPE_CHECKING:
     from CNCStepper.job.prove_file import FileProof
-    from CNCStepper.simulation.removal.timeline import Moment
+    from CNCStepper.simulation.removal.timeline import TimelinePosition
     from CNCStepper.simulation.views.scene import Scene
 
 STAGES = ("make", "read", "cut", "time", "judge", "check", "report")  # what `tell` hears, in this order
@@ -96,7 +96,7 @@ class Proof:
         """The sides of a cell of the cut part; None without stock and tools."""
         return None if self.part is None else self.part.cell_mm
 
-    def scene(self, moment: Moment | None = None, part: HeightMap | None = None) -> Scene:
+    def scene(self, moment: TimelinePosition | None = None, part: HeightMap | None = None) -> Scene:
         """Return what a picture shows of the program's end, or of a moment and the part at that moment.
 
         Raises JobError for a program that was proven without stock and tools.
@@ -117,14 +117,14 @@ class Proof:
 
 
 @dataclass(frozen=True)
-class Before:
+class PriorPrograms:
     """What has cut the stock already: the moves, with the fingerprint of each program's text, in their order."""
 
     toolpath: Toolpath
     sha256: tuple[str, ...]
 
     @classmethod
-    def of(cls, proofs: Sequence[Proof]) -> Before | None:
+    def of(cls, proofs: Sequence[Proof]) -> PriorPrograms | None:
         """Return what programs have cut that were proven one after the other; None for no program."""
         if not proofs:
             return None
@@ -144,7 +144,7 @@ def prove(
     removals: Sequence[Removal] = (),
     keep_out: Sequence[Clamp] = (),
     edge_mm: float | None = None,
-    before: Before | None = None,
+    before: PriorPrograms | None = None,
     tell: Tell = lambda stage: None,
     share: Share = lambda share: None,
     see: See = lambda part: None,
@@ -159,7 +159,7 @@ def prove(
     """
     language = dialect or machine.controller
     tell("read")
-    wire, motors, toolpath = wire_and_ways(text, machine, language, file, start, share)
+    wire, motors, toolpath = wire_round_trip(text, machine, language, file, start, share)
     require_straight_axes(motors, file)
     tell("cut")
     moves = followed(before.toolpath, toolpath) if before else toolpath
@@ -232,7 +232,7 @@ def prove_job(
         answers,
         first=operations_before(job, len(earlier)),
         removals=own + (list(earlier[-1].given.removals) if earlier else []),
-        before=Before.of(earlier),
+        before=PriorPrograms.of(earlier),
         file=file,
         start=start,
         tell=tell,
@@ -251,7 +251,7 @@ def prove_operations(
     *,
     first: int,
     removals: Sequence[Removal],
-    before: Before | None,
+    before: PriorPrograms | None,
     file: str = "",
     start: Start | None = None,
     tell: Tell = lambda stage: None,
@@ -331,7 +331,7 @@ def prove_parts(
         yield proof
 
 
-def earlier_proofs(
+def prior_proofs(
     job: Job, machine: Machine, program: str, title: str = "", start: Start | None = None
 ) -> tuple[Proof, ...]:
     """Return the proofs of the programs that are run before `program`, one of those that a job is split into.

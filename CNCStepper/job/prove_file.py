@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from CNCStepper.gcode.interpreter.file_chunks import text_pieces
-from CNCStepper.gcode.wire.backlash_compensation import play_of
+from CNCStepper.gcode.wire.backlash_compensation import backlash_of
 from CNCStepper.gcode.wire.expanded_wire_file import wire_of_file
 from CNCStepper.gcode.wire.wire_text import WireText
 from CNCStepper.input_file import Unchanged
@@ -34,7 +34,7 @@ from CNCStepper.motion.planner.buffers import TICKS_PER_S
 from CNCStepper.motion.planner.chunk_window import ChunkWindow
 from CNCStepper.motion.planner.plan import Run, begun_chunks
 from CNCStepper.motion.planner.standstills import RUNNING_EVENTS
-from CNCStepper.simulation.check_context import Subject
+from CNCStepper.simulation.check_context import CheckContext
 from CNCStepper.simulation.checks.check_program import Checks
 from CNCStepper.simulation.checks.report import Figures
 from CNCStepper.simulation.finding import Finding, refused
@@ -48,7 +48,7 @@ if TYPE_CHECKING:  # what looks at the stock is loaded where there is one: a sho
     from CNCStepper.simulation.checks.clamps import Clamp
     from CNCStepper.simulation.cutter_solid import Tools
     from CNCStepper.simulation.exact.cutting_path import JudgedPath
-    from CNCStepper.simulation.exact.stored_cuts import KeptCuts
+    from CNCStepper.simulation.exact.stored_cuts import StoredCuts
     from CNCStepper.simulation.exact.swept_area import Judgement
     from CNCStepper.simulation.removal.heightmap import HeightMap
     from CNCStepper.simulation.stock import Stock
@@ -143,16 +143,16 @@ class _FileProof:
         self._path, self._given, self._machine, self._name, self._tell = path, given, given.machine, name, tell
         self._unchanged = Unchanged(path)
         self._stock, self._tools, self._spool = given.stock, given.tools, spool
-        self._play = play_of(self._machine, given.dialect)
+        self._play = backlash_of(self._machine, given.dialect)
         self._wire = wire_of_file(path, start, given.dialect, self._play, sink=self._keep, progress=share, name=name)
-        self._kept: KeptCuts | None = None
+        self._kept: StoredCuts | None = None
         self._part: HeightMap | None = None
         self._judged: JudgedPath | None = None
         if given.stock is not None and given.tools is not None:
-            from CNCStepper.simulation.exact.stored_cuts import KeptCuts
+            from CNCStepper.simulation.exact.stored_cuts import StoredCuts
             from CNCStepper.simulation.removal.heightmap import HeightMap
 
-            self._kept, self._part = KeptCuts(), HeightMap(given.stock)
+            self._kept, self._part = StoredCuts(), HeightMap(given.stock)
             if given.removals:
                 from CNCStepper.simulation.exact.cutting_path import JudgedPath
 
@@ -229,10 +229,10 @@ class _FileProof:
         ends_s = np.concatenate([one.ends_s for one in group])
         speeds = [one.speeds_mm_s for one in group if one.speeds_mm_s is not None]
         motors = self._motors.part([one.chunk for one in group], is_last)
-        of_motors = of_tool = Subject.of(motors, self._machine, file, np.concatenate(speeds) if speeds else None)
+        of_motors = of_tool = CheckContext.of(motors, self._machine, file, np.concatenate(speeds) if speeds else None)
         if self._tool_moves:
             moved = [self._tool_moves.moved(one.chunk) for one in group]
-            of_tool = Subject.of(self._tool_parts.part(moved, is_last), self._machine, file)
+            of_tool = CheckContext.of(self._tool_parts.part(moved, is_last), self._machine, file)
         self._checks.see(of_motors, of_tool)
         marks = list(self._wire.table.span_marks("operation"))
         self._figures.see(of_tool.toolpath, ends_s, marks)

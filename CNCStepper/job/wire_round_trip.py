@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from CNCStepper.gcode.dialects import Dialect
-from CNCStepper.gcode.wire.backlash_compensation import play_of
+from CNCStepper.gcode.wire.backlash_compensation import backlash_of
 from CNCStepper.gcode.wire.encoder import prepare
 from CNCStepper.gcode.wire.read_back import read_back
 from CNCStepper.gcode.wire.wire_text import WireText
@@ -17,7 +17,7 @@ from CNCStepper.state import Start
 from CNCStepper.toolpath import Toolpath, require_straight_axes
 
 
-class WireAndWays(NamedTuple):
+class WireRoundTrip(NamedTuple):
     """wire: what is sent. motors: how the motors go by it. toolpath: how the tool goes, row by row the same."""
 
     wire: WireText
@@ -25,21 +25,21 @@ class WireAndWays(NamedTuple):
     toolpath: Toolpath
 
 
-def wire_and_ways(
+def wire_round_trip(
     text: str,
     machine: Machine | None,
     dialect: str | Dialect,
     file: str = "",
     start: Start | None = None,
     share: Callable[[float], None] = lambda share: None,
-) -> WireAndWays:
+) -> WireRoundTrip:
     """Return the wire text of a program on a machine, and the ways that are read back from it.
 
     share: called with the share that is read, from 0 to 1. Raises ProgramError for a text that cannot be read or sent.
     """
-    play = play_of(machine, dialect)
+    play = backlash_of(machine, dialect)
     wire = prepare(text, dialect, file, start, play)
     motors = read_back(wire, text, start, dialect, file, share)
     if play is None:
-        return WireAndWays(wire, motors, motors)
-    return WireAndWays(wire, motors, tool_moves(require_straight_axes(motors, file), play))
+        return WireRoundTrip(wire, motors, motors)
+    return WireRoundTrip(wire, motors, tool_moves(require_straight_axes(motors, file), play))

@@ -24,7 +24,7 @@ SAME_MM = 1e-7  # two places of a motor that are one
 
 
 @dataclass(frozen=True)
-class Play:
+class Backlash:
     """What is known of the axes, one value an axis: mm, +1 or -1, steps per mm.
 
     beam: a laser cuts, which is off in rapids alone; its play is taken up in these.
@@ -36,7 +36,7 @@ class Play:
     beam: bool = False
 
     @classmethod
-    def of(cls, machine: Machine) -> Play:
+    def of(cls, machine: Machine) -> Backlash:
         """Return the play that a machine profile states."""
         axes = machine.axes
         return cls(
@@ -59,7 +59,7 @@ class Play:
         low, high = sorted(self.ahead_mm(axis, sense) for sense in (1, -1))
         return min(max(ahead_mm + way_mm, low), high)
 
-    def of_axes(self, axes: Container[int]) -> Play:
+    def of_axes(self, axes: Container[int]) -> Backlash:
         """Return the play of some axes alone."""
         return replace(self, backlash_mm=tuple(gap * (axis in axes) for axis, gap in enumerate(self.backlash_mm)))
 
@@ -82,7 +82,7 @@ class Play:
 class Motors:
     """Where the motors stand while the tool goes its way; NaN where that is not known."""
 
-    def __init__(self, play: Play, position_mm: Sequence[float]):
+    def __init__(self, play: Backlash, position_mm: Sequence[float]):
         self.play = play
         self.at_mm = list(position_mm)
 

@@ -20,7 +20,7 @@ from CNCStepper.toolpath import RAPID, Chunk, Toolpath
 
 
 @dataclass(frozen=True)
-class Subject:
+class CheckContext:
     """A program under check, or one part of it after the other; begin, end: the tip in work coordinates, float64[n, 3].
 
     known_speeds_mm_s: the greatest speed of each axis on every row, float64[n, axes]; None: not planned yet.
@@ -35,7 +35,7 @@ class Subject:
     known_speeds_mm_s: np.ndarray | None = None
 
     @classmethod
-    def of(cls, toolpath: Toolpath, machine: Machine, file: str, speeds_mm_s: np.ndarray | None = None) -> Subject:
+    def of(cls, toolpath: Toolpath, machine: Machine, file: str, speeds_mm_s: np.ndarray | None = None) -> CheckContext:
         """Return the program, or a part of it, ready for the checks."""
         return cls(toolpath, machine, file, toolpath.table(), *tips_mm(toolpath), speeds_mm_s)
 
@@ -90,10 +90,10 @@ class Subject:
 class PartCheck:
     """A check that remembers what the parts of a program before have shown."""
 
-    def __call__(self, subject: Subject) -> Iterator[Finding]:
+    def __call__(self, subject: CheckContext) -> Iterator[Finding]:
         """Yield what is found in the next part."""
         raise NotImplementedError
 
-    def end(self, last: Subject) -> Iterator[Finding]:
+    def end(self, last: CheckContext) -> Iterator[Finding]:
         """Yield what can be said only after the last part."""
         yield from ()

@@ -6,7 +6,7 @@ from __future__ import annotations
 import signal
 
 
-def outlive() -> None:
+def raise_on_broken_pipe() -> None:
     """Let writing to a process that has died be an error (BrokenPipeError), as in any Python.
 
     FreeCAD 1.0 and 1.1 start their Python without that, so the system would end FreeCAD, and the drawing with it.

@@ -27,9 +27,9 @@ def every() -> None:
     What a first cut needs is compiled, where it is not.
     """
     missing_packages.look_again()
-    missing_packages.tell_once()
+    missing_packages.report_once()
     if not missing_packages.why_not():
         from CNCStepper.workbench.calculation import kernel_warmup
 
         kernel_warmup.begin()
-    dock.greet()
+    dock.open_if_connected()

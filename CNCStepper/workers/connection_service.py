@@ -12,14 +12,14 @@ import traceback
 from functools import partial
 from pathlib import Path
 
-from CNCStepper.control.processes.process_file import unlink_soon
-from CNCStepper.control.processes.sleep_inhibitor import awake
+from CNCStepper.control.processes.process_file import unlink_with_retries
+from CNCStepper.control.processes.sleep_inhibitor import inhibit_sleep
 from CNCStepper.control.processes.thread_priority import go_first
-from CNCStepper.control.service.connection_service import Desk
-from CNCStepper.control.service.port_owner import tell_closed
-from CNCStepper.control.service.position_trust_file import BeliefFile
+from CNCStepper.control.service.connection_service import ConnectionService
+from CNCStepper.control.service.port_owner import warn_of_closed
+from CNCStepper.control.service.position_trust_file import PositionTrustFile
 from CNCStepper.control.session.detached_process import stop_on_signals
-from CNCStepper.control.session.files import OUTCOME, WIRE, DeskFile, write_private
+from CNCStepper.control.session.files import OUTCOME, WIRE, ServiceFile, write_private
 from CNCStepper.control.session.server import SessionServer
 from CNCStepper.control.session.status import error_to_json
 from CNCStepper.control.transport.port_identity import identify
@@ -32,38 +32,38 @@ def main(arguments: list[str]) -> int:
     sys.setswitchinterval(SWITCH_S)
     go_first()
     path, port, baud = Path(arguments[0]), arguments[1], int(arguments[2])
-    desk_file = DeskFile(path)
-    server = SessionServer(path, each_turn=desk_file.keep)
-    desk = Desk(
+    service_file = ServiceFile(path)
+    server = SessionServer(path, each_turn=service_file.keep)
+    desk = ConnectionService(
         port,
         baud,
         spool=path.with_suffix(WIRE),
         tell=server.tell,
         refuse=server.refuse,
-        ended=server.tell_outcome,
+        ended=server.notify_outcome,
         alone_s=server.alone_s,
         journals=path.parent,
-        kept=BeliefFile.of_port(path.parent, port),
-        during_job=partial(awake, partial(server.tell, "warning")),
+        kept=PositionTrustFile.of_port(path.parent, port),
+        during_job=partial(inhibit_sleep, partial(server.tell, "warning")),
     )
     stop_on_signals(desk.stop)
-    desk_file.write(server.address(port) | {"port_identity": identify(port).to_json()})
-    tell_closed(partial(server.tell, "warning"), path.parent)
+    service_file.write(server.address(port) | {"port_identity": identify(port).to_json()})
+    warn_of_closed(partial(server.tell, "warning"), path.parent)
     server.start(desk)
-    error = _run(desk, desk_file)
+    error = _run(desk, service_file)
     try:
         write_private(path.with_suffix(OUTCOME), {"error": error_to_json(error) if error else None})
     finally:  # who listens hears the end, also where the disk takes nothing any more
         server.finish()
-        unlink_soon(path.with_suffix(WIRE))
-        desk_file.remove()
+        unlink_with_retries(path.with_suffix(WIRE))
+        service_file.remove()
     return 1 if error else 0
 
 
-def _run(desk: Desk, desk_file: DeskFile) -> CNCStepperError | None:
+def _run(desk: ConnectionService, service_file: ServiceFile) -> CNCStepperError | None:
     """Return the error that ended the desk, if one did; a fault of this program goes to the log too."""
     try:
-        if desk_file.elder(desk.port):
+        if service_file.elder(desk.port):
             raise LinkError(
                 "port-busy", f"{desk.port} is in use by another window's connection", advice="attach to that one"
             )

@@ -140,11 +140,11 @@ class Answers:
         return {"texts": texts, "paths": paths}
 
     def _cut_once(self, cycle: Any, setup: Any) -> Any:
-        from CNCStepper.job.cycle_cache import CutOnce
+        from CNCStepper.job.cycle_cache import CycleCache
 
         found = next((cut for cut in self._cuts if cut.fits(cycle, setup)), None)
         if found is None:
-            found = CutOnce(cycle, setup)
+            found = CycleCache(cycle, setup)
             self._cuts = [*self._cuts[1 - MOST_CUTS :], found]
         return found
 

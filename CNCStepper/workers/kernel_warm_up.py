@@ -17,8 +17,8 @@ import numpy as np
 
 from CNCStepper import kernel_cache
 from CNCStepper.gcode.dialects import dialect_named
-from CNCStepper.gcode.interpreter.fast_path.compiled_reader import PlainReader
-from CNCStepper.gcode.interpreter.flow.o_word_kernel import goes_beyond_words
+from CNCStepper.gcode.interpreter.fast_path.compiled_reader import CompiledReader
+from CNCStepper.gcode.interpreter.flow.o_word_kernel import needs_interpreter
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.wire.line_runs import compiled_runs
 from CNCStepper.job.make import cut_operations
@@ -38,9 +38,9 @@ def warm() -> None:
 
 def read_all_ways() -> None:
     """Look over a text, read it and prepare it for sending, all by kernels."""
-    PlainReader(Interpreter()).read(TEXT)
+    CompiledReader(Interpreter()).read(TEXT)
     list(compiled_runs(TEXT, dialect_named("grbl")))
-    goes_beyond_words(np.frombuffer(TEXT, np.uint8))
+    needs_interpreter(np.frombuffer(TEXT, np.uint8))
 
 
 def _end_when_left() -> None:

@@ -51,11 +51,11 @@ def answered(question: dict[str, Any]) -> dict[str, Any]:
 
 
 def _answer(desk: str, **wish: Any) -> dict[str, Any]:
-    from CNCStepper.control.service.connection_session import DeskSession
-    from CNCStepper.recovery.retract.client import WayBack
+    from CNCStepper.control.service.connection_session import ConnectionSession
+    from CNCStepper.recovery.retract.client import RetractClient
 
-    with DeskSession.attach(Path(desk)) as session:
-        back = WayBack(session)
+    with ConnectionSession.attach(Path(desk)) as session:
+        back = RetractClient(session)
         if "find" in wish:
             return _place(back.held())
         back.hold()
@@ -64,7 +64,7 @@ def _answer(desk: str, **wish: Any) -> dict[str, Any]:
             back.go(held.rest())
             return {"resumed": True}
         back.go(held.aside() if "aside" in wish else held.along(_target(held, **wish)))
-        back.arrive()
+        back.wait_for_leg()
         return _place(back.held())
 
 

@@ -15,14 +15,14 @@ import numpy as np
 from CNCStepper.control.session.status import error_to_json
 from CNCStepper.errors import CNCStepperError, ProgramError
 from CNCStepper.gcode.syntax.words import program_lines
-from CNCStepper.gcode.wire.backlash_compensation import play_of
+from CNCStepper.gcode.wire.backlash_compensation import backlash_of
 from CNCStepper.job.editing.line_analysis import Abandoned, Reading, read_program, unsendable
 from CNCStepper.job.editing.path_segments import Picture
 from CNCStepper.job.start_state_file import read_start
 from CNCStepper.machine.profile import Machine, validated
 from CNCStepper.motion.planner.backlash import row_times_s
 from CNCStepper.motion.planner.plan import begun
-from CNCStepper.recovery.restart.place_list import contours_told
+from CNCStepper.recovery.restart.place_list import contours_as_data
 from CNCStepper.state import Start, State
 
 Tell = Callable[[dict[str, Any]], None]
@@ -82,7 +82,7 @@ class ProgramText:
         if "place" in question:
             return {"place": self._picture.pick_mm(**question["place"]) if self._picture else None}
         if "contours" in question:
-            return contours_told(self.lines, self.dialect, self.start, self.file)
+            return contours_as_data(self.lines, self.dialect, self.start, self.file)
         if "edit" in question:
             return self._edit(**question["edit"])
         raise CNCStepperError("editor-question", "nothing is known that could be asked so", value=str(question)[:80])
@@ -130,7 +130,7 @@ class ProgramText:
         if self.machine is None:
             return None
         try:
-            self._ends_s = row_times_s(begun(reading.toolpath), self.machine, play_of(self.machine, self.dialect))
+            self._ends_s = row_times_s(begun(reading.toolpath), self.machine, backlash_of(self.machine, self.dialect))
         except CNCStepperError:
             return None  # a program of more axes than the machine has: its times are not known
         return float(self._ends_s[-1]) if len(self._ends_s) else 0.0

@@ -49,10 +49,10 @@ def answer(folder: Path, name: str) -> None:
     """Read the question, prove, and write the answer; raises what the core raises."""
     from CNCStepper.job.certify import certificate_of
     from CNCStepper.job.proof_folder import read_question, write_answer, write_part
-    from CNCStepper.job.prove import earlier_proofs, prove_job
+    from CNCStepper.job.prove import prior_proofs, prove_job
     from CNCStepper.job.start_state_file import read_start
     from CNCStepper.recovery.restart.proof_folder import read_place, write_restart
-    from CNCStepper.recovery.restart.prove import Entering, certificate_of_restart, restart_job
+    from CNCStepper.recovery.restart.prove import EntryOptions, certificate_of_restart, restart_job
 
     program, job, machine = read_question(folder)
     start, place = read_start(folder), read_place(folder)
@@ -64,13 +64,13 @@ def answer(folder: Path, name: str) -> None:
         write_part(folder, part)
         tell("part")
 
-    earlier = earlier_proofs(job, machine, program, name, start)
+    earlier = prior_proofs(job, machine, program, name, start)
     more: dict[str, Any] = {"file": name, "start": start, "tell": tell, "see": see, "earlier": earlier}
     if place is None:
         proof = prove_job(job, machine, program, **more)
         certificate = certificate_of(proof)
     else:
-        entering = Entering(place.overlap_mm, place.height_mm)
+        entering = EntryOptions(place.overlap_mm, place.height_mm)
         restarted = restart_job(job, machine, program, place.where, entering, **more)
         proof, certificate = restarted.proof, certificate_of_restart(restarted)
         write_restart(folder, restarted.restart)

@@ -32,7 +32,7 @@ STOPPED = 130
 
 def main(arguments: list[str]) -> int:
     """Send what standard input says; return the exit status."""
-    _hear(_stop)
+    _on_message(_stop)
     try:
         port = open_port(Path(arguments[0]))
     except CNCStepperError as error:
@@ -49,14 +49,14 @@ def main(arguments: list[str]) -> int:
         ended = ("stopped", {}, STOPPED)
     finally:
         try:
-            _hear(signal.SIG_IGN)
+            _on_message(signal.SIG_IGN)
         finally:
             port.write(*idle)
             port.close()
     return _tell(*ended)
 
 
-def _hear(what: signal._HANDLER) -> None:
+def _on_message(what: signal._HANDLER) -> None:
     for name in STOPS:
         if hasattr(signal, name):
             signal.signal(getattr(signal, name), what)
@@ -64,7 +64,7 @@ def _hear(what: signal._HANDLER) -> None:
 
 def _stop(*_: object) -> None:
     """Stop the work, once: a second signal must not come between the first one and the port's rest."""
-    _hear(signal.SIG_IGN)
+    _on_message(signal.SIG_IGN)
     raise KeyboardInterrupt
 
 

@@ -13,12 +13,12 @@ from functools import partial
 from pathlib import Path
 
 from CNCStepper.control.journal.writer import Journal
-from CNCStepper.control.processes.process_file import OwnFile, unlink_soon
-from CNCStepper.control.processes.sleep_inhibitor import awake
+from CNCStepper.control.processes.process_file import ProcessFile, unlink_with_retries
+from CNCStepper.control.processes.sleep_inhibitor import inhibit_sleep
 from CNCStepper.control.processes.thread_priority import go_first
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.program.spool import read_spool
-from CNCStepper.control.service.position_trust_file import BeliefFile
+from CNCStepper.control.service.position_trust_file import PositionTrustFile
 from CNCStepper.control.service.sender import Sender
 from CNCStepper.control.session.detached_process import stop_on_signals
 from CNCStepper.control.session.files import OUTCOME, WIRE, write_private
@@ -38,25 +38,25 @@ def main(arguments: list[str]) -> int:
     session = Path(arguments[0])
     wire = session.with_suffix(WIRE)
     job = read_spool(wire, SendJob.from_json(sys.stdin.buffer.read().decode("utf-8")))
-    own_file = OwnFile(session)
+    own_file = ProcessFile(session)
     server = SessionServer(session, each_turn=own_file.keep)
     identity = {"port_identity": identify(job.port).to_json()}  # whatever its name will mean while the job runs
-    kept = BeliefFile.of_port(session.parent, job.port)
+    kept = PositionTrustFile.of_port(session.parent, job.port)
     sender = Sender(job, tell=server.tell, refuse=server.refuse, journal=Journal(session.parent), kept=kept)
     stop_on_signals(sender.stop)
     server.start(sender)
     own_file.write(server.address(job.port, job.file) | identity)
     outcome = _fault(sender)
     try:
-        with awake(partial(server.tell, "warning")):
+        with inhibit_sleep(partial(server.tell, "warning")):
             outcome = sender.run()
     finally:
         try:
             write_private(session.with_suffix(OUTCOME), outcome.to_json())
         finally:  # who listens hears it, also where the disk takes nothing any more
             own_file.remove()
-            unlink_soon(wire)
-            server.tell_outcome(outcome)
+            unlink_with_retries(wire)
+            server.notify_outcome(outcome)
             server.finish()
     return 0 if outcome.done else 1
 

@@ -40,7 +40,7 @@ class Answers:
     """The timeline of a proven program and what was told of it."""
 
     def __init__(self, folder: Path):
-        from CNCStepper.simulation.meshes.changed_tiles import Relief
+        from CNCStepper.simulation.meshes.changed_tiles import ChangedTiles
         from CNCStepper.simulation.meshes.mesh_faces import step_of
         from CNCStepper.simulation.views.coloured_faces import height_range_mm
 
@@ -48,7 +48,7 @@ class Answers:
         self._timeline = _timeline(folder)
         finished = self._timeline.at(self._timeline.duration_s)
         self._range_mm = height_range_mm(finished)
-        self._relief = Relief(finished.part.grid, step_of(finished))
+        self._relief = ChangedTiles(finished.part.grid, step_of(finished))
         self._told_all = False
 
     def to(self, question: dict[str, Any]) -> dict[str, Any]:
@@ -87,13 +87,13 @@ class Answers:
 def _timeline(folder: Path) -> Any:
     from CNCStepper.job.proof_folder import MOVES, proven_file, read_question
     from CNCStepper.job.start_state_file import read_start
-    from CNCStepper.job.wire_round_trip import wire_and_ways
+    from CNCStepper.job.wire_round_trip import wire_round_trip
     from CNCStepper.simulation.removal.timeline import Timeline
     from CNCStepper.simulation.tip_track import TipTrack
 
     program, job, machine = read_question(folder)
     start, file = job.started(read_start(folder), machine), proven_file(folder)
-    _, motors, toolpath = wire_and_ways(program, machine, machine.controller, file, start)
+    _, motors, toolpath = wire_round_trip(program, machine, machine.controller, file, start)
     ends_s = TipTrack.load(folder / MOVES).ends_s
     return Timeline(toolpath, ends_s, job.tools, job.stock.stock(), machine=machine, motors=motors)
 

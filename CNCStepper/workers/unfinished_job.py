@@ -24,13 +24,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from CNCStepper.control.journal.store import latest_unfinished, unfinished_at
-from CNCStepper.control.journal.summary import begun_as, check_ended, told_of, why_no_line
+from CNCStepper.control.journal.summary import begun_as, check_ended, summary_of, why_no_line
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.workers.json_lines import Questions, serve, tell
 
 if TYPE_CHECKING:
-    from CNCStepper.control.journal.progress_interval import Reached
-    from CNCStepper.control.journal.replay import Story
+    from CNCStepper.control.journal.progress_interval import ProgressInterval
+    from CNCStepper.control.journal.replay import JobReplay
 
 
 def main() -> int:
@@ -53,34 +53,34 @@ def answered(question: dict[str, Any]) -> dict[str, Any]:
         return {"refused": error_to_json(error)}
 
 
-def unfinished(port: str) -> Story | None:
+def unfinished(port: str) -> JobReplay | None:
     """Return the last job of the machine at a port where it did not end; of any machine without a port."""
     return unfinished_at(port) if port else latest_unfinished()
 
 
-def told(story: Story, reached: Reached | None = None) -> Iterator[tuple[str, str]]:
+def job_summary(story: JobReplay, reached: ProgressInterval | None = None) -> Iterator[tuple[str, str]]:
     """Yield what is known of a job: a short name, and the words."""
     yield from begun_as(story)
-    yield from told_of(story, reached)
+    yield from summary_of(story, reached)
     if story.first_program and not why_no_line(story):
         yield "restart", f"it was a restart itself: the first line not certainly cut is the program's {line_of(story)}"
     if why_not := why_no_line(story):
         yield "restart", why_not
 
 
-def line_of(story: Story) -> int:
+def line_of(story: JobReplay) -> int:
     """Return the program's first line that is not certainly cut; 0 where the job names none."""
     _, _, line, _ = story.restarted
     return 0 if why_no_line(story) else line
 
 
-def reached_in(story: Story, programs: Sequence[str]) -> Reached | None:
+def reached_in(story: JobReplay, programs: Sequence[str]) -> ProgressInterval | None:
     """Return where on its path a job was; None where its program is in none of these files, nor in its own."""
-    from CNCStepper.control.journal.progress_interval import reached
+    from CNCStepper.control.journal.progress_interval import progress_interval
     from CNCStepper.control.journal.sent_program import text_sent
 
     text = text_sent(story, _texts(programs)) if story.first_line else None
-    return None if text is None else reached(story, text)
+    return None if text is None else progress_interval(story, text)
 
 
 def _job(port: str, programs: Sequence[str]) -> dict[str, Any] | None:
@@ -90,7 +90,7 @@ def _job(port: str, programs: Sequence[str]) -> dict[str, Any] | None:
     check_ended(story)
     file, sha256, _, _ = story.restarted
     return {
-        "told": list(told(story, reached_in(story, programs))),
+        "told": list(job_summary(story, reached_in(story, programs))),
         "file": file,
         "sha256": sha256,
         "line": line_of(story),

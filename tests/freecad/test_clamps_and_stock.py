@@ -14,7 +14,7 @@ from FreeCAD import Rotation, Vector
 
 from CNCStepper.errors import JobError
 from CNCStepper.job.model import Job as Model
-from CNCStepper.simulation.check_context import Subject
+from CNCStepper.simulation.check_context import CheckContext
 from CNCStepper.simulation.checks.clamps import clamps, sheet_edge
 from CNCStepper.simulation.finding import Finding
 from CNCStepper.simulation.stock import Cylinder
@@ -49,7 +49,7 @@ def model(job: Any) -> Model:
 def findings(job: Any) -> list[Finding]:
     """Return what the core's checks of clamps and edge find in the job's program."""
     checked = model(job)
-    subject = Subject.of(read_back(job, api.program_text(job)), machine_of(job), job.Label)
+    subject = CheckContext.of(read_back(job, api.program_text(job)), machine_of(job), job.Label)
     found = list(clamps(subject, checked.tools, checked.clamps))
     edge_mm = checked.stock.edge_mm
     return found + ([] if edge_mm is None else list(sheet_edge(subject, checked.tools, checked.stock.stock(), edge_mm)))

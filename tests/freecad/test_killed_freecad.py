@@ -13,10 +13,10 @@ from pathlib import Path
 
 import pytest
 
-from CNCStepper.control.journal.store import stories
+from CNCStepper.control.journal.store import replays
 from CNCStepper.control.processes.python_finder import command, environment, find_python
 from CNCStepper.control.program.send_job import SendJob
-from CNCStepper.control.session.files import running_desks
+from CNCStepper.control.session.files import running_services
 
 HERE = Path(__file__).parent
 ROOT = HERE.parents[1]
@@ -75,9 +75,9 @@ def kill_a_freecad_that_cuts(machine: str, folder: Path) -> None:
 def test_a_cut_goes_on_exactly_without_the_freecad_that_began_it(machine: str, tmp_path: Path) -> None:
     kill_a_freecad_that_cuts(machine, tmp_path)
     sessions = tmp_path / "cncstepper" / "sessions"
-    [story] = stories(sessions)
-    assert not story.is_done and len(running_desks(sessions)) == 1
-    wait(lambda: not running_desks(sessions), CUT_S + LEFT_S, "the cut and the desk to end")
-    [story] = stories(sessions)
+    [story] = replays(sessions)
+    assert not story.is_done and len(running_services(sessions)) == 1
+    wait(lambda: not running_services(sessions), CUT_S + LEFT_S, "the cut and the desk to end")
+    [story] = replays(sessions)
     assert story.is_done and story.finished == len(PLACES) + 1, story
     assert covers(rows_at(PLACES), rows_of_file(tmp_path / "trace.csv"))

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from CNCStepper.errors import JobError, OutputError
-from CNCStepper.job.prove import earlier_proofs, prove_job
+from CNCStepper.job.prove import prior_proofs, prove_job
 from CNCStepper.workbench import api
 from CNCStepper.workbench.document import program_file
 from CNCStepper.workbench.document.core_job import machine_of, programs
@@ -68,7 +68,7 @@ def test_the_second_is_proven_on_what_the_first_has_cut(document: Any, job: Any)
     api.edit(job, part=2)
     document.recompute()
     model, machine, text = api.job_model(job), machine_of(job), api.program_text(job)
-    earlier = earlier_proofs(model, machine, text, job.Label)
+    earlier = prior_proofs(model, machine, text, job.Label)
     assert len(earlier) == 1
     proof = prove_job(model, machine, text, job.Label, earlier=earlier)
     assert not proof.refused

@@ -26,9 +26,9 @@ class Heard:
         self.application = QtCore.QCoreApplication.instance() or QtCore.QCoreApplication([])
         self.lines: list[bytes] = []
         self.ends = 0
-        self.worker = start_worker(None, [find_python(), "-c", text], self._hear, self._end)
+        self.worker = start_worker(None, [find_python(), "-c", text], self._on_message, self._end)
 
-    def _hear(self) -> None:
+    def _on_message(self) -> None:
         self.lines += iter(self.worker.line, b"")
 
     def _end(self) -> None:

@@ -26,7 +26,7 @@ def bench(monkeypatch):
 def window(bench, monkeypatch, **of_client):
     silent = {"phase": "connected", "status": SenderStatus(), "outcome": None, "error": None, "poll": list}
     client = SimpleNamespace(**silent | of_client)
-    monkeypatch.setattr(bench.DeskClient, "launch", lambda *_: client)
+    monkeypatch.setattr(bench.ConnectionClient, "launch", lambda *_: client)
     return bench.Window("port", 115_200, Path(), SimpleNamespace(poll=lambda: False), lambda: None)
 
 

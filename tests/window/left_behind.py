@@ -10,7 +10,7 @@ import time
 from pathlib import Path
 
 from CNCStepper.control.program.send_job import SendJob
-from CNCStepper.control.service.connection_client import DeskClient
+from CNCStepper.control.service.connection_client import ConnectionClient
 
 
 def main(folder: Path) -> None:
@@ -24,7 +24,7 @@ def main(folder: Path) -> None:
     file = folder / "send.json"
     lines = ["G21", "G90", "G94", *(f"G1X{index % 2 * 5}Y{index % 3}F300" for index in range(400))]
     file.write_text(SendJob(port="", lines=lines, file="left-behind.nc").to_json(), "utf-8")
-    client = DeskClient.launch(address)
+    client = ConnectionClient.launch(address)
     wait_for(client, "idle")
     client.set_zero("XYZ")
     client.run(file, zero_confirmed=True)
@@ -34,7 +34,7 @@ def main(folder: Path) -> None:
         time.sleep(0.1)
 
 
-def wait_for(client: DeskClient, phase: str) -> None:
+def wait_for(client: ConnectionClient, phase: str) -> None:
     """Poll until the desk is in a phase."""
     while client.status.phase != phase:
         client.poll()

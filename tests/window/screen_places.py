@@ -65,10 +65,10 @@ class Pressed(QtCore.QObject):
         self._line = widget if widget.inherits("QLineEdit") or widget.inherits("QAbstractSpinBox") else None
         self._heard = not is_button and self._line is None
         if is_button:
-            widget.pressed.connect(self._hear)
+            widget.pressed.connect(self._on_message)
 
     @QtCore.Slot()
-    def _hear(self) -> None:
+    def _on_message(self) -> None:
         self._heard = True
 
     def told(self) -> bool:

@@ -224,7 +224,7 @@ def hidden(hand: Hand) -> Iterator[Any]:
 def reopen() -> None:
     """Open the workbench anew, as if FreeCAD had just been started."""
     packages._found.clear()
-    missing_packages.tell_once.cache_clear()
+    missing_packages.report_once.cache_clear()
     FreeCADGui.activateWorkbench("PartWorkbench")
     FreeCADGui.activateWorkbench("CNCStepperWorkbench")
 

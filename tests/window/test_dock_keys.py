@@ -14,7 +14,7 @@ from PySide import QtCore, QtGui
 from test_dock import D, connected, dock, own_sessions, pocket, says, start_button, work_mm, zeroed  # noqa: F401
 
 from CNCStepper.workbench.dock.connection import Link
-from CNCStepper.workbench.dock.model.controller_state import Moment
+from CNCStepper.workbench.dock.model.controller_state import ControllerSnapshot
 
 DOCKS_OWN = ("space", "Return", "Escape", "Delete", "v", "0")  # with which FreeCAD hides, deletes, turns the view …
 LET_GO_S = 1.5  # so long a key is held: X repeats it some 25 times a second after half a second
@@ -104,13 +104,13 @@ def test_every_change_of_state_leaves_the_focus_where_no_key_acts(
     dock: Any,  # noqa: F811
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    shown = [Moment("running")]  # of no job of ours, which would have a process to ask
+    shown = [ControllerSnapshot("running")]  # of no job of ours, which would have a process to ask
     monkeypatch.setattr(Link, "moment", property(lambda link: shown[0]))
     asked: list[str] = []
     monkeypatch.setattr(dock.link, "command", lambda name, *rest, **named: asked.append(name))
 
     def show(phase: str) -> None:
-        shown[0] = Moment(phase)
+        shown[0] = ControllerSnapshot(phase)
         hand.main(dock.refresh)
         hand.settle()
 

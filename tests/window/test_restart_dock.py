@@ -13,7 +13,7 @@ import pytest
 from hand import Hand
 from test_dock import LONGEST_MS, D, dock, own_sessions, start_button, zeroed  # noqa: F401
 
-from CNCStepper.control.session.files import read_private, running_desks
+from CNCStepper.control.session.files import read_private, running_services
 from CNCStepper.workbench import api
 from CNCStepper.workbench.dock import virtual_controller
 
@@ -123,7 +123,7 @@ def test_a_simulation_gives_its_moment(hand: Hand, job: Any) -> None:
 
 
 def kill_the_desk(machines: list[Any]) -> None:
-    (desk,) = running_desks()
+    (desk,) = running_services()
     os.kill(read_private(desk)["process"], signal.SIGKILL)
 
 
@@ -178,7 +178,7 @@ def test_a_job_that_was_lost_is_offered_and_restarted_once_the_zero_is_set(
     hand.click(f"{R}send")
     hand.wait(lambda: hand.exists(f"{D}Start") and "Work zero" in hand.text(f"{D}FlowTitle"), START_S, "the work zero")
     assert not hand.main(start_button().isEnabled) and "position is unknown" in hand.text(f"{D}FlowDetail")
-    hand.main(dock.sending.onward)  # whatever asks for the start past the button, the machine is not moved
+    hand.main(dock.sending.confirm_step)  # whatever asks for the start past the button, the machine is not moved
     hand.wait(lambda: "Refused by the machine" in hand.text(f"{D}FlowTitle"), 20, "the refusal of the desk")
     assert "position is unknown" in hand.text(f"{D}FlowDetail")
     assert hand.main(lambda: dock.link.status.mpos_mm) == (0, 0, 0)

@@ -180,7 +180,7 @@ def test_no_beginning_of_a_text_freezes_a_panel(hand: Hand) -> None:
 
 def test_the_picture_is_drawn_when_the_keys_pause(hand: Hand) -> None:
     plate = hand.main(draw, limit_s=120)
-    job, moments = plate["job"], Moments()
+    job, moments = plate["job"], TimelineClient()
     preview = hand.main(lambda: job.Document.getObject("CNCStepper_Preview"))
     hand.keyboard.learn("0123456789.")
     with hidden_view(hand):
@@ -218,7 +218,7 @@ def test_garbage_collections_pass_over_what_freecad_has_loaded(hand: Hand) -> No
     hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 20, "the panel to close")
 
 
-class Moments:
+class TimelineClient:
     """How long after the last key each picture was drawn."""
 
     def __init__(self) -> None:

@@ -59,13 +59,13 @@ def add_conversion(error: ProgramError, context: click.Context) -> None:
 def _conversion(program: Path, context: click.Context, refusal: ProgramError) -> str:
     """Return the command that makes a program one that the verb reads, or why none does; "" where none is wanted."""
     from CNCStepper.cli.common.options import dialect_name, read_program
-    from CNCStepper.cli.common.start_state_options import Given
+    from CNCStepper.cli.common.start_state_options import StartOptions
     from CNCStepper.gcode.conversion.foreign_programs import conversion_of
 
     machine, params = context.params.get("machine"), context.params
     target = dialect_name(params.get("dialect"), machine)
     rule, lengths = (machine.tool_change, machine.tool_length) if machine else ("pause", "none")
-    start = Given(**{name: params[name] for name in START_PARAMETERS if params.get(name)}).start()
+    start = StartOptions(**{name: params[name] for name in START_PARAMETERS if params.get(name)}).start()
     try:
         with interruptible(_ended_after(MOST_S)):
             found = conversion_of(read_program(program), target, start, str(program), rule, lengths)
@@ -104,9 +104,9 @@ def _is_wrong(refusal: ProgramError, reason: ProgramError) -> bool:
 
 def _start_words() -> list[str]:
     """Return the options that say the start, as the running verb was given them."""
-    from CNCStepper.cli.common.reproduce_options import made_with
+    from CNCStepper.cli.common.reproduce_options import reproduce_options
 
-    options = made_with()["options"]
+    options = reproduce_options()["options"]
     return [word for name in OF_START for value in options.get(name, ()) for word in (name, value)]
 
 

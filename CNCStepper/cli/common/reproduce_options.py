@@ -24,10 +24,10 @@ KEPT = {
 }
 OF_STOCK = ("--stock", "--origin", "--tool")
 OF_JOB = ("--job", "--part")
-MadeWith = Mapping[str, Any]
+ReproduceOptions = Mapping[str, Any]
 
 
-def made_with() -> MadeWith:
+def reproduce_options() -> ReproduceOptions:
     """Return those of the options of the command that runs now which a restart takes too."""
     context = click.get_current_context()
     given = (
@@ -35,10 +35,10 @@ def made_with() -> MadeWith:
         for param in context.command.params
         if param.name in KEPT and context.get_parameter_source(param.name) is ParameterSource.COMMANDLINE
     )
-    return kept({param.opts[0]: _values(param, context) for param in given})
+    return plain_options({param.opts[0]: _values(param, context) for param in given})
 
 
-def kept(options: Mapping[str, Iterable[Any]]) -> MadeWith:
+def plain_options(options: Mapping[str, Iterable[Any]]) -> ReproduceOptions:
     """Return options with their values as plain data; paths are made whole, their files fingerprinted."""
     values = [value for several in options.values() for value in several]
     files = [value.resolve() for value in values if isinstance(value, Path) and value.is_file()]
@@ -48,7 +48,7 @@ def kept(options: Mapping[str, Iterable[Any]]) -> MadeWith:
     }
 
 
-def merged(proven: MadeWith, own: MadeWith) -> MadeWith:
+def merged(proven: ReproduceOptions, own: ReproduceOptions) -> ReproduceOptions:
     """Return with what a job was made whose proof tells the one, and its own command line the other, which wins."""
     if not proven:
         return own

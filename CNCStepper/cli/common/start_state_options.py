@@ -41,7 +41,7 @@ _OPTIONS = (
 
 
 @dataclass(frozen=True)
-class Given:
+class StartOptions:
     """What the command line says of the start; nothing of it need be said."""
 
     work_zero: tuple[float, float, float] | None = None
@@ -51,7 +51,7 @@ class Given:
     search: tuple[str, ...] = ()
 
     def __bool__(self) -> bool:
-        return self != Given()
+        return self != StartOptions()
 
     def start(self) -> Start | None:
         """Return the start state that is told, None where nothing is."""
@@ -89,7 +89,7 @@ def start_options(function: Callable[..., Any]) -> Callable[..., Any]:
         search: tuple[str, ...],
         **more: Any,
     ) -> Any:
-        return function(*arguments, given=Given(work_zero, position, parameters, tool_table, search), **more)
+        return function(*arguments, given=StartOptions(work_zero, position, parameters, tool_table, search), **more)
 
     for option in reversed(_OPTIONS):
         command = option(command)

@@ -17,14 +17,14 @@ from threading import Thread
 LINE_BYTES = 4096
 
 
-class Typed:
+class TerminalInput:
     """Hears lines from a file descriptor while it waits, in the thread that waits.
 
     hear: gets each line without its end. fd: standard input when left out; nothing else may read from it any more.
     """
 
-    def __init__(self, hear: Callable[[str], None], fd: int | None = None):
-        self._hear = hear
+    def __init__(self, on_message: Callable[[str], None], fd: int | None = None):
+        self._on_message = on_message
         self._lines: SimpleQueue[str] = SimpleQueue()
         fd = _standard_input() if fd is None else fd
         if hasattr(signal, "SIGTTIN"):  # reading behind a shell's back fails then, instead of stopping the process
@@ -40,7 +40,7 @@ class Typed:
                 line = self._lines.get(timeout=max(0.0, until_s - time.monotonic()))
             except Empty:
                 return
-            self._hear(line)
+            self._on_message(line)
 
     def _read(self, fd: int) -> None:
         """Read to the end; not by sys.stdin, whose lock would keep a process from ending while this thread waits."""

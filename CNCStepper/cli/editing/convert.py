@@ -12,7 +12,7 @@ from CNCStepper.cli.common.findings_output import save
 from CNCStepper.cli.common.options import DialectType, NumberType, linuxcnc_option, program_argument, read_program
 from CNCStepper.cli.common.path_types import OutputPath
 from CNCStepper.cli.common.progress import Progress
-from CNCStepper.cli.common.start_state_options import Given, start_options
+from CNCStepper.cli.common.start_state_options import StartOptions, start_options
 from CNCStepper.cli.common.verb import Verb
 from CNCStepper.output_files import MADE_BY
 from CNCStepper.state import Start
@@ -61,7 +61,7 @@ def command(
     tool_length: str | None,
     rapid_mm_min: float | None,
     leave_out: tuple[str, ...],
-    given: Given,
+    given: StartOptions,
 ) -> None:
     """Write PROGRAM in another dialect: the same moves, what the target lacks expanded or refused.
 

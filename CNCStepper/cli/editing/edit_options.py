@@ -24,7 +24,7 @@ from CNCStepper.cli.common.options import (
     stock_options,
 )
 from CNCStepper.cli.common.path_types import OutputPath
-from CNCStepper.cli.common.start_state_options import Given, start_options
+from CNCStepper.cli.common.start_state_options import StartOptions, start_options
 
 if TYPE_CHECKING:
     from CNCStepper.gcode.edit.edit_result import Edited
@@ -85,7 +85,7 @@ def reading_options(function: Callable[..., None]) -> Callable[..., None]:
         stock: tuple[float, float, float] | None,
         origin: str,
         tool: Tool | None,
-        given: Given,
+        given: StartOptions,
         **more: Any,
     ) -> None:
         from CNCStepper.gcode.syntax.text_format import decoded

@@ -11,7 +11,7 @@ import click
 
 from CNCStepper.cli.common.options import dialect_name, dialect_option, machine_option, program_argument, read_program
 from CNCStepper.cli.common.path_types import OutputPath
-from CNCStepper.cli.common.start_state_options import Given, start_options
+from CNCStepper.cli.common.start_state_options import StartOptions, start_options
 from CNCStepper.cli.common.verb import Verb
 from CNCStepper.errors import MachineRefusal
 from CNCStepper.machine.profile import Machine
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from CNCStepper.control.pulses.pacing import Jitter
     from CNCStepper.control.pulses.program import PulseProgram
     from CNCStepper.control.pulses.sender import Pace
-    from CNCStepper.motion.planner.feed_hold import Reins
+    from CNCStepper.motion.planner.feed_hold import FeedHold
 
 HOLD, RESUME = "!", "~"  # as grbl knows them
 
@@ -47,7 +47,7 @@ def command(
     port: Path,
     zero_confirmed: bool,
     dialect: str | None,
-    given: Given,
+    given: StartOptions,
 ) -> None:
     """Send PROGRAM's pulses to a parallel port, with the pins and pulse times of the profile's [signals].
 
@@ -90,21 +90,21 @@ def command(
 
 def _sent(job: PulseProgram, port: Path, pace: Pace) -> Jitter:
     """Send all pulses, obeying what is typed meanwhile; return how late they were."""
-    from CNCStepper.cli.common.terminal_input import Typed
+    from CNCStepper.cli.common.terminal_input import TerminalInput
     from CNCStepper.control.pulses.sender import send_pulses
     from CNCStepper.motion.planner.buffers import TICKS_PER_S
-    from CNCStepper.motion.planner.feed_hold import Reins
+    from CNCStepper.motion.planner.feed_hold import FeedHold
 
-    reins = Reins()
-    typed = Typed(lambda line: _obey(reins, line))
+    reins = FeedHold()
+    typed = TerminalInput(lambda line: _execute_command(reins, line))
     try:
-        return send_pulses(job.chunks(reins), TICKS_PER_S, port, pace, _tell_trial, typed.wait)
+        return send_pulses(job.chunks(reins), TICKS_PER_S, port, pace, _report_trial, typed.wait)
     except KeyboardInterrupt:
         click.echo("cncstepper: steps may be lost: home the machine before its next move", err=True)
         raise
 
 
-def _obey(reins: Reins, line: str) -> None:
+def _execute_command(reins: FeedHold, line: str) -> None:
     """Do what a line asks for, and say so; any other line is answered with those that there are."""
     if line == HOLD:
         reins.hold()
@@ -119,7 +119,7 @@ def _obey(reins: Reins, line: str) -> None:
     click.echo(said, err=True)
 
 
-def _slow(reins: Reins, percent: int) -> str:
+def _slow(reins: FeedHold, percent: int) -> str:
     """Set the share of every speed; return what to answer."""
     try:
         reins.slow(percent / 100)
@@ -128,7 +128,7 @@ def _slow(reins: Reins, percent: int) -> str:
     return f"{percent} % of every programmed speed"
 
 
-def _tell_trial(trial: Jitter) -> None:
+def _report_trial(trial: Jitter) -> None:
     click.echo(f"tried at {trial.writes / trial.taken_s:.0f} writes/s: {_late(trial)}", err=True)
 
 

@@ -12,7 +12,7 @@ from CNCStepper.cli.job.running_job import follow, session_file, session_option
 from CNCStepper.errors import MachineRefusal
 
 if TYPE_CHECKING:
-    from CNCStepper.control.service.connection_session import DeskSession
+    from CNCStepper.control.service.connection_session import ConnectionSession
     from CNCStepper.control.session.client import SessionClient
     from CNCStepper.control.session.status import SenderStatus
 
@@ -36,7 +36,7 @@ def command(from_pause: bool, session: str | None) -> None:
         if status.phase == RETREATED:
             _from_cut(client)
         else:
-            _from_stand(client, status)
+            _from_pause(client, status)
     click.echo("the job goes on")
 
 
@@ -56,16 +56,16 @@ def _check(status: SenderStatus, from_pause: bool) -> None:
         )
 
 
-def _from_stand(client: SessionClient | DeskSession, stood: SenderStatus) -> None:
+def _from_pause(client: SessionClient | ConnectionSession, stood: SenderStatus) -> None:
     from CNCStepper.control.stream.pause_id import WAITING
 
     client.ask("resume", stand=stood.stand)
     follow(client, stood, lambda now: now.stand != stood.stand or now.phase not in WAITING, "resume")
 
 
-def _from_cut(client: SessionClient | DeskSession) -> None:
+def _from_cut(client: SessionClient | ConnectionSession) -> None:
     """Cut from where the tool was led back to, as `cncstepper back --resume` does."""
-    from CNCStepper.recovery.retract.client import WayBack
+    from CNCStepper.recovery.retract.client import RetractClient
 
-    back = WayBack(client)
+    back = RetractClient(client)
     back.go(back.held().rest())

@@ -11,10 +11,10 @@ import click
 from CNCStepper.cli.job.override_words import HELP as OVERRIDES
 from CNCStepper.cli.job.override_words import read_override
 
-Wishes = list[tuple[str, dict[str, Any]]]  # commands of a session with their values
+PendingRequests = list[tuple[str, dict[str, Any]]]  # commands of a session with their values
 
-GO_ON: Wishes = [("resume", {})]
-STOP: Wishes = [("stop", {})]
+GO_ON: PendingRequests = [("resume", {})]
+STOP: PendingRequests = [("stop", {})]
 STOP_WORDS = ("s", "stop", "q", "quit", "n", "no")
 JOG_FEED_MM_MIN = 500.0
 LONGEST_MM = 1000.0
@@ -27,7 +27,7 @@ _WORD = re.compile(r"([xyzf])(-?[\d.]+)")
 _ZERO = re.compile(r"zero ([xyz]{1,3})")
 
 
-def read_answer(text: str) -> Wishes:
+def read_answer(text: str) -> PendingRequests:
     """Return what an answer asks for; raises ValueError with words where it is none, and for a question mark."""
     words = " ".join(text.lower().split())
     if not words:
@@ -45,7 +45,7 @@ def read_answer(text: str) -> Wishes:
     return [("jog", _way(words, text))]
 
 
-def is_end(wishes: Wishes) -> bool:
+def is_end(wishes: PendingRequests) -> bool:
     """Return whether the job leaves its stand with these."""
     return any(name in ("resume", "stop") for name, _ in wishes)
 
@@ -66,7 +66,7 @@ class Answer(click.ParamType):
 
     name = "answer"
 
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Wishes:
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> PendingRequests:
         """Return the wishes of what was typed."""
         try:
             return value if isinstance(value, list) else read_answer(value)

@@ -10,9 +10,9 @@ from typing import Any
 
 import click
 
-from CNCStepper.cli.job.pause_answers import GO_ON, STOP, Answer, Wishes, is_end
+from CNCStepper.cli.job.pause_answers import GO_ON, STOP, Answer, PendingRequests, is_end
 from CNCStepper.cli.job.pause_question import question, unasked
-from CNCStepper.cli.job.session_listener import LOOK_EVERY_S, Meanwhile
+from CNCStepper.cli.job.session_listener import LOOK_EVERY_S, SessionListener
 from CNCStepper.cli.job.status_text import overrides_in_words
 from CNCStepper.control.session.client import SessionClient
 from CNCStepper.control.session.status import SenderStatus
@@ -22,7 +22,7 @@ TOUCHED_S = 0.5  # until a jog, a new zero or an override shows at the latest
 OVER = "That was not done: it answered to a stand that is over"
 
 
-class Asker:
+class PausePrompt:
     """Asks about the stands of one session.
 
     hear: gets every event of the session that comes meanwhile but the statuses. tell: gets words. is_there: whether
@@ -30,10 +30,10 @@ class Asker:
     """
 
     def __init__(
-        self, client: SessionClient, hear: Callable[[dict[str, Any]], None], tell: Callable[[str], None]
+        self, client: SessionClient, on_message: Callable[[dict[str, Any]], None], tell: Callable[[str], None]
     ) -> None:
         self.is_there = True
-        self._client, self._hear, self._tell = client, hear, tell
+        self._client, self._on_message, self._tell = client, on_message, tell
 
     def ask(self, status: SenderStatus) -> int:
         """Ask until the job goes on or is stopped; return the number of the stand that was asked about last."""
@@ -54,18 +54,18 @@ class Asker:
             status = self._touched(status)
         return asked.stand
 
-    def _answer(self, status: SenderStatus) -> Wishes:
+    def _answer(self, status: SenderStatus) -> PendingRequests:
         """Return what is wanted; nothing, and `is_there` is false from now on, where nobody can be asked."""
         if not self.is_there:
             return []
         try:
-            with Meanwhile(self._client, status, self._hear, self._tell):
+            with SessionListener(self._client, status, self._on_message, self._tell):
                 return click.prompt(question(status), default="", show_default=False, err=True, type=Answer())
         except click.Abort as abort:
             self.is_there = sys.stdin.isatty() or not isinstance(abort.__context__, EOFError)
             return STOP if self.is_there else []
 
-    def _wish(self, wishes: Wishes, stand: int) -> None:
+    def _wish(self, wishes: PendingRequests, stand: int) -> None:
         for name, values in wishes:
             self._client.ask(name, **(values | {"stand": stand} if name == "resume" else values))
 
@@ -78,7 +78,7 @@ class Asker:
                 if event["event"] == "status":
                     seen.append(SenderStatus.from_json(event["status"]))
                 else:
-                    self._hear(event)
+                    self._on_message(event)
         return seen[-1] if seen else status
 
     def _touched(self, status: SenderStatus) -> SenderStatus:

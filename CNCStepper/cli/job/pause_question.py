@@ -28,7 +28,7 @@ def unasked(status: SenderStatus) -> str:
     )
 
 
-def meanwhile(status: SenderStatus, waits: bool) -> str:
+def reminder(status: SenderStatus, waits: bool) -> str:
     """Return what to say while the question about a stand is open that is over; waits: somebody is asked again."""
     if waits:
         return f"Meanwhile: {why(status)}. Press Enter to be asked about that"

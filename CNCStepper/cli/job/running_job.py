@@ -13,7 +13,7 @@ from CNCStepper.control.session.status import SenderStatus
 from CNCStepper.errors import JobError
 
 if TYPE_CHECKING:
-    from CNCStepper.control.service.connection_session import DeskSession
+    from CNCStepper.control.service.connection_session import ConnectionSession
     from CNCStepper.control.session.client import SessionClient
 
 LOOK_EVERY_S = 0.05
@@ -24,11 +24,11 @@ session_option = click.option("--session", help="Which job, by its session's nam
 def session_file(name: str | None) -> Path:
     """Return the file of the session or desk meant; raises JobError where it is not clear which."""
     from CNCStepper.control.service.connection_session import jobs_running
-    from CNCStepper.control.session.files import running_desks, sessions
+    from CNCStepper.control.session.files import running_services, sessions
 
     if name and Path(name).suffix:
         return Path(name)
-    running = [path for path in sessions() + running_desks() if path.stem == name] if name else jobs_running()
+    running = [path for path in sessions() + running_services() if path.stem == name] if name else jobs_running()
     if len(running) == 1:
         return running[0]
     if not running:
@@ -48,7 +48,7 @@ def _none_runs(name: str | None) -> JobError:
 
 
 def follow(
-    client: SessionClient | DeskSession, status: SenderStatus, reached: Callable[[SenderStatus], bool], asked: str
+    client: SessionClient | ConnectionSession, status: SenderStatus, reached: Callable[[SenderStatus], bool], asked: str
 ) -> SenderStatus:
     """Wait until a status is reached or the job has ended, and return it; what is told meanwhile is printed.
 

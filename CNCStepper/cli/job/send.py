@@ -25,7 +25,7 @@ from CNCStepper.cli.common.options import (
     stock_of,
     stock_options,
 )
-from CNCStepper.cli.common.start_state_options import Given, start_options
+from CNCStepper.cli.common.start_state_options import StartOptions, start_options
 from CNCStepper.cli.common.verb import Verb
 from CNCStepper.cli.job.program_file import ProgramFile
 from CNCStepper.cli.job_file import job_and_machine
@@ -91,7 +91,7 @@ def command(
     allow_differences: bool,
     unchecked: bool,
     despite_certificate: bool,
-    given: Given,
+    given: StartOptions,
 ) -> None:
     """Send PROGRAM to the controller at --port and wait until the machine is idle again.
 
@@ -117,16 +117,16 @@ def command(
     Z, "all" ends --step. While it stands "feed -10", "spindle +10", "rapid 50", "flood" and the like change its
     overrides; "?" lists them. Who jogged is taken back first: up, over, and slowly down to where the program stood.
     """
-    from CNCStepper.cli.common.reproduce_options import made_with, merged
+    from CNCStepper.cli.common.reproduce_options import merged, reproduce_options
     from CNCStepper.cli.job.session_watch import watch
-    from CNCStepper.control.service.port_owner import check_free, tell_closed
+    from CNCStepper.control.service.port_owner import check_free, warn_of_closed
 
     if not certificate or job_path:
         check_stock(stock, tool, job_path)
     _check_pauses(by_line, resume_pauses)
     _check_proof(bool(certificate), bool(machine or job_path), unchecked, despite_certificate)
     check_free(port)
-    tell_closed(partial(click.echo, err=True))
+    warn_of_closed(partial(click.echo, err=True))
     wanted = _Wanted(ProgramFile(program), machine, stock_of(stock, origin), tool, given.start())
     if job_path:
         wanted = wanted.of_job(*job_and_machine(job_path), is_certified=certificate is not None)
@@ -137,7 +137,7 @@ def command(
         else:
             job = _checked(wanted, dialect_name(dialect, wanted.machine), unchecked)
         job = replace(job, port=port, baud=baud, allow_differences=allow_differences)
-        how = merged(job.made_with, made_with())
+        how = merged(job.made_with, reproduce_options())
         job = replace(job, by_line=by_line, home_first=home_first, program_sha256=wanted.program.sha256, made_with=how)
         outcome = watch(confirmed(job, zero_confirmed), resume_pauses)
     conclude(outcome)
@@ -257,12 +257,12 @@ def _other_wire(certificate: Certificate, wanted: _Wanted, dialect: str) -> str:
 def _checked(wanted: _Wanted, dialect: str, unchecked: bool) -> SendJob:
     """Read the program back and check it; exits with 1 where a check refuses it."""
     from CNCStepper.job.certify import send_job
-    from CNCStepper.job.wire_round_trip import wire_and_ways
+    from CNCStepper.job.wire_round_trip import wire_round_trip
     from CNCStepper.simulation.finding import refused
     from CNCStepper.toolpath import require_straight_axes
 
     _check_spoken(dialect, wanted.machine)
-    wire, motors, toolpath = wire_and_ways(wanted.program.text, wanted.machine, dialect, wanted.file, wanted.start)
+    wire, motors, toolpath = wire_round_trip(wanted.program.text, wanted.machine, dialect, wanted.file, wanted.start)
     require_straight_axes(motors, wanted.file)
     if wanted.machine and not unchecked:
         findings = _findings(wanted, wanted.machine, toolpath, motors)
@@ -297,11 +297,11 @@ def _findings(wanted: _Wanted, machine: Machine, toolpath: Toolpath, motors: Too
 
 def _uncertified(wanted: _Wanted, dialect: str) -> SendJob:
     """Return the job of a program that no certificate covers, which somebody wants sent all the same."""
-    from CNCStepper.gcode.wire.backlash_compensation import play_of
+    from CNCStepper.gcode.wire.backlash_compensation import backlash_of
     from CNCStepper.gcode.wire.encoder import prepare
     from CNCStepper.job.certify import send_job
 
-    wire = prepare(wanted.program.text, dialect, wanted.file, wanted.start, play_of(wanted.machine, dialect))
+    wire = prepare(wanted.program.text, dialect, wanted.file, wanted.start, backlash_of(wanted.machine, dialect))
     return send_job(wire, wanted.machine, wanted.file, wanted.start, dialect)
 
 

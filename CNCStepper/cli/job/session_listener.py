@@ -11,7 +11,7 @@ from threading import Event, Thread
 from types import TracebackType
 from typing import Any
 
-from CNCStepper.cli.job.pause_question import meanwhile
+from CNCStepper.cli.job.pause_question import reminder
 from CNCStepper.control.session.client import SessionClient
 from CNCStepper.control.session.status import SenderStatus
 from CNCStepper.control.stream.pause_id import WAITING
@@ -20,7 +20,7 @@ from CNCStepper.errors import CNCStepperError
 LOOK_EVERY_S = 0.05
 
 
-class Meanwhile:
+class SessionListener:
     """Used as a context while somebody is asked about a stand; raises in the end what ended the session's link.
 
     hear: gets every event but the statuses. tell: gets words.
@@ -30,10 +30,10 @@ class Meanwhile:
         self,
         client: SessionClient,
         asked: SenderStatus,
-        hear: Callable[[dict[str, Any]], None],
+        on_message: Callable[[dict[str, Any]], None],
         tell: Callable[[str], None],
     ):
-        self._client, self._hear, self._tell = client, hear, tell
+        self._client, self._on_message, self._tell = client, on_message, tell
         self._told = (asked.stand, True)
         self._over = Event()
         self._error: CNCStepperError | None = None
@@ -60,10 +60,10 @@ class Meanwhile:
 
     def _take(self, event: dict[str, Any]) -> None:
         if event["event"] != "status":
-            self._hear(event)
+            self._on_message(event)
             return
         status = SenderStatus.from_json(event["status"])
         stand = (status.stand, status.phase in WAITING)
         if stand != self._told:
             self._told = stand
-            self._tell(f"\n{meanwhile(status, stand[1])}")
+            self._tell(f"\n{reminder(status, stand[1])}")

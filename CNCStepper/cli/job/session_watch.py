@@ -11,7 +11,7 @@ from rich.console import Console, ConsoleOptions, RenderableType, RenderResult
 from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeElapsedColumn
 from rich.text import Text
 
-from CNCStepper.cli.job.pause_prompt import Asker
+from CNCStepper.cli.job.pause_prompt import PausePrompt
 from CNCStepper.cli.job.pause_question import why
 from CNCStepper.cli.job.status_text import live
 from CNCStepper.control.program.send_job import SendJob
@@ -21,7 +21,7 @@ from CNCStepper.control.stream.path_retract import STANDS
 from CNCStepper.control.stream.pause_id import WAITING
 
 if TYPE_CHECKING:
-    from CNCStepper.recovery.retract.button_client import Leader
+    from CNCStepper.recovery.retract.button_client import ButtonClient
 
 LOOK_EVERY_S = 0.05
 UNANSWERED = -1  # the number of no stand
@@ -73,10 +73,10 @@ class _Watch:
         self._progress = progress
         self._resume_pauses = resume_pauses
         self._has_start = has_start  # a button at the machine, so that nobody need answer here
-        self._asker = Asker(client, self._print, self._tell)
+        self._pause_prompt = PausePrompt(client, self._print, self._tell)
         self._answered = UNANSWERED  # the stand that has had its answer
         self._phase = ""
-        self._leader: Leader | None = None  # from the first stand on
+        self._leader: ButtonClient | None = None  # from the first stand on
 
     def run(self) -> Outcome:
         """Return the outcome; Ctrl-C holds the machine, a request to end this process stops it safely."""
@@ -100,7 +100,7 @@ class _Watch:
 
     def _interrupted(self) -> None:
         """Hold, for whoever interrupts is here to answer; stop what stands already where nobody can be asked."""
-        if self._phase in WAITING and not self._asker.is_there:
+        if self._phase in WAITING and not self._pause_prompt.is_there:
             self._client.stop()
             return
         self._has_start, self._answered = False, UNANSWERED
@@ -133,15 +133,15 @@ class _Watch:
     def _follow_buttons(self) -> None:
         """Do from now on what the machine's own buttons want of the way along the cut, also while a person is asked."""
         if self._leader is None:
-            from CNCStepper.recovery.retract.button_client import Leader
+            from CNCStepper.recovery.retract.button_client import ButtonClient
 
-            self._leader = Leader(self._client.session_file, self._tell)
+            self._leader = ButtonClient(self._client.session_file, self._tell)
             self._leader.start()
 
     def _ask(self, status: SenderStatus) -> None:
         """Ask, with the progress out of the way of what is typed."""
         self._progress.stop()
         try:
-            self._answered = self._asker.ask(status)
+            self._answered = self._pause_prompt.ask(status)
         finally:
             self._progress.start()

@@ -13,9 +13,9 @@ import click
 from CNCStepper.cli.common.verb import Verb
 from CNCStepper.cli.job.override_words import read_override
 from CNCStepper.cli.job.status_text import overrides_in_words
-from CNCStepper.cli.machine.echo_input import Overheard
+from CNCStepper.cli.machine.echo_input import EchoInput
 from CNCStepper.cli.machine.jog import FEED_MM_MIN, jog_line
-from CNCStepper.cli.machine.service_client import Talk, place, port_options
+from CNCStepper.cli.machine.service_client import ServiceClient, place, port_options
 from CNCStepper.errors import CNCStepperError, LinkError
 
 PROMPT = "> "
@@ -49,7 +49,7 @@ def command(port: str, baud: int) -> None:
 
     Lines also come from a pipe or a file; then the first refusal ends it with exit status 1.
     """
-    with Talk(port, baud) as talk:
+    with ServiceClient(port, baud) as talk:
         click.echo(place(talk.status))
         if sys.stdin.isatty():
             with _history():
@@ -61,7 +61,7 @@ def command(port: str, baud: int) -> None:
 class Session:
     """What the words of a console do."""
 
-    def __init__(self, talk: Talk):
+    def __init__(self, talk: ServiceClient):
         self._talk = talk
         self._words: dict[str, Callable[[list[str]], None]] = {
             "?": lambda _: self._show(),
@@ -112,7 +112,7 @@ class Session:
         click.echo(answer)
 
 
-def _follow(talk: Talk) -> None:
+def _follow(talk: ServiceClient) -> None:
     """Do the lines of a pipe or a file; Ctrl-C holds what moves and ends it."""
     try:
         for line in map(str.strip, sys.stdin):
@@ -143,7 +143,7 @@ def _feed_mm_min(words: list[str]) -> float:
     return feed_mm_min
 
 
-def converse(talk: Talk) -> None:
+def converse(talk: ServiceClient) -> None:
     """Ask for line after line until quit; a refusal is said, a lost link ends it."""
     session, typed = Session(talk), list[str]()
     for line in _lines(talk):
@@ -171,9 +171,9 @@ def _try(session: Session, line: str) -> None:
         click.echo(str(error))
 
 
-def _lines(talk: Talk) -> Iterator[str]:
+def _lines(talk: ServiceClient) -> Iterator[str]:
     """Yield the lines that are typed; what the controller says meanwhile is shown. Raises the error of a lost link."""
-    overheard = Overheard(talk, PROMPT)
+    overheard = EchoInput(talk, PROMPT)
     while True:
         try:
             with overheard:
@@ -187,7 +187,7 @@ def _lines(talk: Talk) -> Iterator[str]:
             return
 
 
-def _hold(talk: Talk) -> None:
+def _hold(talk: ServiceClient) -> None:
     """Hold what moves, and wait until it stands; what had been done already is no error."""
     talk.client.hold()
     with suppress(CNCStepperError):

@@ -12,17 +12,17 @@ from types import TracebackType
 
 import click
 
-from CNCStepper.cli.machine.service_client import LOOK_EVERY_S, Talk, place
+from CNCStepper.cli.machine.service_client import LOOK_EVERY_S, ServiceClient, place
 from CNCStepper.control.session.status import SenderStatus
 
 TOLD_EVENTS = ("message", "warning", "refused", "console")
 TOLD_PHASES = ("alarm", "held", "door")
 
 
-class Overheard:
+class EchoInput:
     """Used as a context while a line is typed after `prompt`, again and again."""
 
-    def __init__(self, talk: Talk, prompt: str):
+    def __init__(self, talk: ServiceClient, prompt: str):
         self._talk = talk
         self._prompt = prompt
         self._over = Event()

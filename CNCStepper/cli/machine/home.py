@@ -6,7 +6,7 @@ from __future__ import annotations
 import click
 
 from CNCStepper.cli.common.verb import Verb
-from CNCStepper.cli.machine.service_client import Talk, place, port_options
+from CNCStepper.cli.machine.service_client import ServiceClient, place, port_options
 
 
 @click.command("home", cls=Verb)
@@ -18,7 +18,7 @@ def command(port: str, baud: int) -> None:
     Many boards restart when their port is opened anew and forget what they have found: then home with `cncstepper send
     --home`, or from `cncstepper console`, which keeps the port open for what comes next.
     """
-    with Talk(port, baud) as talk:
+    with ServiceClient(port, baud) as talk:
         try:
             talk.home()
         except KeyboardInterrupt:

@@ -10,7 +10,7 @@ import click
 
 from CNCStepper.cli.common.options import NumberType
 from CNCStepper.cli.common.verb import Verb
-from CNCStepper.cli.machine.service_client import Talk, place, port_options
+from CNCStepper.cli.machine.service_client import ServiceClient, place, port_options
 
 WORD = re.compile(r"([XYZ])([-+]?\d+(?:\.\d*)?|[-+]?\.\d+)", re.IGNORECASE)
 FEED_MM_MIN = 1000.0
@@ -37,7 +37,7 @@ def command(way: tuple[str, ...], feed: float, port: str, baud: int) -> None:
     if session := session_at(port):
         _jog_job(session, axes_mm, feed)
         return
-    with Talk(port, baud) as talk:
+    with ServiceClient(port, baud) as talk:
         jog(talk, jog_line(way, feed))
         click.echo(place(talk.status))
 
@@ -71,7 +71,7 @@ def _jog_job(session: Path, axes_mm: dict[str, float], feed_mm_min: float) -> No
             raise
 
 
-def jog(talk: Talk, line: str) -> None:
+def jog(talk: ServiceClient, line: str) -> None:
     """Jog and wait until the machine stands; raises a ClickException with the controller's words when it does not."""
     try:
         answer = talk.type(line)

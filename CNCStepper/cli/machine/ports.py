@@ -11,7 +11,7 @@ from CNCStepper.cli.common.verb import Verb
 from CNCStepper.errors import CNCStepperError
 
 if TYPE_CHECKING:
-    from CNCStepper.control.protocol.grbl.connect import Found
+    from CNCStepper.control.protocol.grbl.connect import ControllerInfo
     from CNCStepper.control.protocol.grbl.driver import Grbl
     from CNCStepper.control.protocol.grbl.timeouts import Timing
 
@@ -66,29 +66,29 @@ def _ask(port: str, baud: int) -> bool:
 
 def _meet(port: str, driver: Grbl, timing: Timing) -> str:
     """Return what answers in words; one that moves is not asked what it is."""
-    from CNCStepper.control.protocol.grbl.connect import greeted, learn, wake_up
+    from CNCStepper.control.protocol.grbl.connect import has_greeting, learn, wake_up
 
     woken = wake_up(driver, timing, locked=True)
     assert driver.status
     state = driver.status.name
     if driver.status.state not in ("Idle", "Alarm"):
         return f"a controller in the state {state}, which is not disturbed"
-    found = learn(driver, timing, greeted(woken))
+    found = learn(driver, timing, has_greeting(woken))
     _note_position(port, driver, found.greeted)
     return f"{_told(found, driver.window + 1)}, {state}"
 
 
 def _note_position(port: str, driver: Grbl, greeted: bool) -> None:
     """Keep for the next connection that the position is unknown, where the controller has restarted or is locked."""
-    from CNCStepper.control.service.position_trust_file import BeliefFile
+    from CNCStepper.control.service.position_trust_file import PositionTrustFile
     from CNCStepper.control.session.files import session_folder
-    from CNCStepper.control.stream.position_trust import met
+    from CNCStepper.control.stream.position_trust import trust_at_connect
 
-    kept = BeliefFile.of_port(session_folder(), port)
-    kept.keep(met(kept.belief, driver, greeted))
+    kept = PositionTrustFile.of_port(session_folder(), port)
+    kept.keep(trust_at_connect(kept.belief, driver, greeted))
 
 
-def _told(found: Found, receive_bytes: int) -> str:
+def _told(found: ControllerInfo, receive_bytes: int) -> str:
     words = [f"{found.firmware.name} {found.version}", f"{receive_bytes} bytes of receive buffer"]
     if found.settings.get(13):
         words.append("reports in inches ($13=1)")

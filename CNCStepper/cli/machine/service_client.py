@@ -18,7 +18,7 @@ from CNCStepper.cli.job.status_text import OVERRIDES_TOLD_S, overrides_in_words
 from CNCStepper.errors import CNCStepperError, MachineRefusal
 
 if TYPE_CHECKING:
-    from CNCStepper.control.service.connection_client import DeskClient
+    from CNCStepper.control.service.connection_client import ConnectionClient
     from CNCStepper.control.session.status import SenderStatus
 
 LOOK_EVERY_S = 0.02
@@ -39,25 +39,25 @@ def port_options(function: Any) -> Any:
     return port(baud(function))
 
 
-class Talk:
+class ServiceClient:
     """A conversation with the desk at a port; prints what the desk tells meanwhile, and raises what it refuses."""
 
     def __init__(self, port: str, baud: int):
-        from CNCStepper.control.service.connection_client import DeskClient
+        from CNCStepper.control.service.connection_client import ConnectionClient
 
-        self.client: DeskClient = DeskClient.launch(port, baud)
+        self.client: ConnectionClient = ConnectionClient.launch(port, baud)
 
-    def __enter__(self) -> Talk:
-        from CNCStepper.control.service.port_owner import tell_closed
+    def __enter__(self) -> ServiceClient:
+        from CNCStepper.control.service.port_owner import warn_of_closed
 
-        tell_closed(partial(click.echo, err=True))
+        warn_of_closed(partial(click.echo, err=True))
         while self.client.phase != "connected":
             self.look()
         return self
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, at: TracebackType | None) -> None:
         path = self.client.session_file
-        alone = self.client.started_desk
+        alone = self.client.started_service
         self.client.leave()
         end_s = time.monotonic() + END_LIMIT_S
         while alone and path and path.exists() and time.monotonic() < end_s:

@@ -101,18 +101,18 @@ def grbl(
 
 def _hand_at(board: Grbl, press: Path | None, typed: bool) -> Callable[[], None]:
     """Return what lets a hand press the pins of a board, called again and again."""
-    from CNCStepper.cli.common.terminal_input import Typed
-    from CNCStepper.virtual.server.pin_presses import Hand
+    from CNCStepper.cli.common.terminal_input import TerminalInput
+    from CNCStepper.virtual.server.pin_presses import PinPresses
 
-    hand = Hand(board, tell=click.echo)
+    hand = PinPresses(board, tell=click.echo)
     if press:
         hand.plan(press)
     if not typed:
         return hand.turn
-    lines = Typed(hand.hear)
+    lines = TerminalInput(hand.on_message)
 
-    def hear_and_turn() -> None:
+    def poll_pin_presses() -> None:
         lines.wait(0.0)
         hand.turn()
 
-    return hear_and_turn
+    return poll_pin_presses

@@ -8,7 +8,7 @@ from pathlib import Path
 import click
 
 from CNCStepper.cli.common.verb import Verb
-from CNCStepper.cli.machine.service_client import Talk, place, port_options
+from CNCStepper.cli.machine.service_client import ServiceClient, place, port_options
 
 
 @click.command("zero", cls=Verb)
@@ -28,7 +28,7 @@ def command(axes: str, port: str, baud: int) -> None:
     if session := session_at(port):
         _zero_job(session, axes)
         return
-    with Talk(port, baud) as talk:
+    with ServiceClient(port, baud) as talk:
         talk.set_zero(axes)
         click.echo(place(talk.status))
 

@@ -28,7 +28,7 @@ from CNCStepper.cli.common.options import (
 )
 from CNCStepper.cli.common.path_types import OutputPath
 from CNCStepper.cli.common.progress import Progress
-from CNCStepper.cli.common.start_state_options import Given, start_options
+from CNCStepper.cli.common.start_state_options import StartOptions, start_options
 from CNCStepper.cli.common.verb import Verb
 from CNCStepper.cli.job_file import job_of
 from CNCStepper.cli.program.piped_program import regular_file
@@ -76,7 +76,7 @@ def command(
     part: int | None,
     json_path: Path | None,
     certificate: Path | None,
-    given: Given,
+    given: StartOptions,
 ) -> None:
     """Check PROGRAM against a machine: travel, feeds, spindle; with --stock and --tool also rapids and plunges, with
     --job gouge and material left, clamps and the sheet's edge too.
@@ -91,7 +91,7 @@ def command(
     asked = _Asked(program, machine, language, start, json_path, certificate)
     job = job_of(job_path) if job_path else None
     with Progress(f"{STAGES['make']} {program.name}"):
-        earlier = earlier_parts(job, machine, part) if job else []
+        earlier = prior_parts(job, machine, part) if job else []
     with regular_file(program) as file:
         if job and earlier:
             _check_after(earlier, job, file, asked)
@@ -138,11 +138,11 @@ def _conclude(proof: Proof | FileProof, program: Path, json_path: Path | None, c
         write_report(json_path, proof.report)
     if certificate:
         from CNCStepper.atomic_file import whole_file
-        from CNCStepper.cli.common.reproduce_options import made_with
+        from CNCStepper.cli.common.reproduce_options import reproduce_options
         from CNCStepper.job.certify import certificate_of
 
         with whole_file(certificate) as file:
-            file.writelines(map(str.encode, certificate_of(proof).sending(made_with=made_with()).json_pieces()))
+            file.writelines(map(str.encode, certificate_of(proof).sending(made_with=reproduce_options()).json_pieces()))
     show_figures(proof.report)
     verdict = "refused" if proof.refused else "clean"
     click.echo(f"{program}: {verdict}; {proof.report['blocks']} blocks that move, {proof.report['time_s']:.1f} s")
@@ -200,7 +200,7 @@ def _end_unread(refused: list[ProgramError], program: Path) -> NoReturn:
     sys.exit(1)
 
 
-def earlier_parts(job: Job, machine: Machine, part: int | None) -> list[Proof]:
+def prior_parts(job: Job, machine: Machine, part: int | None) -> list[Proof]:
     """Return the proofs of the job's programs before this one; raises a usage error where nobody says which it is."""
     from CNCStepper.job.make import is_split, make_parts
     from CNCStepper.job.prove import prove_parts

@@ -46,7 +46,7 @@ def command(opened: Opened, out: Path, process: str, material: str, job_path: Pa
 
 def _facts(opened: Opened, toolpath: Toolpath, process: str, material: str, job: Job | None):
     """Yield (name, value) of what is known."""
-    from CNCStepper.gcode.wire.backlash_compensation import play_of
+    from CNCStepper.gcode.wire.backlash_compensation import backlash_of
     from CNCStepper.motion.planner.backlash import way_duration_s
     from CNCStepper.motion.planner.plan import begun
     from CNCStepper.simulation.views.picture_style import duration_text
@@ -62,6 +62,6 @@ def _facts(opened: Opened, toolpath: Toolpath, process: str, material: str, job:
         yield "Tools", ", ".join(tools)
     if opened.machine is not None:
         yield "Machine", opened.machine.name
-        way, play = begun(toolpath), play_of(opened.machine, opened.dialect)
+        way, play = begun(toolpath), backlash_of(opened.machine, opened.dialect)
         yield "Time", duration_text(way_duration_s(way, way.chunks, opened.machine, play))
     yield "Lines", f"{len(opened.text.splitlines())}, {len(toolpath)} moves"

@@ -14,7 +14,7 @@ from CNCStepper.cli.common.findings_output import save, show_figures, show_findi
 from CNCStepper.cli.common.options import FilePath
 from CNCStepper.cli.common.path_types import OutputFolder
 from CNCStepper.cli.common.progress import Progress
-from CNCStepper.cli.common.reproduce_options import MadeWith, kept
+from CNCStepper.cli.common.reproduce_options import ReproduceOptions, plain_options
 from CNCStepper.cli.common.verb import Verb
 from CNCStepper.cli.job_file import job_and_machine
 from CNCStepper.output_files import MADE_BY
@@ -68,7 +68,7 @@ def _whole(job: Job, machine: Machine, path: Path, out: Path) -> bool:
         _write_program(file, made.program)
         progress.doing(f"proving {file.name}")
         proof = prove_job(job, machine, made.program, str(file), share=progress.share, answers=made.answers)
-    _conclude(proof, file, "", path.stem, job, kept({"--job": [path]}))
+    _conclude(proof, file, "", path.stem, job, plain_options({"--job": [path]}))
     return proof.refused
 
 
@@ -85,7 +85,7 @@ def _split(job: Job, machine: Machine, path: Path, out: Path) -> bool:
     for part, proof in zip(parts, prove_parts(job, machine, parts, out), strict=True):
         suffix = part.file_name.removeprefix("program").removesuffix(".nc")
         title = f"{path.stem}, {part.number} of {len(parts)}"
-        made_with = kept({"--job": [path], "--part": [part.number]})
+        made_with = plain_options({"--job": [path], "--part": [part.number]})
         _conclude(proof, out / part.file_name, suffix, title, job, made_with)
         refused |= proof.refused
     return refused
@@ -95,7 +95,7 @@ def _write_program(file: Path, text: str) -> None:
     save(file, text.encode("ascii"))
 
 
-def _conclude(proof: Proof, file: Path, suffix: str, title: str, job: Job, made_with: MadeWith) -> None:
+def _conclude(proof: Proof, file: Path, suffix: str, title: str, job: Job, made_with: ReproduceOptions) -> None:
     """Write report, certificate and picture beside a program, and say what was found."""
     from CNCStepper.job.certify import certificate_of
 

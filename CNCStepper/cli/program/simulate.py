@@ -25,7 +25,7 @@ from CNCStepper.cli.common.options import (
     stock_options,
 )
 from CNCStepper.cli.common.path_types import OutputPath
-from CNCStepper.cli.common.start_state_options import Given, start_options
+from CNCStepper.cli.common.start_state_options import StartOptions, start_options
 from CNCStepper.cli.common.verb import Verb
 from CNCStepper.cli.job_file import job_and_machine
 from CNCStepper.machine.profile import Machine, load_machine
@@ -34,7 +34,7 @@ from CNCStepper.machine.tools.tool import Tool
 if TYPE_CHECKING:
     from CNCStepper.job.prove import Proof
     from CNCStepper.simulation.removal.heightmap import HeightMap
-    from CNCStepper.simulation.removal.timeline import Moment, Timeline
+    from CNCStepper.simulation.removal.timeline import Timeline, TimelinePosition
     from CNCStepper.simulation.views.scene import Scene
 
 VIEWS = ("isometric", "xy", "zy", "depth")
@@ -74,7 +74,7 @@ def command(
     json_path: Path | None,
     machine: Machine | None,
     dialect: str | None,
-    given: Given,
+    given: StartOptions,
 ) -> None:
     """Draw what PROGRAM leaves of the stock, at its end or at a moment; times are the job's machine's
     or table-a's unless told.
@@ -126,7 +126,7 @@ class _Show:
         self._title = title
         self._tools = proof.given.tools
         self._scene = proof.scene()
-        self._moment: Moment | None = None
+        self._moment: TimelinePosition | None = None
 
     def time_s(self, at_s: float | None, line: int | None) -> float | None:
         """Return the moment asked for, None for the end: a time, or when the last move of a line is done."""

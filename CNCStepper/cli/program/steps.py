@@ -20,7 +20,7 @@ from CNCStepper.cli.common.options import (
 )
 from CNCStepper.cli.common.path_types import OutputPath
 from CNCStepper.cli.common.progress import Progress
-from CNCStepper.cli.common.start_state_options import Given, start_options
+from CNCStepper.cli.common.start_state_options import StartOptions, start_options
 from CNCStepper.cli.common.streamed_program import program_chunks
 from CNCStepper.cli.common.verb import Verb
 from CNCStepper.machine.profile import Machine
@@ -70,7 +70,7 @@ def command(
     from_s: float | None,
     every_ms: float | None,
     dialect: str | None,
-    given: Given,
+    given: StartOptions,
 ) -> None:
     """Write every step of PROGRAM as the machine's motors and drives receive it.
 
@@ -93,26 +93,26 @@ def _planned(
     program: Path,
     machine: Machine,
     language: str,
-    given: Given,
+    given: StartOptions,
     progress: Progress,
     from_s: float | None,
     back: bool,
 ) -> PulseStream:
     """Return the pulses of a program, which is read while they are made where they go forwards."""
     from CNCStepper.gcode.interpreter.interpret import interpret
-    from CNCStepper.machine.backlash import Play
+    from CNCStepper.machine.backlash import Backlash
     from CNCStepper.motion.planner.backlash import motor_chunks, motor_moves
     from CNCStepper.motion.planner.buffers import TICKS_PER_S
     from CNCStepper.motion.signals.pulse_stream import pulse_stream
-    from CNCStepper.motion.signals.reverse_pulses import WayBack
+    from CNCStepper.motion.signals.reverse_pulses import ReversePulses
     from CNCStepper.state import Start
     from CNCStepper.toolpath import require_straight_axes
 
-    start, play = given.on(Start.at_zero()), Play.of(machine)
+    start, play = given.on(Start.at_zero()), Backlash.of(machine)
     if back or from_s is not None:
         path = interpret(read_program(program), start, language, str(program))
         path = motor_moves(require_straight_axes(path, str(program)), play)
-        return WayBack(path, machine).stream(None if from_s is None else max(0, round(from_s * TICKS_PER_S)))
+        return ReversePulses(path, machine).stream(None if from_s is None else max(0, round(from_s * TICKS_PER_S)))
     path, chunks = program_chunks(program, start, language, progress)
     path, chunks = motor_chunks(path, chunks, play) if play else (path, chunks)
     return pulse_stream(path, machine, chunks)

@@ -11,7 +11,7 @@ import click
 
 from CNCStepper.cli.common.options import dialect_name, dialect_option, machine_option, program_argument, read_program
 from CNCStepper.cli.common.progress import Progress
-from CNCStepper.cli.common.start_state_options import Given, start_options
+from CNCStepper.cli.common.start_state_options import StartOptions, start_options
 from CNCStepper.cli.common.streamed_program import program_chunks
 from CNCStepper.cli.common.verb import Verb
 from CNCStepper.machine.profile import Machine
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 @machine_option(required=True)
 @dialect_option
 @start_options
-def command(program: Path, machine: Machine, dialect: str | None, given: Given) -> None:
+def command(program: Path, machine: Machine, dialect: str | None, given: StartOptions) -> None:
     """Print the seconds that PROGRAM takes on the machine, from its planner; one number on the last line.
 
     Unless told, the machine stands at the work zero when the program begins, as in `check` and in the report of `run`.
@@ -53,10 +53,10 @@ def command(program: Path, machine: Machine, dialect: str | None, given: Given) 
 
 def _taken_s(path: Toolpath, chunks: Iterator[Chunk], machine: Machine, language: str) -> float:
     """Return how long the way of the motors takes, s, begun as a proof begins it."""
-    from CNCStepper.gcode.wire.backlash_compensation import play_of
+    from CNCStepper.gcode.wire.backlash_compensation import backlash_of
     from CNCStepper.motion.planner.backlash import motor_chunks, way_duration_s
     from CNCStepper.motion.planner.plan import begun_chunks
 
-    if play := play_of(machine, language):
+    if play := backlash_of(machine, language):
         path, chunks = motor_chunks(path, chunks, play)
     return way_duration_s(*begun_chunks(path, chunks), machine)

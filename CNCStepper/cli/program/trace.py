@@ -8,7 +8,7 @@ from pathlib import Path
 import click
 
 from CNCStepper.cli.common.options import FilePath, linuxcnc_option, program_argument, read_program
-from CNCStepper.cli.common.start_state_options import Given, search_option
+from CNCStepper.cli.common.start_state_options import StartOptions, search_option
 from CNCStepper.cli.common.verb import Verb
 
 
@@ -26,8 +26,8 @@ def command(
     --tool-table and --parameters are the files that `rs274 -t` and `rs274 -v` take: as there, the machine's own unit
     is the inch, whatever the program's is.
     """
-    from CNCStepper.gcode.interpreter.canonical_trace import bare_start, canonical_calls
+    from CNCStepper.gcode.interpreter.canonical_trace import canonical_calls, default_start
 
-    start = Given(parameters=parameters, tool_table=tool_table, search=search).on(bare_start())
+    start = StartOptions(parameters=parameters, tool_table=tool_table, search=search).on(default_start())
     for call in canonical_calls(read_program(program), dialect or "linuxcnc", str(program), start=start):
         click.echo(call)

@@ -15,12 +15,12 @@ from CNCStepper.errors import CNCStepperError, JobError
 from CNCStepper.machine.profile import Machine
 
 if TYPE_CHECKING:
-    from CNCStepper.control.service.connection_session import DeskSession
+    from CNCStepper.control.service.connection_session import ConnectionSession
     from CNCStepper.control.session.client import SessionClient
     from CNCStepper.control.session.status import SenderStatus
-    from CNCStepper.recovery.retract.client import WayBack
+    from CNCStepper.recovery.retract.client import RetractClient
     from CNCStepper.recovery.retract.path import Place
-    from CNCStepper.recovery.retract.prove import Held
+    from CNCStepper.recovery.retract.prove import HeldProgram
 
 QUESTION = "b MM | l LINE | e | f [MM] | r | s | q"
 MEANINGS = """\
@@ -77,10 +77,10 @@ def command(
         raise click.UsageError("give one of --distance, --line, --entry, --forward and --resume")
     from CNCStepper.control.service.connection_session import attach
     from CNCStepper.control.stream.phases import RETREATED
-    from CNCStepper.recovery.retract.client import WayBack
+    from CNCStepper.recovery.retract.client import RetractClient
 
     with attach(session_file(session)) as client:
-        back = WayBack(client, machine)
+        back = RetractClient(client, machine)
         if back.hold().phase != RETREATED or not any(wishes):
             _show(back.hold(), back.held())
         if not any(wishes):
@@ -92,7 +92,9 @@ def command(
             _go(back, held, _target(held, distance_mm, line, entry, forward_mm))
 
 
-def _target(held: Held, distance_mm: float | None, line: int | None, entry: bool, forward_mm: float | None) -> Place:
+def _target(
+    held: HeldProgram, distance_mm: float | None, line: int | None, entry: bool, forward_mm: float | None
+) -> Place:
     """Return the place that is asked for, by one of these."""
     if distance_mm is not None:
         return held.back_by(distance_mm)
@@ -101,20 +103,20 @@ def _target(held: Held, distance_mm: float | None, line: int | None, entry: bool
     return held.back_to_entry() if entry else held.forward_by(forward_mm or math.inf)
 
 
-def _go(back: WayBack, held: Held, target: Place) -> None:
+def _go(back: RetractClient, held: HeldProgram, target: Place) -> None:
     """Go along the cut to a place, and say where the tool stands then."""
     if held.doubt:
         click.echo(held.doubt, err=True)
     back.go(held.along(target))
-    _show(back.arrive(), back.held())
+    _show(back.wait_for_leg(), back.held())
 
 
-def _resume(back: WayBack) -> None:
+def _resume(back: RetractClient) -> None:
     back.go(back.held().rest())
     click.echo("the job goes on from here")
 
 
-def _show(status: SenderStatus, held: Held) -> None:
+def _show(status: SenderStatus, held: HeldProgram) -> None:
     """Say where the tool is: the line that moves there, and the work position."""
     place = " ".join(f"{axis}{value:.3f}" for axis, value in zip("XYZ", status.wpos_mm or (), strict=False))
     click.echo(f"{status.phase}: line {held.file_line(held.place)}  {place}")
@@ -123,7 +125,7 @@ def _show(status: SenderStatus, held: Held) -> None:
 class _Dialogue:
     """Asks until the job goes on, or is left."""
 
-    def __init__(self, back: WayBack, client: SessionClient | DeskSession) -> None:
+    def __init__(self, back: RetractClient, client: SessionClient | ConnectionSession) -> None:
         self._back = back
         self._client = client
 
@@ -136,7 +138,7 @@ class _Dialogue:
             try:
                 if self._over(stand, answer[0]):
                     _show(self._client.status(), self._back.held())
-                elif self._obey(*answer[:2]):
+                elif self._execute_command(*answer[:2]):
                     return
             except CNCStepperError as error:
                 if error.code == "session-ended":
@@ -150,7 +152,7 @@ class _Dialogue:
         click.echo(OVER, err=True)
         return True
 
-    def _obey(self, word: str, number: str = "") -> bool:
+    def _execute_command(self, word: str, number: str = "") -> bool:
         """Carry out one answer; return whether it was the last."""
         if word == "s":
             self._client.stop()
@@ -164,7 +166,7 @@ class _Dialogue:
         return word in ("s", "r", "q")
 
 
-def _asked(held: Held, word: str, number: str) -> Place:
+def _asked(held: HeldProgram, word: str, number: str) -> Place:
     """Return the place of an answer; raises JobError for one that lacks its number."""
     try:
         length_mm = float(number) if number else math.inf

@@ -24,8 +24,8 @@ from CNCStepper.cli.common.options import (
     stock_options,
 )
 from CNCStepper.cli.common.progress import Progress
-from CNCStepper.cli.common.reproduce_options import made_with
-from CNCStepper.cli.common.start_state_options import Given, start_options
+from CNCStepper.cli.common.reproduce_options import reproduce_options
+from CNCStepper.cli.common.start_state_options import StartOptions, start_options
 from CNCStepper.cli.common.verb import Verb
 from CNCStepper.cli.job_file import job_and_machine
 from CNCStepper.cli.recovery.restart_options import Sending, restart_options
@@ -35,8 +35,8 @@ from CNCStepper.machine.tools.tool import Tool
 if TYPE_CHECKING:
     from CNCStepper.control.program.certificate import Certificate
     from CNCStepper.job.model import Job
-    from CNCStepper.recovery.restart.places import Where
-    from CNCStepper.recovery.restart.prove import Entering, ProvenRestart
+    from CNCStepper.recovery.restart.places import RequestedPlace
+    from CNCStepper.recovery.restart.prove import EntryOptions, ProvenRestart
     from CNCStepper.simulation.stock import Stock
 
 
@@ -46,7 +46,7 @@ class _Against:
 
     machine: Machine
     dialect: str
-    given: Given
+    given: StartOptions
     stock: Stock | None
     tool: Tool | None
     job: Job | None
@@ -68,8 +68,8 @@ class _Against:
 @click.option("--part", type=click.IntRange(1), help="Which program of the job it is, where it is split, one a tool.")
 def command(
     program: Path,
-    where: Where,
-    entering: Entering,
+    where: RequestedPlace,
+    entering: EntryOptions,
     sending: Sending,
     machine: Machine | None,
     stock: tuple[float, float, float] | None,
@@ -78,7 +78,7 @@ def command(
     job_path: Path | None,
     dialect: str | None,
     part: int | None,
-    given: Given,
+    given: StartOptions,
 ) -> None:
     """Go on with PROGRAM from a line, an operation, a contour or a point on.
 
@@ -94,7 +94,7 @@ def command(
 
     Exit 0 when it is clean (and, with --port, done), else 1.
     """
-    from CNCStepper.control.service.port_owner import check_free, tell_closed
+    from CNCStepper.control.service.port_owner import check_free, warn_of_closed
     from CNCStepper.recovery.restart.prove import certificate_of_restart
 
     check_stock(stock, tool, job_path)
@@ -106,14 +106,14 @@ def command(
     _check_stock(against, sending)
     if sending.port:
         check_free(sending.port)
-        tell_closed(partial(click.echo, err=True))
+        warn_of_closed(partial(click.echo, err=True))
     text = read_program(program)
     if not (where.line or where.operation or where.contour or where.at_mm):
         _list(text, program, against)
         return
     proven = _proven(text, program, where, entering, against, part)
     _tell(proven, against)
-    certificate = certificate_of_restart(proven).sending(made_with=made_with())
+    certificate = certificate_of_restart(proven).sending(made_with=reproduce_options())
     _write(proven, certificate, sending)
     if proven.proof.refused:
         click.echo(f"{program}: this restart is refused")
@@ -146,9 +146,9 @@ def _list(text: str, program: Path, against: _Against) -> None:
 
 
 def _proven(
-    text: str, program: Path, where: Where, entering: Entering, against: _Against, part: int | None
+    text: str, program: Path, where: RequestedPlace, entering: EntryOptions, against: _Against, part: int | None
 ) -> ProvenRestart:
-    from CNCStepper.cli.program.check import STAGES, earlier_parts
+    from CNCStepper.cli.program.check import STAGES, prior_parts
     from CNCStepper.recovery.restart.prove import restart_job, restart_program
 
     words: dict[str, Any] = {"file": str(program), "dialect": against.dialect, "start": against.given.start()}
@@ -157,7 +157,7 @@ def _proven(
         words["share"] = progress.share
         machine, job = against.machine, against.job
         if job:
-            return restart_job(job, machine, text, where, entering, earlier=earlier_parts(job, machine, part), **words)
+            return restart_job(job, machine, text, where, entering, earlier=prior_parts(job, machine, part), **words)
         return restart_program(text, machine, where, entering, stock=against.stock, tools=against.tool, **words)
 
 

@@ -21,7 +21,7 @@ from CNCStepper.errors import JobError
 from CNCStepper.machine.profile import load_machine, profile_names
 
 if TYPE_CHECKING:
-    from CNCStepper.control.journal.replay import Story
+    from CNCStepper.control.journal.replay import JobReplay
 
 START_SYSTEM = "G54"  # of which --work-zero tells
 NO_PROFILE = "PROFILE.toml"
@@ -35,7 +35,7 @@ class RestartLine:
     story: of a job whose program stands in `file` as it was sent, and is to go on from `line`; 0 sends it whole again.
     """
 
-    def __init__(self, story: Story, file: Path, line: int):
+    def __init__(self, story: JobReplay, file: Path, line: int):
         self.told: list[tuple[str, str]] = []
         self._story = story
         made_with = story.header.get("made_with", {})

@@ -80,12 +80,12 @@ def restart_options(function: Callable[..., Any]) -> Callable[..., Any]:
         height: float | None,
         **more: Any,
     ) -> Any:
-        from CNCStepper.recovery.restart.places import Where
-        from CNCStepper.recovery.restart.prove import Entering
+        from CNCStepper.recovery.restart.places import RequestedPlace
+        from CNCStepper.recovery.restart.prove import EntryOptions
 
-        where = Where(line or 0, time or 0, operation, contour or 0, at_mm)
+        where = RequestedPlace(line or 0, time or 0, operation, contour or 0, at_mm)
         sending = Sending(**{name: more.pop(name) for name in Sending.__dataclass_fields__})
-        return function(*arguments, where=where, entering=Entering(overlap, height), sending=sending, **more)
+        return function(*arguments, where=where, entering=EntryOptions(overlap, height), sending=sending, **more)
 
     for option in reversed((*_PLACE, *_SENDING)):
         command = option(command)

@@ -14,8 +14,8 @@ from CNCStepper.cli.common.verb import Verb
 from CNCStepper.errors import ProgramError
 
 if TYPE_CHECKING:
-    from CNCStepper.control.journal.progress_interval import Reached
-    from CNCStepper.control.journal.replay import Story
+    from CNCStepper.control.journal.progress_interval import ProgressInterval
+    from CNCStepper.control.journal.replay import JobReplay
 
 
 NOTHING_CUT, NOTHING_LEFT = "restart-at-start", "restart-nothing-left"
@@ -46,41 +46,41 @@ def command(journal: Path | None, is_list: bool) -> None:
         click.echo(f"{name:<13}{text}")
 
 
-def _story(journal: Path | None) -> Story | None:
-    from CNCStepper.control.journal.replay import read_story
+def _story(journal: Path | None) -> JobReplay | None:
+    from CNCStepper.control.journal.replay import read_replay
     from CNCStepper.control.journal.store import latest_unfinished
 
-    return read_story(journal) if journal else latest_unfinished()
+    return read_replay(journal) if journal else latest_unfinished()
 
 
 def _list() -> None:
-    from CNCStepper.control.journal.store import stories
+    from CNCStepper.control.journal.store import replays
 
-    for story in stories():
+    for story in replays():
         header = story.header
         click.echo(f"{header['begin']}  {story.end:<8} {header['file'] or 'a program'}  {story.path}")
 
 
-def _told(story: Story) -> Iterator[tuple[str, str]]:
-    from CNCStepper.control.journal.summary import begun_as, told_of
+def _told(story: JobReplay) -> Iterator[tuple[str, str]]:
+    from CNCStepper.control.journal.summary import begun_as, summary_of
 
     yield "journal", str(story.path)
     yield from begun_as(story)
-    yield from told_of(story, _reached(story))
+    yield from summary_of(story, _reached(story))
     if not story.is_done:
         yield from _restart(story)
 
 
-def _reached(story: Story) -> Reached | None:
+def _reached(story: JobReplay) -> ProgressInterval | None:
     """Return the interval as places, None where the program is not there as it was sent."""
-    from CNCStepper.control.journal.progress_interval import reached
+    from CNCStepper.control.journal.progress_interval import progress_interval
     from CNCStepper.control.journal.sent_program import text_sent
 
     text = text_sent(story) if story.first_line else None
-    return None if text is None else reached(story, text)
+    return None if text is None else progress_interval(story, text)
 
 
-def _restart(story: Story) -> Iterator[tuple[str, str]]:
+def _restart(story: JobReplay) -> Iterator[tuple[str, str]]:
     """Yield the command that restarts the program and what it lacks, or why there is none."""
     from CNCStepper.control.journal.summary import why_no_line
 
@@ -97,7 +97,7 @@ def _restart(story: Story) -> Iterator[tuple[str, str]]:
         yield from _offered(story, file, line)
 
 
-def _offered(story: Story, file: Path, line: int) -> Iterator[tuple[str, str]]:
+def _offered(story: JobReplay, file: Path, line: int) -> Iterator[tuple[str, str]]:
     """Yield the command, and before it what it lacks."""
     from CNCStepper.cli.recovery.restart_command import RestartLine
 
@@ -112,15 +112,15 @@ def _offered(story: Story, file: Path, line: int) -> Iterator[tuple[str, str]]:
     yield "restart", str(offered)
 
 
-def _nothing_to_enter(story: Story, file: Path, line: int) -> str:
+def _nothing_to_enter(story: JobReplay, file: Path, line: int) -> str:
     """Return NOTHING_CUT or NOTHING_LEFT where the program cuts nothing before a line, or from there on; else ""."""
-    from CNCStepper.recovery.restart.entry_point import entrance_of
-    from CNCStepper.recovery.restart.places import Where, place_of
+    from CNCStepper.recovery.restart.entry_point import entry_point_of
+    from CNCStepper.recovery.restart.places import RequestedPlace, place_of
     from CNCStepper.recovery.restart.program import read_program as read
 
     try:
         program = read(read_program(file), story.header.get("dialect") or "grbl", None, str(file))
-        entrance_of(program, place_of(program, Where(line=line)))
+        entry_point_of(program, place_of(program, RequestedPlace(line=line)))
     except ProgramError as error:  # any other the command itself tells, which reads the program with all its options
         return error.code if error.code in (NOTHING_CUT, NOTHING_LEFT) else ""
     return ""

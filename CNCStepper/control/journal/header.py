@@ -12,13 +12,13 @@ from typing import Any
 from CNCStepper import __version__
 from CNCStepper.control.journal.replay import FORMAT, VERSION
 from CNCStepper.control.program.send_job import SendJob
-from CNCStepper.control.protocol.grbl.connect import Found, offsets_of
+from CNCStepper.control.protocol.grbl.connect import ControllerInfo, offsets_of
 from CNCStepper.control.protocol.grbl.driver import Grbl
 from CNCStepper.control.stream.status_snapshot import HOMING
 from CNCStepper.control.transport.port_identity import identify
 
 
-def header_of(job: SendJob, driver: Grbl, found: Found) -> dict[str, Any]:
+def header_of(job: SendJob, driver: Grbl, found: ControllerInfo) -> dict[str, Any]:
     """Return the first record of a job's journal, as plain data; positions and offsets in mm.
 
     goes_back: some line of the file is sent again after later ones, so that its number alone names no place.

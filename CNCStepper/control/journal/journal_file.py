@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from CNCStepper.control.journal.records import to_line
-from CNCStepper.control.processes.file_lock import take_lock_soon
+from CNCStepper.control.processes.file_lock import take_lock_with_retries
 from CNCStepper.control.session.files import sync_folder
 
 
@@ -24,7 +24,7 @@ class JournalFile:
         self._count = 0
         self._end = 0  # of what is on the disk
         try:
-            take_lock_soon(self._file)
+            take_lock_with_retries(self._file)
             sync_folder(path.parent)
         except OSError:
             self.close()

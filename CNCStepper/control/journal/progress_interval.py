@@ -10,9 +10,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from CNCStepper.control.journal.replay import Story
+from CNCStepper.control.journal.replay import JobReplay
 from CNCStepper.control.protocol.grbl.report import Vector
-from CNCStepper.control.stream.path_watch import ROUNDING_MM, STEP_MM, STEPS, held_words, start_from
+from CNCStepper.control.stream.path_watch import ROUNDING_MM, STEP_MM, STEPS, held_modes, start_from
 from CNCStepper.control.stream.planned_path import PlannedPath
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.wire.encoder import prepare
@@ -24,7 +24,7 @@ PIECE_LINES = 1000  # read and forgotten at once
 
 
 @dataclass(frozen=True)
-class Reached:
+class ProgressInterval:
     """The interval as work positions, mm.
 
     first_line, last_line: of the file. seen_line: the line of the file on whose way the machine was last seen; 0 where
@@ -38,7 +38,7 @@ class Reached:
     seen_line: int
 
 
-def reached(story: Story, text: str) -> Reached | None:
+def progress_interval(story: JobReplay, text: str) -> ProgressInterval | None:
     """Return where a job was, by the text of its program; None where its path or its machine's place is not known."""
     group = story.group
     if group.mpos_mm is None or group.wpos_mm is None or story.header.get("mpos_mm") is None:
@@ -52,7 +52,7 @@ def reached(story: Story, text: str) -> Reached | None:
     return _on_path(story, wire, group.mpos_mm, group.wpos_mm)
 
 
-def _on_path(story: Story, wire: WireText, mpos_mm: Vector, wpos_mm: Vector) -> Reached | None:
+def _on_path(story: JobReplay, wire: WireText, mpos_mm: Vector, wpos_mm: Vector) -> ProgressInterval | None:
     path = _path_from(story, wire.lines)
     begin_mm = path.end_mm
     path.read(story.may_be_sent)
@@ -61,7 +61,7 @@ def _on_path(story: Story, wire: WireText, mpos_mm: Vector, wpos_mm: Vector) -> 
         return None
     is_seen = path.drop_to(mpos_mm[:3], NEAR_MM)
     zero_mm = tuple(machine - work for machine, work in zip(mpos_mm, wpos_mm, strict=True))
-    return Reached(
+    return ProgressInterval(
         _less(begin_mm, zero_mm),
         _less(end_mm, zero_mm),
         int(wire.file_lines[story.finished]),
@@ -70,14 +70,14 @@ def _on_path(story: Story, wire: WireText, mpos_mm: Vector, wpos_mm: Vector) -> 
     )
 
 
-def _path_from(story: Story, lines: Sequence[str]) -> PlannedPath:
+def _path_from(story: JobReplay, lines: Sequence[str]) -> PlannedPath:
     """Return the path up to the first line that is not certainly cut; of its moves only the last is kept."""
     zero = story.zero or story.header
     offsets_mm, modes = zero["offsets_mm"], zero["modes"]
     start = start_from(offsets_mm, modes, tuple(story.header["mpos_mm"]))
     if story.zero:  # a job goes on with a new zero at the same place of the work
         start = replace(start, position_mm=_moved(start, story.header["offsets_mm"].get(start.work_system)))
-    path = PlannedPath(lines, start, held_words(offsets_mm, modes), dialect=story.header.get("controller", "grbl"))
+    path = PlannedPath(lines, start, held_modes(offsets_mm, modes), dialect=story.header.get("controller", "grbl"))
     for count in range(0, story.finished, PIECE_LINES):
         done = min(count + PIECE_LINES, story.finished)
         path.read(done)

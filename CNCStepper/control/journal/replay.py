@@ -24,7 +24,7 @@ RUNNING, KILLED = "running", "killed"
 
 
 @dataclass(frozen=True)
-class Story:
+class JobReplay:
     """One job as its journal has it.
 
     header: what was known before the first line (see `header.header_of`). group: the last entry. end: how the job
@@ -94,7 +94,7 @@ class Story:
         return int(self.header["last_line"]) if self.is_end_damaged else self.group.last_line
 
 
-def read_story(path: Path) -> Story:
+def read_replay(path: Path) -> JobReplay:
     """Return what the journal of a file tells; raises JobError naming the file when it cannot be read."""
     try:
         is_running = is_locked(path)
@@ -109,13 +109,13 @@ def read_story(path: Path) -> Story:
         raise _refusal("journal-damaged", "the journal lacks its beginning, or is none", path) from error
 
 
-def _story(path: Path, records: Records, is_running: bool) -> Story:
+def _story(path: Path, records: Records, is_running: bool) -> JobReplay:
     header = records.contents[0]
     if (header["format"], header["version"]) != (FORMAT, VERSION):
         raise ValueError(header["format"])
     *_, last = (content for content in records.contents if "group" in content)
     ended = records.contents[-1] if "end" in records.contents[-1] and not records.is_end_damaged else {}
-    return Story(
+    return JobReplay(
         path,
         header,
         Group.from_content(last),

@@ -6,12 +6,12 @@ from __future__ import annotations
 from collections.abc import Iterable
 from pathlib import Path
 
-from CNCStepper.control.journal.replay import Story
+from CNCStepper.control.journal.replay import JobReplay
 from CNCStepper.control.program.certificate import digest_of_text
 from CNCStepper.gcode.syntax.text_format import decoded
 
 
-def text_sent(story: Story, texts: Iterable[str] = ()) -> str | None:
+def text_sent(story: JobReplay, texts: Iterable[str] = ()) -> str | None:
     """Return the text that was sent, found among these texts or in its file; None where neither is it any more."""
     sha256, file = story.header["program_sha256"], Path(story.header["file"])
     if (found := next((text for text in texts if digest_of_text(text) == sha256), None)) is not None:

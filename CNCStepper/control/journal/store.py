@@ -9,7 +9,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-from CNCStepper.control.journal.replay import RUNNING, Story, read_story
+from CNCStepper.control.journal.replay import RUNNING, JobReplay, read_replay
 from CNCStepper.control.processes.file_lock import is_locked
 from CNCStepper.control.processes.process_file import is_closed
 from CNCStepper.control.session.files import session_folder
@@ -28,15 +28,15 @@ def journals(folder: Path | None = None) -> list[Path]:
     return sorted((folder or session_folder()).glob(f"*{JOURNAL}"), reverse=True)
 
 
-def latest_unfinished(folder: Path | None = None) -> Story | None:
+def latest_unfinished(folder: Path | None = None) -> JobReplay | None:
     """Return the latest job that runs, was killed or ended before its time; None when all were cut to their end."""
-    return next((story for story in stories(folder) if not story.is_done), None)
+    return next((story for story in replays(folder) if not story.is_done), None)
 
 
-def unfinished_at(port: str, folder: Path | None = None) -> Story | None:
+def unfinished_at(port: str, folder: Path | None = None) -> JobReplay | None:
     """Return the last job of the machine at a port where it was killed or ended before its time, else None."""
     identity = identify(port)
-    for story in stories(folder):
+    for story in replays(folder):
         unfinished = not story.is_done and story.end != RUNNING
         if _is_of(story.header, port, identity):
             return story if unfinished else None
@@ -55,11 +55,11 @@ def _is_of(header: Mapping[str, Any], port: str, identity: PortIdentity) -> bool
     return header["port"] == port or virtual or identity.is_same(other)
 
 
-def stories(folder: Path | None = None) -> Iterator[Story]:
+def replays(folder: Path | None = None) -> Iterator[JobReplay]:
     """Yield what each journal tells, the latest first; those that tell nothing are left out."""
     for path in journals(folder):
         with suppress(CNCStepperError):  # `resume JOURNAL` says what is wrong with it
-            yield read_story(path)
+            yield read_replay(path)
 
 
 def prune(folder: Path, now_s: float | None = None) -> None:
@@ -81,6 +81,6 @@ def _is_needed(path: Path, now_s: float) -> bool:
     if abs(now_s - path.stat().st_mtime) > RECENT_S:
         return False
     try:
-        return not read_story(path).is_done
+        return not read_replay(path).is_done
     except CNCStepperError:
         return False  # nobody can read it

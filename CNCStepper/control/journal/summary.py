@@ -7,16 +7,16 @@ import time
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from CNCStepper.control.journal.replay import KILLED, RUNNING, Story
+from CNCStepper.control.journal.replay import KILLED, RUNNING, JobReplay
 from CNCStepper.errors import MachineRefusal, Place
 
 if TYPE_CHECKING:
-    from CNCStepper.control.journal.progress_interval import Reached
+    from CNCStepper.control.journal.progress_interval import ProgressInterval
 
 UNTIL_HOMED = "until then nothing but homing, jogging and setting the zero is safe"
 
 
-def check_ended(story: Story) -> None:
+def check_ended(story: JobReplay) -> None:
     """Raise MachineRefusal where the job still runs."""
     if story.end == RUNNING:
         raise MachineRefusal(
@@ -27,7 +27,7 @@ def check_ended(story: Story) -> None:
         )
 
 
-def begun_as(story: Story) -> Iterator[tuple[str, str]]:
+def begun_as(story: JobReplay) -> Iterator[tuple[str, str]]:
     """Yield what the job was begun with: a short name, and the words."""
     header, first = story.header, story.first_program
     file, total = header["file"], story.total
@@ -41,7 +41,7 @@ def begun_as(story: Story) -> Iterator[tuple[str, str]]:
         yield "machine", f"{port}, grbl {firmware}, begun {begin}"
 
 
-def told_of(story: Story, reached: Reached | None = None) -> Iterator[tuple[str, str]]:
+def summary_of(story: JobReplay, reached: ProgressInterval | None = None) -> Iterator[tuple[str, str]]:
     """Yield what is known of a job that has ended: a short name, and the words. reached: where on its path it was."""
     yield story.end, why_it_ended(story)
     if story.end == KILLED:
@@ -55,14 +55,14 @@ def told_of(story: Story, reached: Reached | None = None) -> Iterator[tuple[str,
     yield "position", _position(story)
 
 
-def why_it_ended(story: Story) -> str:
+def why_it_ended(story: JobReplay) -> str:
     """Return why the job ended as it did."""
     if story.end == KILLED:
         return "the sender or its computer stopped without a word; what the controller held it may have made"
     return story.why
 
 
-def why_no_line(story: Story) -> str:
+def why_no_line(story: JobReplay) -> str:
     """Return why the job names no line from which its program can be restarted, "" where it does."""
     if not story.first_line:
         return "every line is cut, only the program's end was not seen"
@@ -72,7 +72,7 @@ def why_no_line(story: Story) -> str:
     return ""
 
 
-def _lines(story: Story) -> Iterator[tuple[str, str]]:
+def _lines(story: JobReplay) -> Iterator[tuple[str, str]]:
     """Yield what is certain of the program's lines, and what is not."""
     if not story.first_line:
         yield "certain", "every line is cut"
@@ -85,7 +85,7 @@ def _lines(story: Story) -> Iterator[tuple[str, str]]:
         yield "not sent", "what comes after that"
 
 
-def _places(story: Story, reached: Reached | None) -> Iterator[tuple[str, str]]:
+def _places(story: JobReplay, reached: ProgressInterval | None) -> Iterator[tuple[str, str]]:
     """Yield the interval as places on the path, and where the machine was last seen."""
     if reached:
         begin, end = _place(reached.begin_mm), _place(reached.end_mm)
@@ -98,7 +98,7 @@ def _places(story: Story, reached: Reached | None) -> Iterator[tuple[str, str]]:
         yield "last seen", f"{group.state} at work {work}, machine {machine} mm, {_beside(moment, reached)}"
 
 
-def _beside(moment: str, reached: Reached | None) -> str:
+def _beside(moment: str, reached: ProgressInterval | None) -> str:
     if reached is None:
         return moment
     if reached.seen_line:
@@ -106,7 +106,7 @@ def _beside(moment: str, reached: Reached | None) -> str:
     return f"{moment}, OFF the path of these lines"
 
 
-def _zero(story: Story) -> str:
+def _zero(story: JobReplay) -> str:
     """Return that the work zero was set anew within the job, and where it is."""
     before, now = story.header["offsets_mm"], story.zero["offsets_mm"]
     changed = [f"{name} {_place(now[name])}" for name in now if now[name] and now[name] != before.get(name)]
@@ -117,7 +117,7 @@ def _zero(story: Story) -> str:
     )
 
 
-def _position(story: Story) -> str:
+def _position(story: JobReplay) -> str:
     home = "home it" if story.header["homing"] else "set its zero again"
     if not story.position_known:  # of a killed job nobody has seen the end
         return f"unknown: {home} before the restart; {UNTIL_HOMED}"

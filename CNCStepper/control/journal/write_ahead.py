@@ -22,7 +22,7 @@ def least_lines(baud: int) -> int:
     return min(max(round(DISK_S * baud / (BITS_PER_BYTE * LINE_BYTES)), LEAST), MOST)
 
 
-class Ahead:
+class WriteAhead:
     """Follows the rate at which lines go out; a disk that was too slow for it once gets twice the time."""
 
     def __init__(self, now_s: float, baud: int):

@@ -22,10 +22,10 @@ from CNCStepper.control.journal.entry import Group
 from CNCStepper.control.journal.header import header_of
 from CNCStepper.control.journal.journal_file import JournalFile
 from CNCStepper.control.journal.store import JOURNAL, prune
-from CNCStepper.control.journal.write_ahead import Ahead
+from CNCStepper.control.journal.write_ahead import WriteAhead
 from CNCStepper.control.processes.thread_priority import go_first
 from CNCStepper.control.program.send_job import SendJob
-from CNCStepper.control.protocol.grbl.connect import Found, offsets_of
+from CNCStepper.control.protocol.grbl.connect import ControllerInfo, offsets_of
 from CNCStepper.control.protocol.grbl.driver import Grbl, Received
 from CNCStepper.control.session.files import new_session
 from CNCStepper.control.session.status import Outcome
@@ -63,11 +63,11 @@ class Journal:
         self._finished = 0
         self._doubted = sys.maxsize  # the first line that may have been cut otherwise
 
-    def begin(self, job: SendJob, driver: Grbl, found: Found) -> None:
+    def begin(self, job: SendJob, driver: Grbl, found: ControllerInfo) -> None:
         """Put the job and its first lines on the disk; raises JobError when the disk is full or cannot be written."""
         self._job, self._driver = job, driver
         self._step_mm = longest_step_mm(driver.settings)
-        self._ahead = Ahead(self._clock(), job.baud)
+        self._ahead = WriteAhead(self._clock(), job.baud)
         first = min(self._ahead.lines, len(job.lines))
         try:
             self._check_room()
@@ -83,9 +83,9 @@ class Journal:
         self.permitted = first
         self._executor = self._executor or ThreadPoolExecutor(1, "journal", go_first)
 
-    def hear(self, received: list[Received]) -> None:
+    def on_message(self, received: list[Received]) -> None:
         """Learn from what the controller says how much it holds."""
-        self._capacity.hear(received)
+        self._capacity.on_message(received)
 
     def keep(self, sent: int, acknowledged: int, is_idle: bool) -> list[str]:
         """Write what is due, and return what people must know now. is_idle: what was acknowledged is cut."""
@@ -96,7 +96,7 @@ class Journal:
             self._put(self._group(may_be_sent, acknowledged, self._finished))
         return told
 
-    def note_zero(self, found: Found, sent: int) -> None:
+    def note_zero(self, found: ControllerInfo, sent: int) -> None:
         """Learn how a machine stands that a person had at a pause, all before line `sent` (from 0) being cut.
 
         Where its work zero is another one now, no line goes out before that is on the disk.

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from CNCStepper.control.protocol.grbl.connect import ask, greeted, read_modes, read_offsets
+from CNCStepper.control.protocol.grbl.connect import ask, has_greeting, read_modes, read_offsets
 from CNCStepper.control.protocol.grbl.driver import Grbl
 from CNCStepper.control.protocol.grbl.firmware import TOOL
 from CNCStepper.control.protocol.grbl.readiness import check_state
@@ -52,7 +52,7 @@ def soft_reset(driver: Grbl, timing: Timing) -> None:
     """Reset a machine that stands and wait for its greeting; raises LinkError when none comes."""
     driver.reset()
     end_s = driver.clock() + timing.wake_s
-    while not greeted(driver.receive(timing.quick_poll_s)):
+    while not has_greeting(driver.receive(timing.quick_poll_s)):
         if driver.clock() > end_s:
             raise _silent("the controller does not come back from its reset")
 

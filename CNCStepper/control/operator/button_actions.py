@@ -4,7 +4,7 @@
 act            pressed                                   let go
 start          resume; of an idle desk its last job      -
 pause          hold                                      -
-back           want_back, back_mm farther                -
+back           request_retract, back_mm farther                -
 stop           stop                                      -
 flood, mist    override coolant                          -
 spindle_stop   override spindle stop                     -

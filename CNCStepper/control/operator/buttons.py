@@ -86,7 +86,7 @@ class Buttons:
             watch.close()
         self._wired, self._contacts, self._watches = (), [], []
 
-    def hear(self, received: Sequence[Received]) -> None:
+    def on_message(self, received: Sequence[Received]) -> None:
         """Take what the controller said: each status shows its pins, a restart makes them unknown."""
         for report in received:
             if isinstance(report, Status):

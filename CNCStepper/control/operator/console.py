@@ -67,7 +67,7 @@ class Console:
         self._driver.settings[number] = value
         return number in STEPS_PER_MM
 
-    def hear(self, report: Received, unasked: bool = False) -> None:
+    def on_message(self, report: Received, unasked: bool = False) -> None:
         """Tell what belongs to the line under way, and see when the machine stands again.
 
         unasked: the report answers no line at all; then it is told as well.

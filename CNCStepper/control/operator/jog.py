@@ -31,7 +31,7 @@ STEPS_LIMIT = 5  # steps that wait for the controller
 MAY_JOG = ("Idle", "Jog")
 
 
-class Line(Protocol):
+class JogLine(Protocol):
     """Anything that the controller can be told as one jog."""
 
     def line(self) -> str:
@@ -39,7 +39,7 @@ class Line(Protocol):
 
 
 @dataclass(frozen=True)
-class Way:
+class JogMove:
     """A way in mm, or a direction, and the speed along it."""
 
     x_mm: float
@@ -52,10 +52,10 @@ class Way:
         """Its length."""
         return hypot(self.x_mm, self.y_mm, self.z_mm)
 
-    def scaled(self, length_mm: float, feed_mm_min: float) -> Way:
+    def scaled(self, length_mm: float, feed_mm_min: float) -> JogMove:
         """Return a way in the same direction."""
         factor = length_mm / self.length_mm
-        return Way(self.x_mm * factor, self.y_mm * factor, self.z_mm * factor, feed_mm_min)
+        return JogMove(self.x_mm * factor, self.y_mm * factor, self.z_mm * factor, feed_mm_min)
 
     def line(self) -> str:
         """Return the jog command of grbl 1.1."""
@@ -65,11 +65,11 @@ class Way:
 
 
 @dataclass
-class Held:
+class ContinuousJog:
     """A jog that goes on while its button is pressed; press: which pressing of a button this is."""
 
     press: str
-    way: Way
+    way: JogMove
     renewed_s: float
     begin_s: float
     piece_mm: float
@@ -105,8 +105,8 @@ class Jogger:
         self._states = states
         self._refuse = refuse
         self._tell = tell
-        self._steps: deque[Line] = deque()
-        self._held: Held | None = None
+        self._steps: deque[JogLine] = deque()
+        self._held: ContinuousJog | None = None
         self._over = ""  # the press that came to its end before its button was let go
         self._under_way = False  # a line without its answer
         self._cancelled_s = inf  # when 0x85 was written last, while its effect is awaited
@@ -121,14 +121,14 @@ class Jogger:
         """How long the next turn may be away."""
         return 0.01 if self.active else inf
 
-    def step(self, way: Way) -> None:
+    def step(self, way: JogMove) -> None:
         """Jog this way once; raises MachineRefusal when the machine is not in the state for it."""
         self._check(way)
         if len(self._steps) >= STEPS_LIMIT:
             raise MachineRefusal("jog-busy", "the jogs before this one are not done yet", advice="wait a moment")
         self._steps.append(way)
 
-    def keep(self, press: str, way: Way) -> None:
+    def keep(self, press: str, way: JogMove) -> None:
         """Begin to jog in this direction, or go on; to be called again within LAPSE_S."""
         if press == self._over:
             return
@@ -151,7 +151,7 @@ class Jogger:
         self._cancelled_s = self._driver.clock()
         self._give_up()
 
-    def follow(self, ways: Iterable[Line]) -> None:
+    def follow(self, ways: Iterable[JogLine]) -> None:
         """Go these ways one after the other."""
         self._steps.extend(ways)
 
@@ -188,7 +188,7 @@ class Jogger:
     def _cancelling(self) -> bool:
         return self._cancelled_s < inf
 
-    def _check(self, way: Way) -> None:
+    def _check(self, way: JogMove) -> None:
         status = self._driver.status
         if status is None or status.state not in self._states:
             raise MachineRefusal(
@@ -205,21 +205,21 @@ class Jogger:
                 advice="give a way of 0.0001 mm or more and a feed above 0",
             )
 
-    def _limited(self, way: Way) -> Way:
+    def _limited(self, way: JogMove) -> JogMove:
         """Return the direction, 1 mm long, with the feed that the machine's axes can follow."""
         unit = way.scaled(1.0, way.feed_mm_min)
         return unit.scaled(1.0, max(SLOWEST_MM_MIN, min(way.feed_mm_min, self._along(unit, MAX_RATE))))
 
-    def _along(self, unit: Way, first_setting: int) -> float:
+    def _along(self, unit: JogMove, first_setting: int) -> float:
         """Return the limit along a direction that the axes' settings leave."""
         shares = (abs(unit.x_mm), abs(unit.y_mm), abs(unit.z_mm))
         limits = (self._driver.settings.get(first_setting + axis, inf) for axis in range(3))
         return min((limit / share for limit, share in zip(limits, shares, strict=True) if share > 1e-9), default=inf)
 
-    def _begun(self, press: str, unit: Way, now_s: float) -> Held:
+    def _begun(self, press: str, unit: JogMove, now_s: float) -> ContinuousJog:
         speed_mm_s = unit.feed_mm_min / 60
         ahead_mm = speed_mm_s * (AHEAD_S + speed_mm_s / (2 * self._along(unit, ACCELERATION)))
-        return Held(press, unit, now_s, now_s, max(ahead_mm / PIECES, SHORTEST_MM), ahead_mm)
+        return ContinuousJog(press, unit, now_s, now_s, max(ahead_mm / PIECES, SHORTEST_MM), ahead_mm)
 
     def _send_next(self, now_s: float) -> None:
         if self._steps:
@@ -228,7 +228,7 @@ class Jogger:
             self._held.sent_mm += self._held.piece_mm
             self._send(self._held.way.scaled(self._held.piece_mm, self._held.way.feed_mm_min))
 
-    def _send(self, way: Line) -> None:
+    def _send(self, way: JogLine) -> None:
         self._driver.send(way.line())
         self._driver.flush()
         self._under_way = True

@@ -14,7 +14,7 @@ from collections.abc import Iterable, Iterator
 from itertools import filterfalse
 
 from CNCStepper.control.program.wire_line import is_move
-from CNCStepper.control.protocol.grbl.connect import Found
+from CNCStepper.control.protocol.grbl.connect import ControllerInfo
 from CNCStepper.control.protocol.grbl.driver import Grbl
 from CNCStepper.control.protocol.grbl.motion_interlock import UNKNOWN
 from CNCStepper.control.protocol.grbl.readiness import OFFSET_TOLERANCE_MM
@@ -41,7 +41,7 @@ def check_counts_from_here(driver: Grbl) -> None:
         raise _refusal("its machine position is not 0", _words(driver.mpos_mm or ()))
 
 
-def check_zero_here(lines: Iterable[str], driver: Grbl, found: Found) -> None:
+def check_zero_here(lines: Iterable[str], driver: Grbl, found: ControllerInfo) -> None:
     """Refuse a program whose work zero was not where the machine stood at the restart; raises MachineRefusal."""
     in_force = next((word for word in found.modes.split() if word in WORK_SYSTEMS), "G54")
     systems = {in_force, *_systems(lines)}

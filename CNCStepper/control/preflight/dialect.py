@@ -10,7 +10,7 @@ from CNCStepper.control.protocol.grbl.firmware import FIRMWARES, Firmware
 from CNCStepper.errors import MachineRefusal
 
 
-def check_spoken(dialect: str, firmware: Firmware) -> None:
+def check_dialect(dialect: str, firmware: Firmware) -> None:
     """Refuse a program that was read in another language than a controller's; raises MachineRefusal.
 
     dialect: "" is that of a job that nobody has read; its lines are the controller's own.
@@ -27,7 +27,7 @@ def check_sendable(dialect: str, controller: str) -> None:
     """
     named = next((firmware for firmware in FIRMWARES if firmware.key == controller), None)
     if named:
-        check_spoken(dialect, named)
+        check_dialect(dialect, named)
     elif not any(dialect in firmware.dialects for firmware in FIRMWARES):
         what = f"the program was read as {dialect}, which no controller understands that lines are sent to"
         raise _refusal(dialect, what, FIRMWARES[0])

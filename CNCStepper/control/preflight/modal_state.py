@@ -35,7 +35,7 @@ _CUT = re.compile(r"G0*(?:[1235]|33|38|7[346]|8[1-9])(?:\.[0-9]+)?(?![0-9])")
 _USES_MODES = re.compile(r"[XYZIJKRF][-+.0-9]")
 
 
-def granted_modes(lines: Iterable[str]) -> tuple[str, ...]:
+def implied_modes(lines: Iterable[str]) -> tuple[str, ...]:
     """Return the fresh modes that wire lines do not name up to the first one with a length or a feed."""
     missing = dict(FRESH)
     for line in lines:
@@ -46,7 +46,7 @@ def granted_modes(lines: Iterable[str]) -> tuple[str, ...]:
     return ()
 
 
-def said_before_cut(lines: Iterable[str]) -> set[str]:
+def codes_before_cut(lines: Iterable[str]) -> set[str]:
     """Return the codes of wire lines up to the first that cuts, its own too."""
     said: set[str] = set()
     for line in lines:
@@ -56,7 +56,7 @@ def said_before_cut(lines: Iterable[str]) -> set[str]:
     return said
 
 
-def cuts_at_granted_speed(lines: Iterable[str]) -> bool:
+def cuts_at_implied_speed(lines: Iterable[str]) -> bool:
     """Return whether wire lines cut with the spindle switched on before any of them has said S."""
     turns = False
     for line in lines:
@@ -76,7 +76,7 @@ def mode_differences(modes: str, offsets_mm: Mapping[str, Sequence[float] | None
     held = modes.split()
     found = [
         f"{word} is in force, wanted {wanted}"
-        for wanted in granted_modes(lines)
+        for wanted in implied_modes(lines)
         for word in held
         if word in FRESH[wanted] and word != wanted
     ]
@@ -90,10 +90,10 @@ def mode_differences(modes: str, offsets_mm: Mapping[str, Sequence[float] | None
 def _left_on(held: Sequence[str], lines: Sequence[str]) -> list[tuple[str, str]]:
     """Return what is on that the program does not speak of before it cuts, and what is wanted instead."""
     on = [word for word in held if word in SWITCHED]
-    said = said_before_cut(lines) if on else set()
+    said = codes_before_cut(lines) if on else set()
     found = [(word, SWITCHED[word][1]) for word in on if not said.intersection(SWITCHED[word][0])]
     speed = next((word for word in held if word.startswith("S") and float(word[1:]) != 0), "")
-    return [*found, (speed, "S0")] if speed and cuts_at_granted_speed(lines) else found
+    return [*found, (speed, "S0")] if speed and cuts_at_implied_speed(lines) else found
 
 
 def _codes(line: str) -> set[str]:

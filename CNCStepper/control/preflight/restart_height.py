@@ -11,7 +11,7 @@ import math
 from collections.abc import Callable
 
 from CNCStepper.control.program.send_job import SendJob
-from CNCStepper.control.protocol.grbl.connect import Found, offsets_of
+from CNCStepper.control.protocol.grbl.connect import ControllerInfo, offsets_of
 from CNCStepper.control.protocol.grbl.driver import Grbl
 from CNCStepper.errors import MachineRefusal
 
@@ -19,7 +19,7 @@ ABOVE_MM = 0.01
 HEIGHT_STEP_MM = 0.1  # in which another height is proposed
 
 
-def check_lift(job: SendJob, driver: Grbl, found: Found, tell: Callable[[str, str], None]) -> None:
+def check_restart_height(job: SendJob, driver: Grbl, found: ControllerInfo, tell: Callable[[str, str], None]) -> None:
     """Refuse a restart whose first move would go down from where the tool stands; raises MachineRefusal.
 
     Where the machine homes itself first, its way down from there is told only: nobody has moved the tool since.
@@ -41,7 +41,7 @@ def check_lift(job: SendJob, driver: Grbl, found: Found, tell: Callable[[str, st
     )
 
 
-def _above_mm(job: SendJob, driver: Grbl, found: Found) -> float:
+def _above_mm(job: SendJob, driver: Grbl, found: ControllerInfo) -> float:
     """Return how far above that height the machine stands; minus infinity where it is not known."""
     zero_mm = offsets_of(driver, found).get(job.lift["system"]) if job.lift else None
     if zero_mm is None or driver.mpos_mm is None:

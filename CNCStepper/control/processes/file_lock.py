@@ -36,7 +36,7 @@ def take_lock(file: Any, shared: bool = False) -> None:
         fcntl.flock(file, (fcntl.LOCK_SH if shared else fcntl.LOCK_EX) | fcntl.LOCK_NB)
 
 
-def take_lock_soon(file: Any) -> None:
+def take_lock_with_retries(file: Any) -> None:
     """Lock a file of one's own, which at most a reader has locked for a moment; raises OSError when it stays so."""
     for _ in range(LOCK_TRIES - 1):
         try:

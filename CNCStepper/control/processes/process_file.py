@@ -17,7 +17,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any, BinaryIO
 
-from CNCStepper.control.processes.file_lock import is_listed, is_locked, take_lock_soon
+from CNCStepper.control.processes.file_lock import is_listed, is_locked, take_lock_with_retries
 from CNCStepper.control.session.local_socket import is_abandoned, socket_paths
 
 LOOK_EVERY_S = 1.0
@@ -62,7 +62,7 @@ def owner(path: Path) -> str:
         return "its owner"
 
 
-def unlink_soon(path: Path) -> None:
+def unlink_with_retries(path: Path) -> None:
     """Remove a file as soon as nobody else has it open; left there when that takes longer than REMOVE_LIMIT_S."""
     end_s = time.monotonic() + REMOVE_LIMIT_S
     while True:
@@ -82,7 +82,7 @@ def _seems_alive(path: Path) -> bool:
     return listed
 
 
-class OwnFile:
+class ProcessFile:
     """The file in the hands of its own process; `keep` and the others may be called from several threads."""
 
     def __init__(self, path: Path):
@@ -118,7 +118,7 @@ class OwnFile:
                 self._path.unlink(missing_ok=True)
             self._file.close()
             self._file = None
-        unlink_soon(self._path)
+        unlink_with_retries(self._path)
 
     def _mend(self, file: BinaryIO) -> None:
         try:
@@ -135,7 +135,7 @@ class OwnFile:
     def _make(self) -> None:
         flags = os.O_RDWR | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)
         file = open(os.open(self._path, flags, 0o600), "r+b", buffering=0)  # noqa: SIM115 - closed by `remove`
-        take_lock_soon(file)
+        take_lock_with_retries(file)
         self._fill(file)
         self._file = file
 

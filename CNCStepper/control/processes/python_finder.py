@@ -65,7 +65,7 @@ def find_python(needs: tuple[str, ...] = SENDER, version: str = "") -> str:
     )
 
 
-def seek_python(needs: tuple[str, ...] = SENDER, version: str = "") -> Future[str]:
+def find_python_in_background(needs: tuple[str, ...] = SENDER, version: str = "") -> Future[str]:
     """Return at once what will be the answer of `find_python`, or its refusal: ask its `done()` from a timer."""
     return in_background(lambda: find_python(needs, version))
 

@@ -25,14 +25,14 @@ KEEPERS = {
 
 
 @contextmanager
-def awake(warn: Callable[[str], None], platform: str = sys.platform) -> Iterator[None]:
+def inhibit_sleep(warn: Callable[[str], None], platform: str = sys.platform) -> Iterator[None]:
     """Keep the computer awake for the time of a `with`; where that fails `warn` hears it once, and all goes on."""
     keeper = KEEPERS.get(platform)
     if platform == "win32":
-        with _awake_on_windows(warn):
+        with _inhibit_on_windows(warn):
             yield
     elif keeper:
-        with _awake_by_child(keeper, warn):
+        with _inhibit_by_child(keeper, warn):
             yield
     else:
         warn(_may_sleep(f"not known on {platform}"))
@@ -40,7 +40,7 @@ def awake(warn: Callable[[str], None], platform: str = sys.platform) -> Iterator
 
 
 @contextmanager
-def _awake_by_child(keeper: tuple[str, ...], warn: Callable[[str], None]) -> Iterator[None]:
+def _inhibit_by_child(keeper: tuple[str, ...], warn: Callable[[str], None]) -> Iterator[None]:
     try:
         child = subprocess.Popen(keeper, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     except OSError as error:
@@ -68,7 +68,7 @@ def _ends_within(child: subprocess.Popen, limit_s: float) -> bool:
 
 
 @contextmanager
-def _awake_on_windows(warn: Callable[[str], None], kernel: Any = None) -> Iterator[None]:
+def _inhibit_on_windows(warn: Callable[[str], None], kernel: Any = None) -> Iterator[None]:
     import ctypes
 
     kernel = kernel or ctypes.windll.kernel32  # type: ignore[attr-defined,unused-ignore]

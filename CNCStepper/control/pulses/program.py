@@ -18,11 +18,11 @@ import numpy as np
 from CNCStepper.control.pulses.pacing import WRITES_A_PULSE
 from CNCStepper.control.pulses.sender import Pace
 from CNCStepper.errors import JobError, Place
-from CNCStepper.machine.backlash import Play
+from CNCStepper.machine.backlash import Backlash
 from CNCStepper.machine.profile import Machine
 from CNCStepper.motion.planner.backlash import motor_moves
 from CNCStepper.motion.planner.buffers import TICKS_PER_S
-from CNCStepper.motion.planner.feed_hold import Reins
+from CNCStepper.motion.planner.feed_hold import FeedHold
 from CNCStepper.motion.signals.device_switching import DIGITAL_OUTPUTS
 from CNCStepper.motion.signals.parallel_port import PortChunk, idle_registers, port_chunks, require_pin
 from CNCStepper.motion.signals.pulse_stream import PulseChunk, PulseStream, pulse_stream
@@ -55,14 +55,14 @@ class PulseProgram:
                 advice = "split it there, or send it to a controller"
                 value = event.text or event.kind
                 raise JobError("drive-stop", what, value=value, advice=advice, place=Place(file, event.line))
-        return cls(path, motor_moves(path, Play.of(machine)), machine, file)
+        return cls(path, motor_moves(path, Backlash.of(machine)), machine, file)
 
     def errors(self) -> list[Finding]:
         """Return what the machine cannot do of it."""
         found = check(self.path, self.machine, file=self.file, motors=self.motors)
         return [finding for finding in found if finding.severity == "error"]
 
-    def chunks(self, reins: Reins | None = None) -> Iterator[PortChunk]:
+    def chunks(self, reins: FeedHold | None = None) -> Iterator[PortChunk]:
         """Yield what is written to the port and when, in ticks of TICKS_PER_S; it follows the reins where there are."""
         stream = pulse_stream(self.motors, self.machine, reins=reins)
         return port_chunks(replace(stream, chunks=self._wired(stream)), self.machine.signals)
@@ -72,7 +72,7 @@ class PulseProgram:
 
         Raises MachineRefusal for whatever would end the pulses on the way, and for a device that is on no pin.
         """
-        busiest = Busiest()
+        busiest = PeakRate()
         for chunk in self.chunks():
             busiest.add(chunk.ticks)
         self._hold_unseen()
@@ -83,7 +83,7 @@ class PulseProgram:
 
     def _hold_unseen(self) -> None:
         """Hold once where nothing is sent: what it needs is compiled here and not between two pulses."""
-        reins = Reins()
+        reins = FeedHold()
         reins.slow(0.5)
         reins.hold()
         for _ in islice(self.chunks(reins), COMPILING_CHUNKS):
@@ -97,7 +97,7 @@ class PulseProgram:
             yield chunk
 
 
-class Busiest:
+class PeakRate:
     """The fastest rate of moments that come in chunks, over BUSY_WRITES of them."""
 
     def __init__(self) -> None:

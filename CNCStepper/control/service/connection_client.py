@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A window's side of a desk: launch or attach, look at it from a timer, ask. Nothing here ever waits.
 
-    client = DeskClient.launch("socket://127.0.0.1:2217")
+    client = ConnectionClient.launch("socket://127.0.0.1:2217")
     ... from a timer, about 20 times a second:
     for event in client.poll(): ...
     client.phase, client.status, client.outcome, client.error
@@ -21,21 +21,21 @@ from typing import Any
 from CNCStepper.control.processes.process_file import is_alive, is_closed
 from CNCStepper.control.service import connection_launch
 from CNCStepper.control.service.connection_launch import Launched
-from CNCStepper.control.session.files import LOG, OUTCOME, read_private, running_desks
+from CNCStepper.control.session.files import LOG, OUTCOME, read_private, running_services
 from CNCStepper.control.session.local_socket import Address
 from CNCStepper.control.session.nonblocking_socket import LineSocket
 from CNCStepper.control.session.status import Outcome, SenderStatus, error_from_json, take_refusal
 from CNCStepper.control.session.unreachable import closed, garbled, silent, unreadable
 from CNCStepper.errors import CNCStepperError, LinkError
 
-__all__ = ["DeskClient", "running_desks"]
+__all__ = ["ConnectionClient", "running_services"]
 
 START_LIMIT_S = 30.0
 JOG_RENEW_S = 0.1  # how often `jog_on` wants to be called; the desk stops after 0.3 s without it
 JOG_FEED_MM_MIN = 1000.0
 
 
-class DeskClient:
+class ConnectionClient:
     """One client of one desk; it may vanish and another attach at any time, a running job goes on.
 
     phase: "starting", "connecting", "connected" or "gone": then `error` says why, None when it was left.
@@ -60,13 +60,13 @@ class DeskClient:
         self._told_phase = "starting"
 
     @classmethod
-    def launch(cls, port: str, baud: int = 115_200, folder: Path | None = None) -> DeskClient:
+    def launch(cls, port: str, baud: int = 115_200, folder: Path | None = None) -> ConnectionClient:
         """Start a desk for a port and return at once; where one runs at that port already, attach to it."""
         return cls(port, connection_launch.launch(port, baud, folder))
 
     @classmethod
-    def attach(cls, session_file: Path) -> DeskClient:
-        """Attach to a desk of `running_desks`; one that has ended meanwhile is "gone"."""
+    def attach(cls, session_file: Path) -> ConnectionClient:
+        """Attach to a desk of `running_services`; one that has ended meanwhile is "gone"."""
         client = cls("", session_file=session_file)
         client._read_address(session_file)
         return client
@@ -77,7 +77,7 @@ class DeskClient:
         return self._caught_up
 
     @property
-    def started_desk(self) -> bool:
+    def started_service(self) -> bool:
         """Whether the desk was started for this client; it ends when this one leaves and nobody else is there."""
         return self._process is not None
 
@@ -187,9 +187,9 @@ class DeskClient:
         if self.session_file and self.phase == "starting":
             self._connect(self.session_file)
         if self.phase == "starting":
-            self._check_patience()
+            self._check_attach_timeout()
 
-    def _check_patience(self) -> None:
+    def _check_attach_timeout(self) -> None:
         """Give up a desk that does not come up, or that lives and does not let this client in."""
         if self._caught_up or time.monotonic() - self._begin_s < START_LIMIT_S:
             return
@@ -244,7 +244,7 @@ class DeskClient:
         if line.closed:
             self._lost()
         else:
-            self._check_patience()
+            self._check_attach_timeout()
         return events
 
     def _take(self, event: dict[str, Any]) -> bool:

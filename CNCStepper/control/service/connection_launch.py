@@ -12,7 +12,7 @@ from pathlib import Path
 from CNCStepper.control.processes.python_finder import find_python
 from CNCStepper.control.service.port_of_job import check_no_job
 from CNCStepper.control.session.detached_process import start
-from CNCStepper.control.session.files import DESK, desk_at, new_session, session_folder
+from CNCStepper.control.session.files import DESK, new_session, service_at, session_folder
 from CNCStepper.errors import CNCStepperError, LinkError
 
 WORKER = "CNCStepper.workers.connection_service"
@@ -48,7 +48,7 @@ def launch(port: str, baud: int, folder: Path | None) -> Future[Launched]:
 
 
 def _launched(port: str, baud: int, folder: Path) -> Launched:
-    if there := desk_at(port, folder):
+    if there := service_at(port, folder):
         return there, None
     check_no_job(port, folder)
     path = new_session(folder, DESK)

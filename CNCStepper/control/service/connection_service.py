@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The desk: stays connected to one controller, obeys what people ask, and lets jobs run over its open link.
 
-    connecting --> idle <--> jogging, homing, alarm ...        (`Idle`)
+    connecting --> idle <--> jogging, homing, alarm ...        (`IdleController`)
                     ^  `---> a job's phases ---'               (`JobRun`)
                     `-----> ended: link lost, left alone, told to end
 
@@ -28,22 +28,22 @@ from CNCStepper.control.protocol.grbl.motion_interlock import MotionInterlock
 from CNCStepper.control.protocol.grbl.readiness import check_state
 from CNCStepper.control.protocol.grbl.report import Vector
 from CNCStepper.control.protocol.grbl.timeouts import Timing
-from CNCStepper.control.service.idle_controller import Idle, is_fatal
-from CNCStepper.control.service.position_trust_file import BeliefFile
+from CNCStepper.control.service.idle_controller import IdleController, is_fatal
+from CNCStepper.control.service.position_trust_file import PositionTrustFile
 from CNCStepper.control.service.spool_process import spooled
 from CNCStepper.control.session.command import VALUES, Command, Inbox
 from CNCStepper.control.session.status import REFUSED, Outcome, SenderStatus
 from CNCStepper.control.stream.job_run import MAY_HAVE_RESTARTED, JobRun, Refuse, Stopped, Tell
-from CNCStepper.control.stream.pause_id import StandCount
-from CNCStepper.control.stream.position_trust import LOST, Belief, check_program, is_lost
-from CNCStepper.control.stream.status_snapshot import tell_words
+from CNCStepper.control.stream.pause_id import PauseCounter
+from CNCStepper.control.stream.position_trust import LOST, PositionTrust, check_program, is_lost
+from CNCStepper.control.stream.status_snapshot import forward_messages
 from CNCStepper.control.transport.background_open import open_unless
 from CNCStepper.control.transport.link import Link, open_link
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.state import WORK_SYSTEMS
 
 
-class Desk:
+class ConnectionService:
     """One connection; `run` blocks until it ends, `ask`, `stop` and `status` may be called from any thread.
 
     tell, refuse, ended: hear what happens, as of a `JobRun`, and how a job ended. alone_s: how long nobody has
@@ -68,7 +68,7 @@ class Desk:
         ended: Callable[[Outcome], None] = lambda outcome: None,
         alone_s: Callable[[], float] = lambda: 0.0,
         journals: Path | None = None,
-        kept: BeliefFile | None = None,
+        kept: PositionTrustFile | None = None,
         during_job: Callable[[], AbstractContextManager[None]] = nullcontext,
     ):
         self.port = port
@@ -81,17 +81,19 @@ class Desk:
         self._ended = ended
         self._alone_s = alone_s
         self._journals = journals
-        self._kept = kept or BeliefFile(None)
+        self._kept = kept or PositionTrustFile(None)
         self._during_job = during_job
         self._clock = clock
         self._inbox = Inbox(clock)
         self._buttons = Buttons(self._inbox.put, tell, clock, self._start)
         self._driver: Grbl | None = None
-        self._idle: Idle | None = None
+        self._idle: IdleController | None = None
         self._run: JobRun | None = None
-        self._belief: Belief | None = None  # with which the job began: its own resets at standstill do not change it
+        self._trust: PositionTrust | None = (
+            None  # with which the job began: its own resets at standstill do not change it
+        )
         self._last_done: SendJob | None = None  # what a start button lets run again
-        self._stands = StandCount()
+        self._stands = PauseCounter()
         self._connected = False
         self._learned = False
         self._zero_is_old = False
@@ -112,7 +114,7 @@ class Desk:
     def status(self) -> SenderStatus:
         """Return this moment."""
         stand = self._stands.number  # before the words of that stand
-        run, idle, belief = self._run, self._idle, self._belief
+        run, idle, belief = self._run, self._idle, self._trust
         if idle is None or not self._connected:
             return SenderStatus()
         if run is None or belief is None or (status := run.status()).phase == "connecting":
@@ -127,7 +129,7 @@ class Desk:
         self._inbox.link = link
         try:
             self._driver = driver = Grbl(link, self._clock, self._listen, MotionInterlock(self._is_lost))
-            self._idle = Idle(driver, self._timing, self._tell, self._refuse)
+            self._idle = IdleController(driver, self._timing, self._tell, self._refuse)
             self._connect(driver, self._idle)
             self._serve(driver, self._idle)
         except Stopped:  # while connecting: nothing was sent
@@ -140,48 +142,48 @@ class Desk:
         """Return whether the position is lost now; before the machine was met nothing may move it."""
         if self._idle is None or not self._connected:
             return True
-        return is_lost(self._belief if self._run and self._belief else self._idle.belief)
+        return is_lost(self._trust if self._run and self._trust else self._idle.belief)
 
     # --- the loop ------------------------------------------------------------------------------
 
-    def _connect(self, driver: Grbl, idle: Idle) -> None:
-        greeted = connect.greeted(connect.wake_up(driver, self._timing, locked=True))
+    def _connect(self, driver: Grbl, idle: IdleController) -> None:
+        greeted = connect.has_greeting(connect.wake_up(driver, self._timing, locked=True))
         if greeted:
             self._tell("warning", "the controller restarted when its port was opened; it counts from where it stands")
         self._learn(driver, idle)
         idle.meet(self._kept.belief, greeted)
         self._connected = True
 
-    def _serve(self, driver: Grbl, idle: Idle) -> None:
+    def _serve(self, driver: Grbl, idle: IdleController) -> None:
         """Be there until the end; a machine of which the link or this program loses sight has lost its position."""
         try:
             with suppress(Stopped):
                 while not self._over(idle):
                     self._turn(driver, idle)
-                    self._keep_belief(idle)
+                    self._save_trust(idle)
             self._may_stop = False
             self._come_to_rest(driver, idle)
         except Exception:
             idle.lose_position()
             raise
         finally:
-            self._keep_belief(idle)
+            self._save_trust(idle)
 
-    def _turn(self, driver: Grbl, idle: Idle) -> None:
+    def _turn(self, driver: Grbl, idle: IdleController) -> None:
         idle.turn()
         if not self._learned:
             self._learn(driver, idle)
         elif self._zero_is_old and idle.may_be_asked:
             self._read_zero(driver)
         for command in self._inbox.take():
-            self._obey(command, idle)
-        self._tell_phase(idle.phase)
+            self._execute_command(command, idle)
+        self._notify_phase(idle.phase)
 
-    def _keep_belief(self, idle: Idle) -> None:
+    def _save_trust(self, idle: IdleController) -> None:
         """Keep what is held of the position; homing that does not come to its end costs it."""
-        self._kept.keep_or_tell(LOST if idle.phase == "homing" else idle.belief, self._tell)
+        self._kept.save_or_warn(LOST if idle.phase == "homing" else idle.belief, self._tell)
 
-    def _learn(self, driver: Grbl, idle: Idle) -> None:
+    def _learn(self, driver: Grbl, idle: IdleController) -> None:
         """Read what the controller is as soon as it stands; one that moves is not asked."""
         if idle.may_be_asked:
             found = connect.learn(driver, self._timing)
@@ -207,7 +209,7 @@ class Desk:
         }
         self._zero_is_old = False
 
-    def _obey(self, command: Command, idle: Idle) -> None:
+    def _execute_command(self, command: Command, idle: IdleController) -> None:
         try:
             if command.name == "run":
                 self._run_file(idle, **command.values)
@@ -226,11 +228,11 @@ class Desk:
 
     def _listen(self, received: list[Received]) -> None:
         said = [report for report in received if not isinstance(report, Answered)]
-        tell_words(said, self._tell)
+        forward_messages(said, self._tell)
         if self._idle:
-            self._idle.hear(received)
-        self._buttons.hear(said)
-        if connect.greeted(said):
+            self._idle.on_message(received)
+        self._buttons.on_message(said)
+        if connect.has_greeting(said):
             self._zero_is_old = True  # a reset takes G92 and the tool's length away
         if self._run:
             self._run.count(received)  # last: a stop leaves from here
@@ -238,7 +240,7 @@ class Desk:
         if self._ending and self._may_stop and self._run is None and not is_stopping:
             raise Stopped
 
-    def _tell_phase(self, phase: str) -> None:
+    def _notify_phase(self, phase: str) -> None:
         self._stands.enter(phase)
         if phase != self._phase:
             self._phase = phase
@@ -251,7 +253,7 @@ class Desk:
         may_run = self._last_done and self._run is None and self._idle and self._idle.phase == "idle"
         return Command("again") if may_run else None
 
-    def _run_file(self, idle: Idle, file: str, zero_confirmed: bool, allow_differences: bool) -> None:
+    def _run_file(self, idle: IdleController, file: str, zero_confirmed: bool, allow_differences: bool) -> None:
         """Let the job of a file run; however it ends, its outcome is told."""
         self._tell("job", file)
         own = {"port": self.port, "baud": self._baud}
@@ -264,8 +266,8 @@ class Desk:
             return
         self._run_job(idle, job)
 
-    def _run_job(self, idle: Idle, job: SendJob) -> None:
-        self._belief = belief = idle.belief
+    def _run_job(self, idle: IdleController, job: SendJob) -> None:
+        self._trust = belief = idle.belief
         self._run = run = JobRun(
             job,
             self._inbox,
@@ -293,7 +295,7 @@ class Desk:
         self._last_done = job if outcome.done else None
         self._ended(outcome)
 
-    def _ready(self) -> connect.Found:
+    def _ready(self) -> connect.ControllerInfo:
         """Return what the machine is, read anew: somebody may have changed it since it was met."""
         assert self._driver and self._run and self._idle
         self._buttons.wire(buttons_of(self._run.job.inputs))
@@ -308,10 +310,10 @@ class Desk:
 
     # --- the end -------------------------------------------------------------------------------
 
-    def _over(self, idle: Idle) -> bool:
+    def _over(self, idle: IdleController) -> bool:
         return self._ending or (self._alone_s() > self._timing.alone_s and not idle.busy)
 
-    def _come_to_rest(self, driver: Grbl, idle: Idle) -> None:
+    def _come_to_rest(self, driver: Grbl, idle: IdleController) -> None:
         """Stop a jog, a homing or a typed line that is still under way; a job has ended already."""
         if idle.phase in ("jogging", "homing", "busy"):
             idle.stop()

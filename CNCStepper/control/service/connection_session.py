@@ -9,9 +9,9 @@ from pathlib import Path
 from typing import Any
 
 from CNCStepper.control.processes.process_file import is_alive
-from CNCStepper.control.service.connection_client import DeskClient
+from CNCStepper.control.service.connection_client import ConnectionClient
 from CNCStepper.control.session.client import ANSWER_LIMIT_S, LOOK_EVERY_S, SessionClient
-from CNCStepper.control.session.files import DESK, running_desks, sessions
+from CNCStepper.control.session.files import DESK, running_services, sessions
 from CNCStepper.control.session.status import Outcome, SenderStatus
 from CNCStepper.control.session.unreachable import silent
 from CNCStepper.errors import LinkError
@@ -19,10 +19,10 @@ from CNCStepper.errors import LinkError
 LOOK_LIMIT_S = 3.0  # whether a job runs in a desk
 
 
-class DeskSession:
+class ConnectionSession:
     """One more client of a desk, as a `SessionClient` is one of a session; the desk goes on when it closes."""
 
-    def __init__(self, client: DeskClient, limit_s: float = ANSWER_LIMIT_S):
+    def __init__(self, client: ConnectionClient, limit_s: float = ANSWER_LIMIT_S):
         self._client = client
         try:
             self._until(lambda events: client.is_caught_up, limit_s)
@@ -31,9 +31,9 @@ class DeskSession:
             raise
 
     @classmethod
-    def attach(cls, session_file: Path, limit_s: float = ANSWER_LIMIT_S) -> DeskSession:
+    def attach(cls, session_file: Path, limit_s: float = ANSWER_LIMIT_S) -> ConnectionSession:
         """Attach to a desk that runs; raises LinkError when it has ended, or does not answer within `limit_s`."""
-        return cls(DeskClient.attach(session_file), limit_s)
+        return cls(ConnectionClient.attach(session_file), limit_s)
 
     @property
     def outcome(self) -> Outcome | None:
@@ -78,16 +78,16 @@ class DeskSession:
         """Detach; the desk goes on."""
         self._client.detach()
 
-    def __enter__(self) -> DeskSession:
+    def __enter__(self) -> ConnectionSession:
         return self
 
     def __exit__(self, *error: object) -> None:
         self.close()
 
 
-def attach(file: Path) -> SessionClient | DeskSession:
+def attach(file: Path) -> SessionClient | ConnectionSession:
     """Attach to the session or to the desk of a file; raises LinkError when it has ended."""
-    return DeskSession.attach(file) if file.suffix == DESK else SessionClient.attach(file)
+    return ConnectionSession.attach(file) if file.suffix == DESK else SessionClient.attach(file)
 
 
 def jobs_running(folder: Path | None = None) -> list[Path]:
@@ -95,15 +95,15 @@ def jobs_running(folder: Path | None = None) -> list[Path]:
 
     Where there are none, those of the desks that live and do not answer: a job may run in each.
     """
-    running, silent_desks = sessions(folder), []
-    for desk in running_desks(folder):
+    running, silent_services = sessions(folder), []
+    for desk in running_services(folder):
         try:
             running += [desk] if _runs_a_job(desk) else []
         except LinkError:
-            silent_desks += [desk] if is_alive(desk) else []  # else it has ended meanwhile
-    return sorted(running or silent_desks, key=lambda path: path.name)
+            silent_services += [desk] if is_alive(desk) else []  # else it has ended meanwhile
+    return sorted(running or silent_services, key=lambda path: path.name)
 
 
 def _runs_a_job(desk: Path) -> bool:
-    with DeskSession.attach(desk, LOOK_LIMIT_S) as session:
+    with ConnectionSession.attach(desk, LOOK_LIMIT_S) as session:
         return session.status().total > 0

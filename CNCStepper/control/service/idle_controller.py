@@ -11,21 +11,21 @@ from CNCStepper.control.operator.console import Console
 from CNCStepper.control.operator.console_line import HOME as HOME_LINE
 from CNCStepper.control.operator.console_line import MOVING_KINDS, UNLOCK, kind_of
 from CNCStepper.control.operator.homing import HOME, check_took
-from CNCStepper.control.operator.jog import Jogger, Way, check_in_time
+from CNCStepper.control.operator.jog import Jogger, JogMove, check_in_time
 from CNCStepper.control.protocol.grbl import connect
 from CNCStepper.control.protocol.grbl.driver import HOLD, RESUME, Answered, Grbl, Received
 from CNCStepper.control.protocol.grbl.firmware import TOOL_CHANGED
 from CNCStepper.control.protocol.grbl.readiness import check_state
 from CNCStepper.control.protocol.grbl.report import Alarm, Feedback, Greeting, Status
-from CNCStepper.control.protocol.grbl.status_poller import Watch
+from CNCStepper.control.protocol.grbl.status_poller import StatusPoller
 from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.control.session.command import Command
 from CNCStepper.control.session.status import SenderStatus
 from CNCStepper.control.stream import stop_sequence
 from CNCStepper.control.stream.job_run import Refuse, Tell
 from CNCStepper.control.stream.overrides import override_byte
-from CNCStepper.control.stream.position_trust import Belief, met
-from CNCStepper.control.stream.status_snapshot import moment
+from CNCStepper.control.stream.position_trust import PositionTrust, trust_at_connect
+from CNCStepper.control.stream.status_snapshot import status_snapshot
 from CNCStepper.errors import CNCStepperError, LinkError, MachineRefusal
 
 PHASES = {"Idle": "idle", "Jog": "jogging", "Home": "homing", "Hold": "held", "Tool": "held", "Door": "door"}
@@ -38,10 +38,10 @@ HOMED = "the machine is homed"
 CRITICAL = "Reset to continue"
 
 
-class Idle:
+class IdleController:
     """One machine between jobs; everything here happens on the desk's thread, `status` apart.
 
-    position_known, homed, counts_from_here: see `Belief`.
+    position_known, homed, counts_from_here: see `PositionTrust`.
     """
 
     def __init__(self, driver: Grbl, timing: Timing, tell: Tell, refuse: Refuse):
@@ -54,7 +54,7 @@ class Idle:
         self._refuse = refuse
         self._jogger = Jogger(driver, lambda error: refuse(Command("jog"), error), tell)
         self._console = Console(driver, tell)
-        self._watch = Watch(timing)
+        self._watch = StatusPoller(timing)
         self._homing_since_s: float | None = None
         self._alarm = ""
         self._wants_reset = False
@@ -63,8 +63,8 @@ class Idle:
             "hold": self._hold,
             "resume": lambda stand=None: self._resume(),  # the desk has compared its stand
             "stop": self.stop,
-            "jog": lambda **way: self._jogger.step(Way(**way)),
-            "jog_on": lambda press, **way: self._jogger.keep(press, Way(**way)),
+            "jog": lambda **way: self._jogger.step(JogMove(**way)),
+            "jog_on": lambda press, **way: self._jogger.keep(press, JogMove(**way)),
             "jog_cancel": self._cancel_jog,
             "set_zero": self._set_zero,
             "home": self._home,
@@ -79,12 +79,12 @@ class Idle:
         }
 
     @property
-    def belief(self) -> Belief:
+    def belief(self) -> PositionTrust:
         """What is held of the position; to be set again after a reset that has not cost it."""
-        return Belief(self.position_known, self.homed, self.counts_from_here, frozenset(self._zeroed))
+        return PositionTrust(self.position_known, self.homed, self.counts_from_here, frozenset(self._zeroed))
 
     @belief.setter
-    def belief(self, belief: Belief) -> None:
+    def belief(self, belief: PositionTrust) -> None:
         self.position_known, self.homed, self.counts_from_here = belief[:3]
         self._zeroed = set(belief.zeroed)
 
@@ -114,7 +114,9 @@ class Idle:
         phase = self.phase
         state = self._driver.status.state if self._driver.status else ""
         message = (self._alarm or LOCKED[state]) if phase == "alarm" and state in LOCKED else ""
-        return replace(moment(self._driver, phase, message), position_known=self.position_known, homed=self.homed)
+        return replace(
+            status_snapshot(self._driver, phase, message), position_known=self.position_known, homed=self.homed
+        )
 
     def turn(self) -> None:
         """Send what is due, ask, and listen once."""
@@ -123,9 +125,9 @@ class Idle:
         elif self._driver.clock() - self._homing_since_s > self._timing.homing_s:
             raise LinkError("answer-missing", "the machine does not end its homing", advice="look at its switches")
         if not self._driver.unanswered:
-            self._watch.heard_s = self._driver.clock()  # what goes out from now on
+            self._watch.last_line_s = self._driver.clock()  # what goes out from now on
         self._jogger.turn()
-        every_s = self._timing.quick_poll_s if self.busy else self._timing.desk_poll_s
+        every_s = self._timing.quick_poll_s if self.busy else self._timing.service_poll_s
         for report in self._driver.receive(min(self._watch.poll(self._driver, every_s), self._jogger.wait_s)):
             if isinstance(report, Answered):
                 self._take_answer(report)
@@ -135,11 +137,11 @@ class Idle:
         check_in_time(command, self._driver.clock())
         self._does[command.name](**command.values)
 
-    def hear(self, received: list[Received]) -> None:
+    def on_message(self, received: list[Received]) -> None:
         """Note what ends jogs and homing, or costs the position; called for all that is received."""
         unasked = not self._driver.unanswered and not any(isinstance(report, Answered) for report in received)
         for report in received:
-            self._console.hear(report, unasked)
+            self._console.on_message(report, unasked)
             if isinstance(report, Alarm):
                 self._take_alarm(report)
             elif isinstance(report, Greeting):
@@ -156,9 +158,9 @@ class Idle:
         self.position_known = self.homed = self.counts_from_here = False
         self._zeroed.clear()
 
-    def meet(self, before: Belief, greeted: bool) -> None:
+    def meet(self, before: PositionTrust, greeted: bool) -> None:
         """Take a controller as it was met. before: what was held of it until then; greeted: it has restarted."""
-        self.belief = met(before, self._driver, greeted)
+        self.belief = trust_at_connect(before, self._driver, greeted)
 
     def stop(self) -> None:
         """Bring to rest whatever moves: a jog keeps its position, homing loses it."""

@@ -22,7 +22,7 @@ def check_no_job(port: str, folder: Path | None = None) -> None:
             check_over(session, port, error)
             return
         if status:
-            raise held_by_job(session, port, status)
+            raise port_held_by_job(session, port, status)
 
 
 def check_over(file: Path, port: str, error: LinkError) -> None:
@@ -32,7 +32,7 @@ def check_over(file: Path, port: str, error: LinkError) -> None:
         raise MachineRefusal("port-held", what, advice=error.advice) from error
 
 
-def held_by_job(file: Path, port: str, status: SenderStatus) -> MachineRefusal:
+def port_held_by_job(file: Path, port: str, status: SenderStatus) -> MachineRefusal:
     """Return the refusal of a port that a job has, by the file of its session or desk."""
     return MachineRefusal(
         "port-held",

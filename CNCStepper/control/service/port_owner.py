@@ -11,9 +11,9 @@ from collections.abc import Callable
 from pathlib import Path
 
 from CNCStepper.control.processes.process_file import is_alive
-from CNCStepper.control.service.connection_session import DeskSession
-from CNCStepper.control.service.port_of_job import check_no_job, check_over, held_by_job
-from CNCStepper.control.session.files import closed_files, desk_near
+from CNCStepper.control.service.connection_session import ConnectionSession
+from CNCStepper.control.service.port_of_job import check_no_job, check_over, port_held_by_job
+from CNCStepper.control.session.files import closed_files, service_near
 from CNCStepper.control.session.unreachable import closed
 from CNCStepper.errors import LinkError, MachineRefusal
 
@@ -21,25 +21,25 @@ from CNCStepper.errors import LinkError, MachineRefusal
 def check_free(port: str, folder: Path | None = None) -> None:
     """Raise MachineRefusal where a job or a desk of this user has the port."""
     check_no_job(port, folder)
-    if desk := desk_near(port, folder):
-        _check_desk(desk, port)
+    if desk := service_near(port, folder):
+        _check_service(desk, port)
 
 
-def tell_closed(tell: Callable[[str], None], folder: Path | None = None) -> None:
+def warn_of_closed(tell: Callable[[str], None], folder: Path | None = None) -> None:
     """Tell of each session that lives and cannot be read: it may have the port that is opened now, and keeps none."""
     for path in filter(is_alive, closed_files(folder)):
         tell(str(closed(path)))
 
 
-def _check_desk(desk: Path, port: str) -> None:
+def _check_service(desk: Path, port: str) -> None:
     try:
-        with DeskSession.attach(desk) as client:
+        with ConnectionSession.attach(desk) as client:
             status = client.status()
     except LinkError as error:  # it has ended meanwhile, or it does not answer
         check_over(desk, port, error)
         return
     if status.total:
-        raise held_by_job(desk, port, status)
+        raise port_held_by_job(desk, port, status)
     raise MachineRefusal(
         "port-held",
         f"{port} is held by a window or a console of yours",

@@ -19,10 +19,10 @@ from pathlib import Path
 from typing import Any
 
 from CNCStepper.control.journal.replay import RUNNING
-from CNCStepper.control.journal.store import stories
+from CNCStepper.control.journal.store import replays
 from CNCStepper.control.processes.process_file import is_closed, owner
 from CNCStepper.control.session.files import read_private, write_durably
-from CNCStepper.control.stream.position_trust import LOST, NOTHING_AGAINST, Belief
+from CNCStepper.control.stream.position_trust import LOST, NOTHING_AGAINST, PositionTrust
 from CNCStepper.control.transport.port_identity import PortIdentity, address_names, identify, other_names, read_identity
 from CNCStepper.errors import JobError
 
@@ -31,7 +31,7 @@ LONGEST_NAME = 40
 _NOT_FOR_NAMES = re.compile(r"[^A-Za-z0-9]+")
 
 
-class BeliefFile:
+class PositionTrustFile:
     """What was held of the position of the machine at one port when somebody was last connected to it.
 
     belief: as it was kept; without a file nothing speaks against the position. path: None keeps nothing. identity: of
@@ -55,14 +55,14 @@ class BeliefFile:
         self.belief = self._said()
 
     @classmethod
-    def of_port(cls, folder: Path, port: str) -> BeliefFile:
+    def of_port(cls, folder: Path, port: str) -> PositionTrustFile:
         """Return that of a port, by whatever name it has, in a folder of sessions."""
         identity = identify(port)
         aliases = frozenset(_path(folder, name) for name in other_names(port, identity))
         near = frozenset(_path(folder, name) for name in address_names(identity))
         return cls(_path(folder, identity.key), identity, aliases, near)
 
-    def keep(self, belief: Belief) -> None:
+    def keep(self, belief: PositionTrust) -> None:
         """Keep what is held now; when this returns it is on the disk. Raises JobError when it cannot be."""
         kept = belief if belief.position_known is False else NOTHING_AGAINST
         if kept == self.belief and (kept is NOTHING_AGAINST or self._path is None or self._is_written()):
@@ -74,7 +74,7 @@ class BeliefFile:
             except OSError as error:
                 raise _unwritable(self._path, error) from error
 
-    def keep_or_tell(self, belief: Belief, tell: Callable[[str, str], None]) -> None:
+    def save_or_warn(self, belief: PositionTrust, tell: Callable[[str, str], None]) -> None:
         """Keep what is held now; where that cannot be done, tell it as a warning once."""
         try:
             self.keep(belief)
@@ -83,7 +83,7 @@ class BeliefFile:
 
     # --- inside --------------------------------------------------------------------------------
 
-    def _write(self, path: Path, belief: Belief) -> None:
+    def _write(self, path: Path, belief: PositionTrust) -> None:
         if belief.position_known is False:
             identity = {"port_identity": self._identity.to_json()} if self._identity else {}
             zeroed = "".join(sorted(belief.zeroed))
@@ -121,9 +121,9 @@ class BeliefFile:
         content = _read(place)
         return content is None or _identity_of(content) is None or self._is_own(place, content)
 
-    def _said(self) -> Belief:
+    def _said(self) -> PositionTrust:
         """Return what the files say together: where they do not agree, what no zero of before mends."""
-        said = {_belief(content) if self._is_own(file, content) else LOST for file, content in self._against()}
+        said = {_trust(content) if self._is_own(file, content) else LOST for file, content in self._against()}
         return NOTHING_AGAINST if not said else said.pop() if len(said) == 1 else LOST
 
     def _against(self) -> Iterator[tuple[Path, Mapping[str, Any]]]:
@@ -178,7 +178,7 @@ class BeliefFile:
     def _runs(self, other: PortIdentity) -> bool:
         """Return whether a job runs at another port: then its machine is there, and is not the one at this port."""
         assert self._path
-        running = (story.header for story in stories(self._path.parent) if story.end == RUNNING)
+        running = (story.header for story in replays(self._path.parent) if story.end == RUNNING)
         return any(read_identity(header, header["port"]).is_same(other) for header in running)
 
 
@@ -202,7 +202,7 @@ def _read(path: Path) -> Mapping[str, Any] | None:
     return content if content is None or isinstance(content, dict) else {}
 
 
-def _belief(content: Mapping[str, Any]) -> Belief:
+def _trust(content: Mapping[str, Any]) -> PositionTrust:
     """Return what a file says; one that cannot be read says by being there that the position was lost."""
     try:
         return LOST._replace(counts_from_here=content["counts_from_here"] is True, zeroed=frozenset(content["zeroed"]))

@@ -16,13 +16,13 @@ from CNCStepper.control.protocol.grbl import connect
 from CNCStepper.control.protocol.grbl.driver import Answered, Grbl, Received
 from CNCStepper.control.protocol.grbl.motion_interlock import MotionInterlock
 from CNCStepper.control.protocol.grbl.timeouts import Timing
-from CNCStepper.control.service.position_trust_file import BeliefFile
+from CNCStepper.control.service.position_trust_file import PositionTrustFile
 from CNCStepper.control.session.command import JOB_COMMANDS, Command, Inbox
 from CNCStepper.control.session.status import REFUSED, Outcome, SenderStatus
 from CNCStepper.control.stream.job_run import JobRun, Refuse, Stopped, Tell
 from CNCStepper.control.stream.journal_protocol import Journals
-from CNCStepper.control.stream.position_trust import AT_HOME, LOST, check_program, is_lost, met
-from CNCStepper.control.stream.status_snapshot import tell_words
+from CNCStepper.control.stream.position_trust import AT_HOME, LOST, check_program, is_lost, trust_at_connect
+from CNCStepper.control.stream.status_snapshot import forward_messages
 from CNCStepper.control.transport.background_open import open_unless
 from CNCStepper.control.transport.link import Link, open_link
 from CNCStepper.errors import MachineRefusal
@@ -51,7 +51,7 @@ class Sender:
         tell: Tell = lambda kind, text: None,
         refuse: Refuse = lambda command, error: None,
         journal: Journals | None = None,
-        kept: BeliefFile | None = None,
+        kept: PositionTrustFile | None = None,
     ):
         self.job = job
         self._opener = opener
@@ -59,8 +59,8 @@ class Sender:
         self._clock = clock
         self._tell = tell
         self._inbox = Inbox(clock)
-        self._kept = kept or BeliefFile(None)
-        self._belief = self._kept.belief
+        self._kept = kept or PositionTrustFile(None)
+        self._trust = self._kept.belief
         self._greeted = False  # while connecting
         self._early: list[Command] = []  # asked while connecting
         self._connecting = True
@@ -93,67 +93,67 @@ class Sender:
         """Send the job and return how it ended; refusals and failures are in the outcome, not raised."""
         try:
             outcome = self._run.run(self._connected)
-            self._keep_belief(outcome)
+            self._save_trust(outcome)
             return outcome
         finally:
             self._buttons.close()
             if self._inbox.link:
                 self._inbox.link.close()
 
-    def _connected(self) -> connect.Found:
+    def _connected(self) -> connect.ControllerInfo:
         link = open_unless(lambda: self._inbox.wants_stop, self._opener, self.job.port, self.job.baud)
         if link is None:
             raise Stopped
         self._inbox.link = link
         self._run.driver = driver = Grbl(link, self._clock, self._listen, MotionInterlock(self._is_lost))
-        found = self._homed(driver) if self.job.home_first else connect.meet(driver, self._timing)
-        self._belief = met(self._belief, driver, self._greeted)
+        found = self._homed(driver) if self.job.home_first else connect.handshake(driver, self._timing)
+        self._trust = trust_at_connect(self._trust, driver, self._greeted)
         if self._greeted:
             self._tell("warning", "the controller restarted when its port was opened; it counts from where it stands")
             check_counts_from_here(driver)
-        check_program(self._belief, restart_counts=True)
+        check_program(self._trust, restart_counts=True)
         self._kept.keep(LOST)  # until the job has ended well
         self._buttons.wire(buttons_of(self.job.inputs))
         self._connecting = False
         for command in self._early:
             self._inbox.put(command)
-        return replace(found, greeted=self._belief.position_known is False)
+        return replace(found, greeted=self._trust.position_known is False)
 
     def _is_lost(self) -> bool:
         """Return whether the position is lost; before the machine was met nothing may move it."""
-        return self._connecting or is_lost(self._belief, restart_counts=True)
+        return self._connecting or is_lost(self._trust, restart_counts=True)
 
-    def _homed(self, driver: Grbl) -> connect.Found:
+    def _homed(self, driver: Grbl) -> connect.ControllerInfo:
         connect.wake_up(driver, self._timing, locked=True)
-        before = met(self._belief, driver, self._greeted)
+        before = trust_at_connect(self._trust, driver, self._greeted)
         self._tell("message", "the machine finds its own zero")
-        self._belief = LOST  # until it is there
+        self._trust = LOST  # until it is there
         self._kept.keep(LOST)
         try:
             home(driver, self._timing)
         except MachineRefusal as refusal:
             if refusal.code.endswith(NO_HOMING) or refusal.code.startswith("machine-"):  # it has not begun
-                self._belief = before
+                self._trust = before
             raise
-        self._belief, self._greeted = AT_HOME, False
-        return connect.meet(driver, self._timing)
+        self._trust, self._greeted = AT_HOME, False
+        return connect.handshake(driver, self._timing)
 
-    def _keep_belief(self, outcome: Outcome) -> None:
+    def _save_trust(self, outcome: Outcome) -> None:
         """Keep what is held of the position now; a job that was not begun may have met an alarm or a restart."""
-        belief = self._belief
+        belief = self._trust
         if self._connecting and self._run.driver:
-            belief = met(belief, self._run.driver, self._greeted)
+            belief = trust_at_connect(belief, self._run.driver, self._greeted)
         elif outcome.kind != REFUSED and not outcome.position_known:
             belief = LOST
-        self._kept.keep_or_tell(belief, self._tell)
+        self._kept.save_or_warn(belief, self._tell)
 
     def _listen(self, received: list[Received]) -> None:
         """Tell and count what came; a stop is done at once, while connecting all else waits for the first line."""
         if said := [report for report in received if not isinstance(report, Answered)]:
-            self._buttons.hear(said)
-            tell_words(said, self._tell)
+            self._buttons.on_message(said)
+            forward_messages(said, self._tell)
         if self._connecting:
-            self._greeted = self._greeted or connect.greeted(said)
+            self._greeted = self._greeted or connect.has_greeting(said)
         self._run.count(received)
         if self._connecting:
             for command in self._inbox.take():

@@ -46,8 +46,8 @@ class Backlog:
     def __init__(self) -> None:
         self.left_out = 0
         self._number = 0
-        self._texts = _Queue()
-        self._others = _Queue()
+        self._texts = _BoundedQueue()
+        self._others = _BoundedQueue()
         self._status: Entry | None = None
 
     def __bool__(self) -> bool:
@@ -89,7 +89,7 @@ class Backlog:
         return queue.remove() if queue else None
 
 
-class _Queue:
+class _BoundedQueue:
     """Entries of one kind and the bytes of their lines."""
 
     def __init__(self) -> None:
@@ -113,7 +113,7 @@ class _Queue:
         return entry
 
 
-class News:
+class EventQueue:
     """Events on their way from the thread where they happen to the one that serves clients; never waits for either.
 
     What comes faster than it is served displaces its elders, as in a `Backlog`.

@@ -21,7 +21,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any, TextIO
 
-from CNCStepper.control.processes.process_file import LOOK_EVERY_S, OwnFile, is_alive, is_closed
+from CNCStepper.control.processes.process_file import LOOK_EVERY_S, ProcessFile, is_alive, is_closed
 from CNCStepper.control.program.long_json import pieces
 from CNCStepper.control.session.local_socket import is_abandoned, make_private, socket_paths
 from CNCStepper.control.transport.port_identity import PortIdentity, identify, read_identity
@@ -84,14 +84,14 @@ def session_near(machine_port: str, folder: Path | None = None) -> Path | None:
     return _having(machine_port, sessions(folder), PortIdentity.is_near)
 
 
-def running_desks(folder: Path | None = None) -> list[Path]:
+def running_services(folder: Path | None = None) -> list[Path]:
     """Return the files of the desks that run, oldest first."""
     return _alive(folder, DESK)
 
 
-def desk_at(machine_port: str, folder: Path | None = None) -> Path | None:
+def service_at(machine_port: str, folder: Path | None = None) -> Path | None:
     """Return the file of the desk that has this port; None where none has."""
-    return _having(machine_port, running_desks(folder))
+    return _having(machine_port, running_services(folder))
 
 
 def closed_files(folder: Path | None = None) -> list[Path]:
@@ -100,17 +100,17 @@ def closed_files(folder: Path | None = None) -> list[Path]:
     return sorted(path for kind in (SESSION, DESK) for path in folder.glob(f"*{kind}") if is_closed(path))
 
 
-def desk_near(machine_port: str, folder: Path | None = None) -> Path | None:
+def service_near(machine_port: str, folder: Path | None = None) -> Path | None:
     """Return the file of the desk that has this port, or one at a host that shares an address with its host."""
-    return _having(machine_port, running_desks(folder), PortIdentity.is_near)
+    return _having(machine_port, running_services(folder), PortIdentity.is_near)
 
 
-class DeskFile(OwnFile):
+class ServiceFile(ProcessFile):
     """The file of a desk, in the hands of its own process."""
 
     def elder(self, machine_port: str) -> Path | None:
         """Return the file of a desk that was before this one at the same port, as far as that can be known."""
-        for path in running_desks(self._path.parent):
+        for path in running_services(self._path.parent):
             if path.name < self._path.name and _having(machine_port, [path], PortIdentity.is_near):
                 return path
         return None
@@ -232,7 +232,7 @@ def _prune(folder: Path) -> None:
     for path in _ours(folder, SESSION, DESK):
         if not is_alive(path):
             _remove(path, *filter(is_abandoned, socket_paths(path)))
-    needed = {path.stem for path in (*sessions(folder), *running_desks(folder), *closed_files(folder))}
+    needed = {path.stem for path in (*sessions(folder), *running_services(folder), *closed_files(folder))}
     for kind in (OUTCOME, LOG, WIRE):
         for old in _ours(folder, kind)[:-KEPT]:
             if old.stem not in needed and not _is_recent(old):

@@ -35,7 +35,7 @@ from typing import Any, Protocol
 
 from CNCStepper.control.processes.thread_priority import go_first
 from CNCStepper.control.session.command import Command, read_command
-from CNCStepper.control.session.event_queue import Backlog, News, line_of
+from CNCStepper.control.session.event_queue import Backlog, EventQueue, line_of
 from CNCStepper.control.session.local_socket import Listener
 from CNCStepper.control.session.status import Outcome, SenderStatus, error_to_json
 from CNCStepper.errors import CNCStepperError
@@ -44,12 +44,12 @@ STATUS_EVERY_S = 0.1
 LOOK_AT_STATUS_S = 0.02
 LINE_LIMIT_BYTES = 4096
 SEND_BYTES = 16_384  # at once, so that what waits behind it can still be replaced by what is newer
-STRANGER_LIMIT = 64  # peers that have not shown the token
+UNAUTHENTICATED_LIMIT = 64  # peers that have not shown the token
 KNOWN_LIMIT = 128  # peers that have
 ACCEPT_LIMIT = 64  # connections taken in one turn, so that a flood of them keeps no command waiting
 NO_ROOM_PAUSE_S = 0.01  # where the system gives this process no further socket
 SILENCE_LIMIT_S = 5.0  # of a peer that has not shown the token
-FAREWELL_LIMIT_S = 1.0
+CLOSE_LIMIT_S = 1.0
 
 
 class Served(Protocol):
@@ -85,7 +85,7 @@ class Peer:
         """Whether something is still to be sent to it."""
         return bool(self.sending or self.backlog)
 
-    def hears_no_more(self) -> None:
+    def drop_output(self) -> None:
         """Forget what is still to be sent to it."""
         self.sending, self.backlog = memoryview(b""), Backlog()
 
@@ -101,7 +101,7 @@ class SessionServer:
         self._listener = Listener(session_file)
         self._each_turn = each_turn
         self._served: Served | None = None
-        self._news = News()
+        self._news = EventQueue()
         self._history = Backlog()
         self._peers: dict[socket.socket, Peer] = {}  # the oldest first
         self._alone_since_s = time.monotonic()  # of no use while a client is attached
@@ -139,7 +139,7 @@ class SessionServer:
         why = {"text": str(error), "error": error_to_json(error)}
         self._news.put({"event": "refused", "command": command.name, **why})
 
-    def tell_outcome(self, outcome: Outcome) -> None:
+    def notify_outcome(self, outcome: Outcome) -> None:
         """Pass on how a job ended; never blocks."""
         self._news.put({"event": "outcome", "outcome": outcome.to_json()})
 
@@ -155,7 +155,7 @@ class SessionServer:
     def finish(self) -> None:
         """Tell all attached clients what is still to be told, then close."""
         self._ended.set()
-        self._thread.join(2 * FAREWELL_LIMIT_S + STATUS_EVERY_S)
+        self._thread.join(2 * CLOSE_LIMIT_S + STATUS_EVERY_S)
 
     def _serve(self) -> None:
         assert self._served
@@ -166,11 +166,11 @@ class SessionServer:
         except BaseException:  # a machine that nobody can hold any more must not go on
             self._served.stop()
             raise
-        self._farewell()
+        self._close_peers()
 
-    def _farewell(self) -> None:
+    def _close_peers(self) -> None:
         self._spread_news()
-        end_s = time.monotonic() + FAREWELL_LIMIT_S
+        end_s = time.monotonic() + CLOSE_LIMIT_S
         while any(peer.has_more for peer in self._peers.values()) and time.monotonic() < end_s:
             self._turn()
         for peer in list(self._peers.values()):
@@ -204,14 +204,14 @@ class SessionServer:
             except ConnectionError:  # another user's, or gone again
                 continue
             except OSError:  # this process has all the sockets that it may have
-                self._drop_oldest_stranger()
+                self._drop_oldest_unauthenticated()
                 time.sleep(NO_ROOM_PAUSE_S)
                 return
             self._admit(connection)
 
     def _admit(self, connection: socket.socket) -> None:
-        if self._strangers() >= STRANGER_LIMIT:
-            self._drop_oldest_stranger()
+        if self._strangers() >= UNAUTHENTICATED_LIMIT:
+            self._drop_oldest_unauthenticated()
         self._peers[connection] = peer = Peer(connection)
         self._selector.register(connection, selectors.EVENT_READ, peer)
         self._read(peer)
@@ -219,7 +219,7 @@ class SessionServer:
     def _strangers(self) -> int:
         return sum(not peer.known for peer in self._peers.values())
 
-    def _drop_oldest_stranger(self) -> None:
+    def _drop_oldest_unauthenticated(self) -> None:
         """Drop the oldest peer that has not shown the token, after a last look whether it just did."""
         for peer in list(self._peers.values()):
             if not peer.known:
@@ -254,11 +254,11 @@ class SessionServer:
         *lines, peer.inbox = (peer.inbox + data).split(b"\n")
         for line in lines:
             if peer.connection in self._peers:
-                self._obey(peer, line)
+                self._execute_command(peer, line)
         if not data or len(peer.inbox) > LINE_LIMIT_BYTES:
             self._drop(peer)
 
-    def _obey(self, peer: Peer, line: bytes) -> None:
+    def _execute_command(self, peer: Peer, line: bytes) -> None:
         try:
             request = json.loads(line)
             token = str(request["token"])
@@ -332,7 +332,7 @@ class SessionServer:
         except BlockingIOError:
             pass
         except OSError:  # it has closed: what it asked before that is still to be read, and `_read` finds the end
-            peer.hears_no_more()
+            peer.drop_output()
         if peer.is_behind != peer.has_more:
             peer.is_behind = peer.has_more
             events = selectors.EVENT_READ | (selectors.EVENT_WRITE if peer.is_behind else 0)

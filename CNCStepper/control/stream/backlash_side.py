@@ -13,26 +13,26 @@ from typing import TYPE_CHECKING
 from CNCStepper.control.program.certificate import CHECK_AGAIN
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.protocol.grbl.report import Vector
-from CNCStepper.control.stream.return_path import THERE_MM, Axes, back_over_gaps
+from CNCStepper.control.stream.return_path import THERE_MM, Axes, back_over_backlash
 from CNCStepper.errors import JobError
 from CNCStepper.state import ZERO3
 
 if TYPE_CHECKING:
     import numpy as np
 
-    from CNCStepper.machine.backlash import Play
+    from CNCStepper.machine.backlash import Backlash
 
 UP = 2  # the axis
 
 
-class Gaps:
+class BacklashTracker:
     """Follows the motors of one job, line by line as they are sent.
 
     ahead_mm: how far each stands ahead of its tool, by axis. top_mm: the greatest height of Z to which the lines have
     led, in machine coordinates.
     """
 
-    def __init__(self, play: Play):
+    def __init__(self, play: Backlash):
         self.ahead_mm: Sequence[float] = ZERO3  # as the lines presume it before the first
         self.top_mm = -inf
         self._play = play
@@ -56,27 +56,27 @@ class Gaps:
     def way_back(
         self, here_mm: Vector, there_mm: Vector, loose: Set[int], work_zero_mm: float
     ) -> Iterator[tuple[Axes, float]]:
-        """Yield the places and speeds of the way back to where the motors stood, as `back_over_gaps`, in work mm.
+        """Yield the places and speeds of the way back to where the motors stood, as `back_over_backlash`, in work mm.
 
         loose: the axes that were moved, or have to be. work_zero_mm: how high the work zero is, in machine coordinates.
         """
         top_mm = self.top_mm - work_zero_mm if loose - {UP} else -inf
         at_mm = list(here_mm)
-        for axes, feed_mm_min in back_over_gaps(here_mm, there_mm, self.ahead_mm, loose, top_mm, self._play):
+        for axes, feed_mm_min in back_over_backlash(here_mm, there_mm, self.ahead_mm, loose, top_mm, self._play):
             end_mm = [at if axis is None else axis for at, axis in zip(at_mm, axes, strict=True)]
             if any(abs(end - at) > THERE_MM for at, end in zip(at_mm, end_mm, strict=True)):
                 yield axes, feed_mm_min
                 at_mm = end_mm
 
 
-def gaps_of(job: SendJob) -> Gaps | None:
+def backlash_tracker(job: SendJob) -> BacklashTracker | None:
     """Return those of a job at its begin, None where its lines take up no play; raises JobError for a bad profile."""
     profile = job.retrace.get("machine") or {}
     if not any(axis.get("backlash_mm") for axis in profile.get("axis", {}).values()):
         return None
     from pydantic import ValidationError
 
-    from CNCStepper.gcode.wire.backlash_compensation import play_of
+    from CNCStepper.gcode.wire.backlash_compensation import backlash_of
     from CNCStepper.machine.profile import Machine
 
     try:
@@ -84,5 +84,5 @@ def gaps_of(job: SendJob) -> Gaps | None:
     except ValidationError as error:
         what = f"the job's machine profile cannot be read: {error}"
         raise JobError("machine-profile", what, advice=CHECK_AGAIN) from error
-    play = play_of(machine, job.dialect or machine.controller)
-    return Gaps(play) if play else None
+    play = backlash_of(machine, job.dialect or machine.controller)
+    return BacklashTracker(play) if play else None

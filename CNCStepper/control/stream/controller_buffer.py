@@ -22,7 +22,7 @@ class Capacity:
         """Moves in the planner and behind it."""
         return (self._blocks or PLANNER_BLOCKS) + SEGMENTS
 
-    def hear(self, received: Iterable[Received]) -> None:
+    def on_message(self, received: Iterable[Received]) -> None:
         """Take `[OPT:letters,blocks,bytes]`, and the free blocks of a status."""
         for report in received:
             if isinstance(report, Status) and report.buffer:

@@ -7,7 +7,7 @@ from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.program.wire_line import changes_tool, dwell_s, is_move, needs_idle, only_pauses, pauses, stores
 from CNCStepper.control.protocol.grbl.driver import Answered, Grbl
 from CNCStepper.control.protocol.grbl.firmware import Firmware
-from CNCStepper.control.stream.journal_protocol import Keeping, NoJournal
+from CNCStepper.control.stream.journal_protocol import ActiveJournal, NoJournal
 from CNCStepper.control.stream.tool_power import ToolPower
 from CNCStepper.errors import MachineRefusal, Place, ProgramError
 
@@ -24,7 +24,7 @@ class Feeder:
     grblHAL answers an M6 and waits in its state Tool then: what follows waits until it was seen idle behind that.
     """
 
-    def __init__(self, job: SendJob, journal: Keeping | None = None):
+    def __init__(self, job: SendJob, journal: ActiveJournal | None = None):
         self.job = job
         self._journal = journal or NoJournal()
         self.by_line = job.by_line
@@ -98,7 +98,7 @@ class Feeder:
         """Return the program's words for the M6 that was answered; None where the last line is none, or is not."""
         return None if driver.unanswered or not self._changes_tool else self._tool_words
 
-    def stand_message(self, driver: Grbl) -> str | None:
+    def pause_text(self, driver: Grbl) -> str | None:
         """Return what to say where the sender stands, all lines before being answered; None where it does not."""
         if driver.unanswered or self.sent >= self.total or not self._stands(self.sent):
             return None
@@ -107,7 +107,7 @@ class Feeder:
             return self.job.messages.get(self.sent, self._message)
         return f"next is line {self.job.place(self.sent).line}: {text}"
 
-    def leave_stand(self) -> None:
+    def leave_pause(self) -> None:
         """Go on with the line that was waited before, as soon as the journal allows it."""
         self._released = self.sent
 

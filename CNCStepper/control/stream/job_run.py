@@ -28,25 +28,25 @@ from CNCStepper.control.protocol.grbl.driver import Answered, Grbl, Received
 from CNCStepper.control.protocol.grbl.motion_interlock import UNKNOWN
 from CNCStepper.control.protocol.grbl.readiness import check_zero
 from CNCStepper.control.protocol.grbl.report import Alarm, Greeting, Status
-from CNCStepper.control.protocol.grbl.status_poller import ANSWER_MISSING, Watch
+from CNCStepper.control.protocol.grbl.status_poller import ANSWER_MISSING, StatusPoller
 from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.control.session.command import STOPS, Command, Inbox
 from CNCStepper.control.session.status import DONE, FAILED, REFUSED, STOPPED, Outcome, SenderStatus
 from CNCStepper.control.stream import stop_sequence
-from CNCStepper.control.stream.backlash_side import Gaps, gaps_of
+from CNCStepper.control.stream.backlash_side import BacklashTracker, backlash_tracker
 from CNCStepper.control.stream.feeder import Feeder
-from CNCStepper.control.stream.journal_protocol import Journals, Keeping, NoJournal, check_not_held
-from CNCStepper.control.stream.leg_journal import Led
+from CNCStepper.control.stream.journal_protocol import ActiveJournal, Journals, NoJournal, check_not_held
+from CNCStepper.control.stream.leg_journal import LegJournal
 from CNCStepper.control.stream.overrides import NORMAL, override_byte, restore
-from CNCStepper.control.stream.path_retract import LAST, STANDS, Retrace, check_place, stand_reset
+from CNCStepper.control.stream.path_retract import LAST, STANDS, PathRetract, check_place, reset_at_rest
 from CNCStepper.control.stream.path_watch import PathWatch
-from CNCStepper.control.stream.pause import Stand
-from CNCStepper.control.stream.pause_id import StandCount
-from CNCStepper.control.stream.pending_requests import Wishes
+from CNCStepper.control.stream.pause import Pause
+from CNCStepper.control.stream.pause_id import PauseCounter
+from CNCStepper.control.stream.pending_requests import PendingRequests
 from CNCStepper.control.stream.phases import RETREATED, Phases, check_no_tool_change
 from CNCStepper.control.stream.position_trust import counts_steps
 from CNCStepper.control.stream.remaining_time import Remaining
-from CNCStepper.control.stream.status_snapshot import moment
+from CNCStepper.control.stream.status_snapshot import status_snapshot
 from CNCStepper.control.stream.tool_power import power_of
 from CNCStepper.errors import CNCStepperError, LinkError, MachineRefusal
 
@@ -81,7 +81,7 @@ class JobRun:
         tell: Tell = lambda kind, text: None,
         refuse: Refuse = lambda command, error: None,
         journal: Journals | None = None,
-        stands: StandCount | None = None,
+        stands: PauseCounter | None = None,
     ):
         self.job = job
         self.driver: Grbl | None = None  # before it is connected
@@ -91,18 +91,18 @@ class JobRun:
         self._tell = tell
         self._refuse = refuse
         self._new_journal = journal or NoJournal()
-        self._journal: Keeping = self._new_journal
+        self._journal: ActiveJournal = self._new_journal
         self._feeder = Feeder(job, self._journal)
         self._remaining = Remaining(job.plan)
-        self._stand_count = stands or StandCount()
-        self._phases = Phases(tell, self._stand_count)
-        self._watch = Watch(self._timing)
-        self._stand = Stand(self._timing, tell, refuse)
-        self._retrace = Retrace(job)
-        self._wishes = Wishes(clock, refuse)
+        self._pause_counter = stands or PauseCounter()
+        self._phases = Phases(tell, self._pause_counter)
+        self._watch = StatusPoller(self._timing)
+        self._stand = Pause(self._timing, tell, refuse)
+        self._path_retract = PathRetract(job)
+        self._requests = PendingRequests(clock, refuse)
         self._by_line = job.by_line
         self._path: PathWatch | None = None  # before the first line
-        self._gaps: Gaps | None = None  # where no play is taken up
+        self._gaps: BacklashTracker | None = None  # where no play is taken up
         self._begin_s = clock()
         self._idle_reports = 0
         self._done = 0  # lines that are surely cut
@@ -111,10 +111,10 @@ class JobRun:
 
     def status(self) -> SenderStatus:
         """Return this moment."""
-        stand = self._stand_count.number  # before the words of that stand
-        before, feeder = self._retrace.lines_before, self._feeder  # a leg brings another, of lines of its own
+        stand = self._pause_counter.number  # before the words of that stand
+        before, feeder = self._path_retract.lines_before, self._feeder  # a leg brings another, of lines of its own
         return replace(
-            moment(self.driver, self._phases.name, self._phases.message),
+            status_snapshot(self.driver, self._phases.name, self._phases.message),
             sent=max(0, before + feeder.sent),
             acknowledged=max(0, before + feeder.acknowledged),
             total=before + feeder.total,
@@ -125,8 +125,8 @@ class JobRun:
             remaining_s=self._remaining.remaining_s,
             done=self._remaining.done,
             stand=stand,
-            wanted_back_mm=self._wishes.back_mm,
-            wanted_rest=self._wishes.rest,
+            wanted_back_mm=self._requests.back_mm,
+            wanted_rest=self._requests.rest,
         )
 
     @property
@@ -136,7 +136,7 @@ class JobRun:
 
     def count(self, received: list[Received]) -> None:
         """Hear what came, also while the machine is brought to rest: count the answers to the job's lines."""
-        self._journal.hear(received)
+        self._journal.on_message(received)
         for report in received:
             if isinstance(report, Answered):
                 self._feeder.take(report)
@@ -158,7 +158,7 @@ class JobRun:
                 break
         raise Stopped
 
-    def run(self, connected: Callable[[], connect.Found]) -> Outcome:
+    def run(self, connected: Callable[[], connect.ControllerInfo]) -> Outcome:
         """Send the job and return how it ended; refusals and failures are in the outcome, not raised.
 
         connected: sets `driver` to that of an idle machine and returns what it found; called once the job
@@ -174,17 +174,17 @@ class JobRun:
 
     # --- before the first line -----------------------------------------------------------------
 
-    def _begun(self, connected: Callable[[], connect.Found]) -> Outcome | None:
-        found: connect.Found | None = None
+    def _begun(self, connected: Callable[[], connect.ControllerInfo]) -> Outcome | None:
+        found: connect.ControllerInfo | None = None
         try:
             check_zero(self.job.zero_confirmed)
             self.job.check()
-            self._gaps = gaps_of(self.job)
+            self._gaps = backlash_tracker(self.job)
             found = connected()
             assert self.driver
             check_found(self.job, self.driver, found, self._tell)
             self._new_journal.begin(self.job, self.driver, found)
-            self._retrace.begin(self.driver, found)
+            self._path_retract.begin(self.driver, found)
             self._feeder.power = power_of(self.job, self.driver, found.modes)
             self._path = PathWatch(self.job, self.driver, found, self._tell, self._gaps)
         except Stopped:
@@ -196,7 +196,7 @@ class JobRun:
         self._phases.set("running")
         return None
 
-    def _stands(self, found: connect.Found | None) -> bool:
+    def _stands(self, found: connect.ControllerInfo | None) -> bool:
         """Return whether the machine was seen where it can be trusted; one that homes first only once it was found."""
         return counts_steps(self.driver) and (found is not None or not self.job.home_first)
 
@@ -205,7 +205,7 @@ class JobRun:
     def _streamed(self) -> Outcome:
         assert self.driver and self._path
         try:
-            self._obey(self.driver)  # what was asked while connecting, before the first line
+            self._execute_command(self.driver)  # what was asked while connecting, before the first line
             while self._idle_reports < IDLE_REPORTS:
                 self._turn(self.driver)
                 self._path.check()
@@ -229,7 +229,7 @@ class JobRun:
         self._watch.check(driver, idle and self._phases.feeding, dwell_s, self._feeder.place_at_work)
         self._keep_journal(driver, idle)
         if self._phases.feeding and self._feeder.feed(driver, idle):
-            self._watch.heard_s = self._clock()
+            self._watch.last_line_s = self._clock()
             if self._path:
                 self._path.read_on(self._feeder.sent)
         every_s = self._timing.poll_s if self._phases.name == "running" else self._timing.quick_poll_s
@@ -237,25 +237,25 @@ class JobRun:
         self._trouble += (report for report in received if isinstance(report, (Alarm, Greeting)))
         for report in received:
             self._take(driver, report)
-        self._obey(driver)
-        self._wishes.turn(self._phases.name in STANDS)
+        self._execute_command(driver)
+        self._requests.turn(self._phases.name in STANDS)
         if self._phases.stands and self._stand.is_left(driver):
-            self._leave_stand(driver)
+            self._leave_pause(driver)
 
-    def _leave_stand(self, driver: Grbl) -> None:
+    def _leave_pause(self, driver: Grbl) -> None:
         if self._path and self._stand.is_off_path:
             found = connect.look_again(driver, self._timing)
-            self._path.begin_anew(found, self._feeder.sent)
+            self._path.restart_from_here(found, self._feeder.sent)
             self._journal.note_zero(found, self._feeder.sent)
         self._stand.end()
-        self._feeder.leave_stand()
+        self._feeder.leave_pause()
         self._phases.set("running")
 
     def _keep_journal(self, driver: Grbl, idle: bool) -> None:
         """Write what is due; a job of which no further line can be put on the disk is held."""
         self._warn(self._journal.keep(self._feeder.sent, self._feeder.acknowledged, idle and not driver.unanswered))
         if self._journal.holds(self._feeder.sent) and self._phases.feeding:
-            self._phases.obey("hold", driver)
+            self._phases.hold_or_resume("hold", driver)
 
     def _warn(self, texts: list[str]) -> None:
         for text in texts:
@@ -263,7 +263,7 @@ class JobRun:
 
     def _take(self, driver: Grbl, report: Received) -> None:
         if isinstance(report, Answered):
-            self._watch.heard_s = self._clock()
+            self._watch.last_line_s = self._clock()
             if report.sent.index < 0:
                 self._stand.answered(report)
             elif report.error:
@@ -274,7 +274,7 @@ class JobRun:
             raise connect.restart_refusal(report)
         elif isinstance(report, Status):
             if not self._stand.is_off_path:
-                self._retrace.note(driver, self._feeder, self._phases.name)
+                self._path_retract.note(driver, self._feeder, self._phases.name)
             self._follow_state(driver)
             self._count_idle(driver)
             self._note_progress()
@@ -296,10 +296,10 @@ class JobRun:
 
     def _count_idle(self, driver: Grbl) -> None:
         if self._feeder.complete and self._phases.feeding:
-            if self._retrace.leads_to_stand:
+            if self._path_retract.leads_to_pause:
                 self._feeder.power.stand(driver)
             self._phases.set("finishing")
-        message = self._feeder.stand_message(driver) if self._phases.name == "running" else None
+        message = self._feeder.pause_text(driver) if self._phases.name == "running" else None
         awaited = self._phases.name == "finishing" or message is not None
         finished = awaited and not driver.unanswered and self._watch.idle(driver, self._phases.changed_s)
         self._idle_reports = self._idle_reports + 1 if finished else 0
@@ -309,11 +309,11 @@ class JobRun:
             self._idle_reports = 0
             self._stand.begin(driver, self._feeder.sent, self._gaps)
             self._phases.stand(message)
-        elif self._retrace.ends_leg():
+        elif self._path_retract.ends_leg():
             self._idle_reports = 0
             self._stand_back(driver)
 
-    def _obey(self, driver: Grbl) -> None:
+    def _execute_command(self, driver: Grbl) -> None:
         for command in self._inbox.take():
             if command.name in STOPS:
                 raise Stopped
@@ -325,14 +325,14 @@ class JobRun:
                 self._refuse(command, error)
 
     def _do(self, command: Command, driver: Grbl) -> None:
-        self._stand_count.check(command)
+        self._pause_counter.check(command)
         if command.name in ("tell_place", "retrace"):
             self._go_back(driver, command)
         elif command.name == "want_back":
-            self._phases.obey("hold", driver)
-            self._wishes.want_back(command)
+            self._phases.hold_or_resume("hold", driver)
+            self._requests.request_retract(command)
         elif command.name == "resume" and self._phases.name == RETREATED:
-            self._wishes.want_rest(command)
+            self._requests.request_resume(command)
         elif command.name == "by_line":
             self._by_line = self._feeder.by_line = command.values["on"]
         elif self._phases.stands and command.name in self._stand.commands:
@@ -340,10 +340,10 @@ class JobRun:
             if command.name == "set_zero":
                 self._journal.note_zero(connect.look_again(driver, self._timing), self._feeder.sent)
         elif command.name in ("hold", "resume"):
-            self._wishes.take()
+            self._requests.take()
             if command.name == "resume":
                 check_not_held(self._journal, self._feeder.sent)
-            self._phases.obey(command.name, driver)
+            self._phases.hold_or_resume(command.name, driver)
         elif command.name == "override":
             driver.realtime(override_byte(**command.values))
         elif command.name != "jog_cancel":  # a button let go has nothing to say here
@@ -352,38 +352,38 @@ class JobRun:
 
     def _go_back(self, driver: Grbl, command: Command) -> None:
         """Tell a client where the machine stands on its path, or go along the leg that it has made of that."""
-        self._wishes.take()
+        self._requests.take()
         check_no_tool_change(driver)
         self._stand.check_way_back()
         file = Path(command.values["file"])
         if command.name == "retrace":
             self._go_along(driver, file)
         else:
-            self._retrace.tell(driver, self._phases.name, file, self._stand.is_off_path)
+            self._path_retract.tell(driver, self._phases.name, file, self._stand.is_off_path)
             self._tell("place", str(file))
 
     def _go_along(self, driver: Grbl, file: Path) -> None:
         """Let a machine that stands go along a leg; what is refused after its reset leaves it there, spindle off."""
-        leg = self._retrace.read(file, self._phases.name)
+        leg = self._path_retract.read(file, self._phases.name)
         leg.job.check()
         self._phases.stands = False  # the greeting that comes now was asked for
         overrides = driver.overrides or NORMAL
-        found = stand_reset(driver, self._timing)
+        found = reset_at_rest(driver, self._timing)
         self._stand_back(driver)
         check_found(leg.job, driver, found, self._tell)
         check_place(driver, leg)
         restore(driver, overrides, self._timing)
         self._stand.end()
-        self._retrace.start(leg)
+        self._path_retract.start(leg)
         if self._gaps:
             self._gaps.begin(leg.ahead_mm)
         self._path = PathWatch(leg.job, driver, found, self._tell, self._gaps)
-        rest = self._retrace.lines_before if leg.is_rest else None
-        self._journal = Led.from_now(self._journal, self._feeder.sent, self._feeder.acknowledged, rest)
+        rest = self._path_retract.lines_before if leg.is_rest else None
+        self._journal = LegJournal.from_now(self._journal, self._feeder.sent, self._feeder.acknowledged, rest)
         self.job, self._feeder, self._idle_reports, self._done = leg.job, Feeder(leg.job, self._journal), 0, 0
         self._feeder.by_line = self._by_line and leg.is_rest
-        self._feeder.power = power_of(self._retrace.program, driver, found.modes)
-        self._phases.run_anew()
+        self._feeder.power = power_of(self._path_retract.program, driver, found.modes)
+        self._phases.restart_with()
 
     def _stand_back(self, driver: Grbl) -> None:
         """Wait for the next leg: the machine is idle, so that it can be jogged."""

@@ -7,26 +7,26 @@ import sys
 from typing import Protocol
 
 from CNCStepper.control.program.send_job import SendJob
-from CNCStepper.control.protocol.grbl.connect import Found
+from CNCStepper.control.protocol.grbl.connect import ControllerInfo
 from CNCStepper.control.protocol.grbl.driver import Grbl, Received
 from CNCStepper.control.session.status import Outcome
 from CNCStepper.errors import JobError
 
 
-class Keeping(Protocol):
+class ActiveJournal(Protocol):
     """A journal that has begun, in the hands of the run; nothing here waits for the disk but `end`."""
 
     @property
     def permitted(self) -> int:
         """How many lines of the job, from its first, may be sent by now."""
 
-    def hear(self, received: list[Received]) -> None:
+    def on_message(self, received: list[Received]) -> None:
         """Learn from what the controller says how much it holds."""
 
     def keep(self, sent: int, acknowledged: int, is_idle: bool) -> list[str]:
         """Write what is due, and return what people must know now. is_idle: what was acknowledged is cut."""
 
-    def note_zero(self, found: Found, sent: int) -> None:
+    def note_zero(self, found: ControllerInfo, sent: int) -> None:
         """Learn how a machine stands that a person had at a pause, all before line `sent` (from 0) being cut.
 
         Where its work zero is another one now, no line goes out before that is on the disk.
@@ -42,7 +42,7 @@ class Keeping(Protocol):
         """Write how the job ended, and return what people must know of that."""
 
 
-def check_not_held(journal: Keeping, sent: int) -> None:
+def check_not_held(journal: ActiveJournal, sent: int) -> None:
     """Refuse to go on with a job of which no further line can be put on the disk; raises JobError.
 
     The machine would move for a moment and be held again.
@@ -55,10 +55,10 @@ def check_not_held(journal: Keeping, sent: int) -> None:
         )
 
 
-class Journals(Keeping, Protocol):
+class Journals(ActiveJournal, Protocol):
     """A journal before its job."""
 
-    def begin(self, job: SendJob, driver: Grbl, found: Found) -> None:
+    def begin(self, job: SendJob, driver: Grbl, found: ControllerInfo) -> None:
         """Put the job on the disk, and wait for it; raises JobError when that cannot be done."""
 
 
@@ -67,17 +67,17 @@ class NoJournal:
 
     permitted = sys.maxsize
 
-    def begin(self, job: SendJob, driver: Grbl, found: Found) -> None:
+    def begin(self, job: SendJob, driver: Grbl, found: ControllerInfo) -> None:
         """Do nothing."""
 
-    def hear(self, received: list[Received]) -> None:
+    def on_message(self, received: list[Received]) -> None:
         """Do nothing."""
 
     def keep(self, sent: int, acknowledged: int, is_idle: bool) -> list[str]:
         """Do nothing."""
         return []
 
-    def note_zero(self, found: Found, sent: int) -> None:
+    def note_zero(self, found: ControllerInfo, sent: int) -> None:
         """Do nothing."""
 
     def holds(self, sent: int) -> bool:

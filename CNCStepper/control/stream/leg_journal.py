@@ -6,27 +6,27 @@ from __future__ import annotations
 import sys
 from dataclasses import replace
 
-from CNCStepper.control.protocol.grbl.connect import Found
+from CNCStepper.control.protocol.grbl.connect import ControllerInfo
 from CNCStepper.control.protocol.grbl.driver import Received
 from CNCStepper.control.session.status import Outcome
-from CNCStepper.control.stream.journal_protocol import Keeping
+from CNCStepper.control.stream.journal_protocol import ActiveJournal
 
 
-class Led:
+class LegJournal:
     """Counts the lines of a leg as the program's, where they are its rest; of another leg nothing is written.
 
     sent, acknowledged: how many of the program's lines, when the leg begins. lines_before: how many lie before those
     of the leg; None when it is not the program's rest.
     """
 
-    def __init__(self, program: Keeping, sent: int, acknowledged: int, lines_before: int | None):
+    def __init__(self, program: ActiveJournal, sent: int, acknowledged: int, lines_before: int | None):
         self.program, self.sent, self.acknowledged = program, sent, acknowledged
         self._lines_before = lines_before
 
     @classmethod
-    def from_now(cls, journal: Keeping, sent: int, acknowledged: int, lines_before: int | None) -> Led:
+    def from_now(cls, journal: ActiveJournal, sent: int, acknowledged: int, lines_before: int | None) -> LegJournal:
         """Return the journal of the leg that begins now; `journal` is the program's, or that of the leg before."""
-        if isinstance(journal, Led):
+        if isinstance(journal, LegJournal):
             return cls(journal.program, journal.sent, journal.acknowledged, lines_before)
         return cls(journal, sent, acknowledged, lines_before)
 
@@ -35,9 +35,9 @@ class Led:
         """How many lines of the leg may be sent by now."""
         return sys.maxsize if self._lines_before is None else self.program.permitted - self._lines_before
 
-    def hear(self, received: list[Received]) -> None:
+    def on_message(self, received: list[Received]) -> None:
         """Learn from what the controller says how much it holds."""
-        self.program.hear(received)
+        self.program.on_message(received)
 
     def keep(self, sent: int, acknowledged: int, is_idle: bool) -> list[str]:
         """Write what is due of the program, and return what people must know now."""
@@ -47,7 +47,7 @@ class Led:
         self.acknowledged = max(0, self._lines_before + acknowledged)
         return self.program.keep(self.sent, self.acknowledged, is_idle)
 
-    def note_zero(self, found: Found, sent: int) -> None:
+    def note_zero(self, found: ControllerInfo, sent: int) -> None:
         """Learn how a machine stands that a person had at a pause."""
         self.program.note_zero(found, self.sent if self._lines_before is None else max(0, self._lines_before + sent))
 

@@ -72,7 +72,7 @@ class Leg:
         return tuple(self.content["ahead_mm"])
 
 
-class Retrace:
+class PathRetract:
     """Remembers for one run; used by its thread alone."""
 
     def __init__(self, program: SendJob):
@@ -89,7 +89,7 @@ class Retrace:
         """How many of the program's lines lie before those of the leg that is its rest."""
         return len(self.program.lines) - len(self.leg.job.lines) if self.leg and self.leg.is_rest else 0
 
-    def begin(self, driver: Grbl, found: connect.Found) -> None:
+    def begin(self, driver: Grbl, found: connect.ControllerInfo) -> None:
         """Note where the machine stands before the first line, and with which offsets."""
         offsets_mm = {name: driver.mm(offset) for name, offset in found.offsets.items()}
         self._origin = {
@@ -153,13 +153,13 @@ class Retrace:
         self._reports.clear()
 
     @property
-    def leads_to_stand(self) -> bool:
+    def leads_to_pause(self) -> bool:
         """Whether the lines are those of a leg after which the machine waits."""
         return self.leg is not None and not self.leg.is_rest
 
     def ends_leg(self) -> bool:
         """Note that all lines are cut; return whether they were a leg after which the machine waits."""
-        self._is_over = self.leads_to_stand
+        self._is_over = self.leads_to_pause
         return self._is_over
 
     # --- inside --------------------------------------------------------------------------------
@@ -208,7 +208,7 @@ def _content_of(job: SendJob) -> dict[str, Any]:
     return short | {"lines": job.lines, "file_lines": job.file_lines}
 
 
-def stand_reset(driver: Grbl, timing: Timing) -> connect.Found:
+def reset_at_rest(driver: Grbl, timing: Timing) -> connect.ControllerInfo:
     """Reset a machine that stands, and return what it is then; raises LinkError when its position is lost by it."""
     if not stop_sequence.reset(driver, timing):
         what = "the controller has not kept its position through the reset at standstill"

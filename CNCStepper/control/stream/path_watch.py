@@ -14,11 +14,11 @@ from typing import TYPE_CHECKING
 
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.program.wire_line import ARCS
-from CNCStepper.control.protocol.grbl.connect import Found, offsets_of
+from CNCStepper.control.protocol.grbl.connect import ControllerInfo, offsets_of
 from CNCStepper.control.protocol.grbl.driver import Grbl
 from CNCStepper.control.protocol.grbl.readiness import CHECK, STEPS_PER_MM, state_refusal
 from CNCStepper.control.protocol.grbl.report import Status, Vector
-from CNCStepper.control.stream.backlash_side import Gaps
+from CNCStepper.control.stream.backlash_side import BacklashTracker
 from CNCStepper.control.stream.executed_lines import SEGMENTS, finished_lines, longest_step_mm
 from CNCStepper.control.stream.work_offset_watch import OffsetWatch, zero_changed
 from CNCStepper.errors import MachineRefusal, Place
@@ -53,9 +53,9 @@ class PathWatch:
         self,
         job: SendJob,
         driver: Grbl,
-        found: Found,
+        found: ControllerInfo,
         tell: Callable[[str, str], None],
-        gaps: Gaps | None = None,
+        gaps: BacklashTracker | None = None,
     ):
         self.excursion: MachineRefusal | None = None
         self.restarted = False
@@ -85,7 +85,7 @@ class PathWatch:
         if place is None or self._path is None or self.excursion or status.state not in STANDING:
             return
         self._path.read(sent)
-        self._tell_unknown(self._path)
+        self._notify_unknown(self._path)
         self._path.drop_planned_before(acknowledged, self._driver.planner_blocks + SEGMENTS)
         if not self._path.drop_to(place[:3], self._near_mm):
             self._leave(place, sent)
@@ -102,7 +102,7 @@ class PathWatch:
             passed = max(passed, finished_lines(self._job.lines, acknowledged, blocks, self._step_mm))
         return min(passed, acknowledged)
 
-    def begin_anew(self, found: Found, sent: int) -> None:
+    def restart_from_here(self, found: ControllerInfo, sent: int) -> None:
         """Compare from here on: the machine stands, all lines sent are cut, and its zero may be another one."""
         self._offsets = OffsetWatch(self._job.lines)
         if self._path and not self._told:
@@ -134,16 +134,16 @@ class PathWatch:
         if self._path and (place is None or not self._path.ends_at(place[:3], self._near_mm)):
             raise self._leave(place, sent)
 
-    def _planned(self, found: Found, first: int = 0) -> PlannedPath | None:
+    def _planned(self, found: ControllerInfo, first: int = 0) -> PlannedPath | None:
         try:
             from CNCStepper.control.stream.planned_path import PlannedPath  # takes long: when a machine is there only
         except ImportError as error:
             self._warn(str(error))
             return None
-        start, held = start_of(self._driver, found), held_words(offsets_of(self._driver, found), found.modes)
+        start, held = start_of(self._driver, found), held_modes(offsets_of(self._driver, found), found.modes)
         return PlannedPath(self._job.lines, start, held, first, self._gaps, found.firmware.dialects[0])
 
-    def _tell_unknown(self, path: PlannedPath) -> None:
+    def _notify_unknown(self, path: PlannedPath) -> None:
         if path.refused and not self._told:
             self._told = True
             self._warn(str(path.refused.at(self._job.place(path.lost_at))))
@@ -171,7 +171,7 @@ class PathWatch:
         return self._job.place(max(self._path.line, 0) if self._path else 0)
 
 
-def start_of(driver: Grbl, found: Found) -> Start:
+def start_of(driver: Grbl, found: ControllerInfo) -> Start:
     """Return where a machine stands that was just met, and its offsets."""
     return start_from(offsets_of(driver, found), found.modes, driver.mpos_mm)
 
@@ -189,7 +189,7 @@ def start_from(offsets_mm: Offsets, modes: str, mpos_mm: Vector | None) -> Start
     )
 
 
-def held_words(offsets_mm: Offsets, modes: str) -> list[str]:
+def held_modes(offsets_mm: Offsets, modes: str) -> list[str]:
     """Return what a machine holds besides, as lines: a tool's length, what a coordinate means, the feed, a motion."""
     length = offsets_mm.get("TLO")
     words = [word for word in modes.split() if word in MODES or (word[0] == "F" and float(word[1:]) > 0)]

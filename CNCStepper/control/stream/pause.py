@@ -21,13 +21,13 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 from CNCStepper.control.operator import actions
-from CNCStepper.control.operator.jog import MAY_JOG, Jogger, Way, check_in_time
+from CNCStepper.control.operator.jog import MAY_JOG, Jogger, JogMove, check_in_time
 from CNCStepper.control.protocol.grbl.driver import RESUME, Answered, Grbl
 from CNCStepper.control.protocol.grbl.firmware import TOOL
 from CNCStepper.control.protocol.grbl.report import Vector
 from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.control.session.command import Command
-from CNCStepper.control.stream.backlash_side import UP, Gaps
+from CNCStepper.control.stream.backlash_side import UP, BacklashTracker
 from CNCStepper.control.stream.return_path import THERE_MM, Axes, over
 from CNCStepper.errors import CNCStepperError, MachineRefusal
 
@@ -36,7 +36,7 @@ AT_REST = ("Idle", TOOL)
 
 
 @dataclass(frozen=True)
-class To:
+class JogTarget:
     """A straight jog to a work position; an axis that is None stays."""
 
     place_mm: Axes
@@ -48,12 +48,12 @@ class To:
         return f"$J=G90G21{''.join(f'{axis}{mm:.4f}' for axis, mm in words if mm is not None)}F{self.feed_mm_min:.1f}"
 
 
-def way_back(here_mm: Vector, there_mm: Vector) -> list[To]:
+def way_back(here_mm: Vector, there_mm: Vector) -> list[JogTarget]:
     """Return the jogs from one work position to another: up, over, down; none where it is that place."""
-    return [To(place_mm, feed_mm_min) for place_mm, feed_mm_min in over(here_mm, there_mm)]
+    return [JogTarget(place_mm, feed_mm_min) for place_mm, feed_mm_min in over(here_mm, there_mm)]
 
 
-class Stand:
+class Pause:
     """What a person does at one stand of a job, until it is left.
 
     tell, refuse: hear what happens, as of a `JobRun`. commands: those that `do` takes. is_off_path: the machine may
@@ -74,7 +74,7 @@ class Stand:
         self._jogger: Jogger | None = None
         self._index = -1  # of the line that is waited before
         self._place_mm: Vector | None = None
-        self._gaps: Gaps | None = None
+        self._gaps: BacklashTracker | None = None
         self._loose: set[int] = set()  # the axes that were moved here
         self._resume_asked = False
         self._going_back = False
@@ -83,7 +83,7 @@ class Stand:
         self._leads_on = True
         self._changed_s = 0.0  # what the machine said before shows another moment
 
-    def begin(self, driver: Grbl, index: int, gaps: Gaps | None = None, leads_on: bool = True) -> None:
+    def begin(self, driver: Grbl, index: int, gaps: BacklashTracker | None = None, leads_on: bool = True) -> None:
         """Stand before the job's line `index`; a stand that was only disturbed keeps its place.
 
         gaps: of the motors, where the job's lines take up play. leads_on: whether the job goes on from here; else only
@@ -167,14 +167,14 @@ class Stand:
 
     # --- inside --------------------------------------------------------------------------------
 
-    def _leaving(self, values: Mapping[str, float]) -> Way:
+    def _leaving(self, values: Mapping[str, float]) -> JogMove:
         """Return a jog, noting that it leads off the path."""
-        way = Way(**values)
+        way = JogMove(**values)
         self.is_off_path = True
         self._loose |= {axis for axis, far_mm in enumerate((way.x_mm, way.y_mm, way.z_mm)) if far_mm}
         return way
 
-    def _ways(self, driver: Grbl) -> list[To]:
+    def _ways(self, driver: Grbl) -> list[JogTarget]:
         here_mm, there_mm = driver.wpos_mm, self._place_mm
         if here_mm is None or there_mm is None:
             return []
@@ -182,7 +182,7 @@ class Stand:
             return self._ways_to_side(driver, self._gaps, here_mm[:3], there_mm[:3])
         return way_back(here_mm, there_mm)
 
-    def _ways_to_side(self, driver: Grbl, gaps: Gaps, here_mm: Vector, there_mm: Vector) -> list[To]:
+    def _ways_to_side(self, driver: Grbl, gaps: BacklashTracker, here_mm: Vector, there_mm: Vector) -> list[JogTarget]:
         """Return the jogs to the place by which each axis that was moved is on the side of its gap on which it was."""
         pairs = zip(here_mm, there_mm, strict=True)
         self._loose |= {axis for axis, (here, there) in enumerate(pairs) if abs(here - there) > THERE_MM}
@@ -191,9 +191,12 @@ class Stand:
         if self._loose - {UP}:
             self._loose.add(UP)  # the tool goes up first
         work_zero_mm = driver.mpos_mm[UP] - here_mm[UP]
-        return [To(place_mm, speed) for place_mm, speed in gaps.way_back(here_mm, there_mm, self._loose, work_zero_mm)]
+        return [
+            JogTarget(place_mm, speed)
+            for place_mm, speed in gaps.way_back(here_mm, there_mm, self._loose, work_zero_mm)
+        ]
 
-    def _go_back(self, driver: Grbl, ways: list[To]) -> None:
+    def _go_back(self, driver: Grbl, ways: list[JogTarget]) -> None:
         assert self._jogger
         self._tell("message", "back to where the program paused: up, over, down")
         self._going_back, self._changed_s = True, driver.clock()

@@ -12,7 +12,7 @@ from CNCStepper.errors import MachineRefusal
 WAITING = ("held", "paused", "door", "retreated")  # the phases in which somebody is asked to go on
 
 
-class StandCount:
+class PauseCounter:
     """Counts the stands of one connection; `number` is that of the last, and may be read from any thread.
 
     What is shown with a number must be read after it: then a number is never newer than the words beside it.

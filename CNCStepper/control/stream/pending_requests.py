@@ -15,7 +15,7 @@ from CNCStepper.errors import CNCStepperError, MachineRefusal
 LAPSE_S = 5.0  # at standstill: later, a motion would surprise
 
 
-class Wishes:
+class PendingRequests:
     """The wishes of one job; back_mm, rest may be read from any thread.
 
     back_mm: so far back, None for nowhere. rest: cut from here to the end. refuse(command, error): hears of what nobody
@@ -30,13 +30,13 @@ class Wishes:
         self._since_s: float | None = None  # the machine has stood, with a wish
         self._last = Command("resume")
 
-    def want_back(self, command: Command) -> None:
+    def request_retract(self, command: Command) -> None:
         """Want to go back, farther with each time."""
         before_mm = self.back_mm or 0.0
         self.take()
         self.back_mm, self._last = before_mm + command.values["distance_mm"], command
 
-    def want_rest(self, command: Command) -> None:
+    def request_resume(self, command: Command) -> None:
         """Want to go on from here."""
         self.take()
         self.rest, self._last = True, command

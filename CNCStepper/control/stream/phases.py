@@ -22,7 +22,7 @@ from CNCStepper.control.protocol.grbl.firmware import TOOL, TOOL_CHANGED
 from CNCStepper.control.protocol.grbl.readiness import CHECK, state_refusal
 from CNCStepper.control.protocol.grbl.report import Alarm, Status
 from CNCStepper.control.stream.feeder import Feeder
-from CNCStepper.control.stream.pause_id import StandCount
+from CNCStepper.control.stream.pause_id import PauseCounter
 from CNCStepper.errors import MachineRefusal
 
 CHANGE_TOOL = "change the tool, then resume"
@@ -40,7 +40,7 @@ class Phases:
     changed_s: when the last `!` or `~` was written, by the driver's clock.
     """
 
-    def __init__(self, tell: Callable[[str, str], None], stands: StandCount):
+    def __init__(self, tell: Callable[[str, str], None], stands: PauseCounter):
         self.name = "connecting"
         self.message = ""
         self.changed_s = float("-inf")
@@ -63,7 +63,7 @@ class Phases:
             self._stands.enter(name)
             self._tell("phase", f"{name}: {message}" if message else name)
 
-    def run_anew(self) -> None:
+    def restart_with(self) -> None:
         """Begin with other lines at a machine that was reset: no wish of before counts."""
         self._hold_asked = self._resume_asked = False
         self.set("running")
@@ -73,7 +73,7 @@ class Phases:
         self.set("paused", message)
         self.stands = True
 
-    def obey(self, command: str, driver: Grbl) -> None:
+    def hold_or_resume(self, command: str, driver: Grbl) -> None:
         """Carry out "hold" or "resume"; raises MachineRefusal where nothing that was held can go on."""
         if command == "hold":
             self._resume_asked = False

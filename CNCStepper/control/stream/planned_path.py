@@ -14,7 +14,7 @@ from math import acos, atan2, ceil, nan, pi
 import numpy as np
 
 from CNCStepper.control.program.wire_line import ARCS
-from CNCStepper.control.stream.backlash_side import Gaps
+from CNCStepper.control.stream.backlash_side import BacklashTracker
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.state import Start, States
@@ -25,7 +25,7 @@ SAME_ANGLE = 5e-7  # at most: the firmware takes it for a whole circle
 
 
 @dataclass(frozen=True)
-class Pieces:
+class PathSegments:
     """Straight pieces of way, one after the other, in machine coordinates.
 
     begins, ends: float64[n, 3], mm; NaN where nobody knows the place. lines: int64[n], the line of the wire text that
@@ -41,16 +41,16 @@ class Pieces:
     def __len__(self) -> int:
         return len(self.rows)
 
-    def from_row(self, row: int) -> Pieces:
+    def from_row(self, row: int) -> PathSegments:
         """Return those of a row and all after it."""
         first = int(np.searchsorted(self.rows, row))
-        return Pieces(self.begins[first:], self.ends[first:], self.rows[first:], self.lines[first:])
+        return PathSegments(self.begins[first:], self.ends[first:], self.rows[first:], self.lines[first:])
 
-    def with_moves(self, points: np.ndarray, counts: np.ndarray, lines: np.ndarray) -> Pieces:
+    def with_moves(self, points: np.ndarray, counts: np.ndarray, lines: np.ndarray) -> PathSegments:
         """Return them with further moves: points float64[k, 3] that they lead to, counts and lines one a move."""
         begins, lines = np.concatenate([self.ends[-1:], points[:-1]]), np.repeat(lines, counts)
         rows = _rows_after(self.rows[-1], self.lines[-1], lines, (begins != points).any(axis=1))
-        return Pieces(
+        return PathSegments(
             np.concatenate([self.begins, begins]),
             np.concatenate([self.ends, points]),
             np.concatenate([self.rows, rows]),
@@ -72,7 +72,7 @@ class PlannedPath:
         start: Start,
         held: Sequence[str] = (),
         first: int = 0,
-        gaps: Gaps | None = None,
+        gaps: BacklashTracker | None = None,
         dialect: str = "grbl",
     ):
         self.refused: ProgramError | None = None
@@ -82,7 +82,7 @@ class PlannedPath:
         self._read = first
         self._interpreter = Interpreter(start, dialect)
         here = np.array([start.position_mm[:3]], float)
-        self._pieces = Pieces(here, here, np.array([0]), np.array([first - 1]))
+        self._pieces = PathSegments(here, here, np.array([0]), np.array([first - 1]))
         self._lines_before = first - 1  # of the line from which the interpreter counts
         for line in held:
             self._take_held(line)

@@ -18,7 +18,7 @@ COUNTING = ("Idle", "Run", "Hold", "Jog", "Door", CHECK, TOOL)  # states in whic
 MOTORS_IN_DOUBT = ("Alarm", "Sleep")  # what brought a machine there may have cost steps
 
 
-class Belief(NamedTuple):
+class PositionTrust(NamedTuple):
     """What is held of a machine's position.
 
     position_known: None while nothing speaks for or against it. homed: whether machine positions count from the zero
@@ -32,12 +32,12 @@ class Belief(NamedTuple):
     zeroed: frozenset[str] = frozenset()
 
 
-NOTHING_AGAINST = Belief()
-LOST = Belief(position_known=False)
-AT_HOME = Belief(position_known=True, homed=True)
+NOTHING_AGAINST = PositionTrust()
+LOST = PositionTrust(position_known=False)
+AT_HOME = PositionTrust(position_known=True, homed=True)
 
 
-def met(before: Belief, driver: Grbl, greeted: bool) -> Belief:
+def trust_at_connect(before: PositionTrust, driver: Grbl, greeted: bool) -> PositionTrust:
     """Return what is held of a machine that was just met; neither an alarm nor a restart mends what was lost before."""
     if driver.status is not None and driver.status.state in MOTORS_IN_DOUBT:
         return LOST
@@ -52,7 +52,7 @@ def counts_steps(driver: Grbl | None) -> bool:
     return driver is not None and driver.status is not None and driver.status.state in COUNTING
 
 
-def is_lost(belief: Belief, restart_counts: bool = False) -> bool:
+def is_lost(belief: PositionTrust, restart_counts: bool = False) -> bool:
     """Return whether the position is lost, so that no program may move the machine.
 
     restart_counts: a machine that was restarted and not moved since may be trusted, where its zero was set in an
@@ -61,7 +61,7 @@ def is_lost(belief: Belief, restart_counts: bool = False) -> bool:
     return belief.position_known is False and not (restart_counts and belief.counts_from_here)
 
 
-def check_program(belief: Belief, restart_counts: bool = False) -> None:
+def check_program(belief: PositionTrust, restart_counts: bool = False) -> None:
     """Raise MachineRefusal when the position is lost, as `is_lost` says."""
     if is_lost(belief, restart_counts):
         raise position_unknown()

@@ -13,7 +13,7 @@ from math import inf
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from CNCStepper.machine.backlash import Play
+    from CNCStepper.machine.backlash import Backlash
 
 OVER_MM_MIN, DOWN_MM_MIN = 1000.0, 100.0
 THERE_MM = 0.005  # what is reported is rounded
@@ -39,7 +39,7 @@ def over(here_mm: Sequence[float], there_mm: Sequence[float], top_mm: float = -i
         yield (None, None, there_mm[2]), DOWN_MM_MIN
 
 
-def over_gaps(here_mm: Point, there_mm: Point, top_mm: float, play: Play) -> Iterator[tuple[Axes, float]]:
+def over_backlash(here_mm: Point, there_mm: Point, top_mm: float, play: Backlash) -> Iterator[tuple[Axes, float]]:
     """Yield the places and speeds of the motors' way from where they were jogged to, as `over`, to `landed_mm`.
 
     Each axis ends by a way longer than its gap: X and Y above the place, in the sense in which they are true, Z down.
@@ -51,13 +51,13 @@ def over_gaps(here_mm: Point, there_mm: Point, top_mm: float, play: Play) -> Ite
     yield (None, None, landed_mm(there_mm, play)[UP]), DOWN_MM_MIN
 
 
-def back_over_gaps(
+def back_over_backlash(
     here_mm: Sequence[float],
     there_mm: Sequence[float],
     ahead_mm: Sequence[float],
     loose: Set[int],
     top_mm: float,
-    play: Play,
+    play: Backlash,
 ) -> Iterator[tuple[Axes, float]]:
     """Yield the places and speeds of the motors' way back to where they stood, as far ahead of the tool as they were.
 
@@ -65,12 +65,12 @@ def back_over_gaps(
     The tool comes to its place and stays there, while the motors cross what is left of their gaps.
     """
     tool = (place - ahead * (axis in loose) for axis, (place, ahead) in enumerate(zip(there_mm, ahead_mm, strict=True)))
-    yield from over_gaps(_point(here_mm), _point(tuple(tool)), top_mm, play.of_axes(loose))
+    yield from over_backlash(_point(here_mm), _point(tuple(tool)), top_mm, play.of_axes(loose))
     yield _point(there_mm), DOWN_MM_MIN
 
 
-def landed_mm(there_mm: Point, play: Play) -> Point:
-    """Return where the motors stand that have come to a place of the tool by `over_gaps`."""
+def landed_mm(there_mm: Point, play: Backlash) -> Point:
+    """Return where the motors stand that have come to a place of the tool by `over_backlash`."""
     return there_mm[0], there_mm[1], there_mm[UP] + play.ahead_mm(UP, DOWNWARDS)
 
 

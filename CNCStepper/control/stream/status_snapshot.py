@@ -12,7 +12,7 @@ from CNCStepper.control.session.status import SenderStatus
 HOMING = 22  # the setting that switches homing on
 
 
-def moment(driver: Grbl | None, phase: str, message: str = "") -> SenderStatus:
+def status_snapshot(driver: Grbl | None, phase: str, message: str = "") -> SenderStatus:
     """Return the status of this moment; None stands for a machine that was not met yet."""
     if driver is None or driver.status is None:
         return SenderStatus(phase=phase, message=message)
@@ -33,7 +33,7 @@ def moment(driver: Grbl | None, phase: str, message: str = "") -> SenderStatus:
     )
 
 
-def tell_words(received: Iterable[Received], tell: Callable[[str, str], None]) -> None:
+def forward_messages(received: Iterable[Received], tell: Callable[[str, str], None]) -> None:
     """Pass on the controller's own messages, and as warnings what it cannot have said."""
     for report in received:
         if isinstance(report, Feedback) and report.tag in ("MSG", "echo"):

@@ -78,7 +78,7 @@ class Link:
         """Wait so long whatever arrives; `wake` ends it."""
         self.woken = False
         if select.select([self._alarm_clock], [], [], wait_s)[0]:
-            self._hear_bell()
+            self._clear_wake_up()
 
     def write(self, data: bytes) -> None:
         """Write all of `data`; the caller keeps within the controller's buffer, so this never waits long."""
@@ -123,7 +123,7 @@ class Link:
         waited: list[Any] = [self._descriptor, self._alarm_clock]
         ready, _, _ = select.select(waited, [], [], wait_s)
         if self._alarm_clock in ready:
-            self._hear_bell()
+            self._clear_wake_up()
 
     def _wait_in_slices(self, wait_s: float) -> None:
         """Look again and again at a port that `select` does not know (Windows' serial ports, loop://)."""
@@ -131,10 +131,10 @@ class Link:
         while not getattr(self._port, "in_waiting", 1) and time.monotonic() < end_s:
             time.sleep(SLICE_S)  # finer than `select` on Windows
             if select.select([self._alarm_clock], [], [], 0)[0]:
-                self._hear_bell()
+                self._clear_wake_up()
                 return
 
-    def _hear_bell(self) -> None:
+    def _clear_wake_up(self) -> None:
         self._alarm_clock.recv(READ_BYTES)
         self.woken = True
 

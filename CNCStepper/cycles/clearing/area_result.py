@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from functools import cached_property
 from typing import Protocol
 
-from CNCStepper.cycles.clearing.reachable_regions import Rooms
+from CNCStepper.cycles.clearing.reachable_regions import ReachableRegions
 from CNCStepper.cycles.clearing.region_stages import Part
 from CNCStepper.cycles.contours.neighbour_parts import open_edge_warnings
 from CNCStepper.cycles.cycle import Answer, Removal, RestCorner, Setup
@@ -35,12 +35,14 @@ class AreaAnswer(Answer):
     """The answer of a cycle with these keys, in these rooms, that has cut these parts down to these floors."""
 
     _keys: Keys
-    _rooms: Rooms
+    _rooms: ReachableRegions
     _parts: Sequence[Part]
     _floors_mm: Sequence[float]
     _setup: Setup
 
-    def __init__(self, keys: Keys, rooms: Rooms, parts: Sequence[Part], floors_mm: Sequence[float], setup: Setup):
+    def __init__(
+        self, keys: Keys, rooms: ReachableRegions, parts: Sequence[Part], floors_mm: Sequence[float], setup: Setup
+    ):
         self.__dict__.update(_keys=keys, _rooms=rooms, _parts=parts, _floors_mm=floors_mm, _setup=setup)
 
     @cached_property

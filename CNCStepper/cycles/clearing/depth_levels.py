@@ -14,7 +14,7 @@ from collections.abc import Sequence
 
 from CNCStepper.cycles.clearing.pattern import Pass
 from CNCStepper.cycles.clearing.region_stages import Part, Stage
-from CNCStepper.cycles.clearing.straight_links import Ground
+from CNCStepper.cycles.clearing.straight_links import LinkRegion
 from CNCStepper.cycles.cycle import Setup
 from CNCStepper.cycles.moves import Moves, Point
 from CNCStepper.cycles.passes import require_few_blocks
@@ -60,7 +60,7 @@ def _level(part: Part, moves: Moves, table: TableBuilder, setup: Setup, top_mm: 
         _run(stage, moves, table)
 
 
-def _come(moves: Moves, table: TableBuilder, begin: Point, ground: Ground, z_mm: float, feed_mm_min: float) -> None:
+def _come(moves: Moves, table: TableBuilder, begin: Point, ground: LinkRegion, z_mm: float, feed_mm_min: float) -> None:
     """Come to `begin` at a height at which `ground` is free: straight over it, or by rapids from above."""
     if moves.z_mm == z_mm and ground.sees(moves.position[:2], begin):
         _link(moves, table, straight(moves.position[:2], begin), feed_mm_min)

@@ -21,7 +21,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from CNCStepper.cycles.clearing.pattern import Opening
-from CNCStepper.cycles.clearing.straight_links import Ground
+from CNCStepper.cycles.clearing.straight_links import LinkRegion
 from CNCStepper.cycles.moves import Moves, Point, point_of
 from CNCStepper.errors import CycleError
 from CNCStepper.geometry.curve import Curve
@@ -107,7 +107,7 @@ class Ramp:
 Entry = Plunge | Helix | Ramp
 
 
-def entry_for(kind: str, ground: Ground, first: Curve, tool: Tool, angle_deg: float) -> Entry:
+def entry_for(kind: str, ground: LinkRegion, first: Curve, tool: Tool, angle_deg: float) -> Entry:
     """Return the way down to the begin of a run's first pass, of the `kind` asked for where that has a place.
 
     ground: the room of the tool's centre. Raises CycleError when only a plunge is left and the tool cannot plunge.
@@ -142,7 +142,7 @@ def _stretch(curve: Curve, length_mm: float) -> Curve:
     return curve if curve.length_mm <= length_mm else curve.part(0.0, length_mm)
 
 
-def _helix(ground: Ground, end: Point, tool_mm: float, angle_deg: float) -> Helix | None:
+def _helix(ground: LinkRegion, end: Point, tool_mm: float, angle_deg: float) -> Helix | None:
     """Return the largest helix near `end` from which a straight way leads there, the nearest of these."""
     angles = 2.0 * math.pi * np.arange(WAYS) / WAYS
     ways = np.column_stack([np.cos(angles), np.sin(angles)])

@@ -22,7 +22,7 @@ import numpy as np
 from CNCStepper.cycles.clearing.entry_moves import HELIX_SHARES, TOUCH_MM
 from CNCStepper.cycles.clearing.offset_rings import Ring, ring_tree, spots
 from CNCStepper.cycles.clearing.pattern import Area, Run
-from CNCStepper.cycles.clearing.ring_links import Walk
+from CNCStepper.cycles.clearing.ring_links import RingLinker
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.region import Region
 from CNCStepper.geometry.segments import complex_of, xy_of
@@ -37,7 +37,7 @@ def offset(area: Area) -> list[Run]:
 
 def _run(area: Area, room: Region) -> Run:
     root = ring_tree(room, area)
-    walk = Walk(room, area.stepover_mm)
+    walk = RingLinker(room, area.stepover_mm)
     for ring, inwards in _order(root):
         loops = list(ring.region.loops)
         if not walk.begun:
@@ -46,7 +46,7 @@ def _run(area: Area, room: Region) -> Run:
         for loop in walk.nearest_first([_turned(loop, inwards == area.climb) for loop in loops]):
             walk.lay(loop, ring)
         for spot in spots(ring, area):
-            walk.lay_near(spot, ring)
+            walk.link_near(spot, ring)
         walk.laid(ring)
     return Run(tuple(walk.passes), area.stepover_mm if root.children else 0.0, back=walk.way_back())
 

@@ -37,7 +37,7 @@ WIDTH_MM = 0.001  # how well the widest tool that fits is known
 
 
 @dataclass(frozen=True)
-class Rooms:
+class ReachableRegions:
     """Where the tool may be, and what it reaches; see the module's text. What only a report asks is found then."""
 
     drawn: Region
@@ -62,14 +62,14 @@ class Rooms:
         return corners_of(self.wanted, self.reachable, self.tolerance_mm)
 
 
-def rooms_of(
+def reachable_regions(
     outlines: Sequence[Curve],
     islands: Sequence[Curve],
     tool_mm: float,
     stock_mm: float,
     finish_mm: float,
     tolerance_mm: float,
-) -> Rooms:
+) -> ReachableRegions:
     """Return the rooms of a tool with the radius `tool_mm`; raises CycleError where it fits nowhere."""
     slack_mm = OFFSET_SHARE * tolerance_mm
     drawn = Region.of(outlines, islands).offset(-stock_mm, slack_mm)
@@ -80,7 +80,7 @@ def rooms_of(
     walls, reached = _walls(fitted, tool_mm, tolerance_mm)
     if walls.empty:
         raise _too_narrow(fitted, tool_mm, slack_mm)
-    return Rooms(drawn, walls, walls.offset(-finish_mm, slack_mm), reached, tolerance_mm)
+    return ReachableRegions(drawn, walls, walls.offset(-finish_mm, slack_mm), reached, tolerance_mm)
 
 
 def _walls(region: Region, tool_mm: float, tolerance_mm: float) -> tuple[Region, Region]:

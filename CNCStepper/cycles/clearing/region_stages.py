@@ -19,7 +19,7 @@ import numpy as np
 
 from CNCStepper.cycles.clearing.entry_moves import Entry, Plunge, entry_for, opened
 from CNCStepper.cycles.clearing.pattern import Area, Pass, Pattern, Run
-from CNCStepper.cycles.clearing.straight_links import Ground
+from CNCStepper.cycles.clearing.straight_links import LinkRegion
 from CNCStepper.cycles.moves import Point, Track, point_of
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.cut_order.cut_order import Stop, ordered
@@ -38,7 +38,7 @@ class Stage:
     run: Run
     feed_mm_min: float
     entry: Entry
-    cut: Ground | None = None
+    cut: LinkRegion | None = None
 
     @cached_property
     def stretches(self) -> list[tuple[list[Pass], Track | None]]:
@@ -58,11 +58,11 @@ class Part:
     """One piece of the room: its stages in order, and its whole ground, free once a level is done."""
 
     stages: tuple[Stage, ...]
-    ground: Ground
+    ground: LinkRegion
 
 
 @dataclass(frozen=True)
-class Ways:
+class ClearingOptions:
     """How a room is to be cut: the pattern and its area's values, the tool, the way down, the finishing pass."""
 
     pattern: Pattern
@@ -74,7 +74,7 @@ class Ways:
     finish_feed_mm_min: float
 
 
-def parts_of(walls: Region, roughed: Region, ways: Ways) -> list[Part]:
+def parts_of(walls: Region, roughed: Region, ways: ClearingOptions) -> list[Part]:
     """Return the pieces of a room in an order with short rapids between them."""
     rough = roughed.parts()
     parts = []
@@ -87,10 +87,10 @@ def parts_of(walls: Region, roughed: Region, ways: Ways) -> list[Part]:
     return [parts[visit.item] for visit in ordered(stops)]
 
 
-def _part(wall: Region, rough: Sequence[Region], ways: Ways) -> Part:
-    ground, stages = Ground(wall), []
+def _part(wall: Region, rough: Sequence[Region], ways: ClearingOptions) -> Part:
+    ground, stages = LinkRegion(wall), []
     for room in rough:
-        here = Ground(room) if ways.finish_mm else ground
+        here = LinkRegion(room) if ways.finish_mm else ground
         for run in ways.pattern(replace(ways.area, room=room)):
             stages.append(Stage(run, ways.tool.feed_mm_min, _entry(here, run, ways)))
     if ways.finish_mm:
@@ -98,17 +98,17 @@ def _part(wall: Region, rough: Sequence[Region], ways: Ways) -> Part:
     return Part(tuple(stages), ground)
 
 
-def _entry(ground: Ground, run: Run, ways: Ways) -> Entry:
+def _entry(ground: LinkRegion, run: Run, ways: ClearingOptions) -> Entry:
     first = run.passes[0].curve
     if run.opening is not None:
         return opened(run.opening, point_of(first.xy[0]), ways.tool, ways.entry_angle_deg)
     return entry_for(ways.entry, ground, first, ways.tool, ways.entry_angle_deg)
 
 
-def _finishing(wall: Region, rough: Sequence[Region], ways: Ways, here: Point | None) -> list[Stage]:
+def _finishing(wall: Region, rough: Sequence[Region], ways: ClearingOptions, here: Point | None) -> list[Stage]:
     """Return the finishing passes along all loops of a wall, each time the nearest next one."""
     roughed = Region(tuple(loop for room in rough for loop in room.loops))
-    cut = Ground(roughed.offset(ways.finish_mm, ways.area.tolerance_mm)) if rough else None
+    cut = LinkRegion(roughed.offset(ways.finish_mm, ways.area.tolerance_mm)) if rough else None
     left = [loop if ways.area.climb else loop.reversed() for loop in wall.loops]
     feed = ways.finish_feed_mm_min or ways.tool.feed_mm_min
     stages: list[Stage] = []
@@ -118,7 +118,7 @@ def _finishing(wall: Region, rough: Sequence[Region], ways: Ways, here: Point | 
         passes = Pass(f"finishing {len(stages) + 1}", begun)
         if lead is None:
             run = Run((passes,))
-            stages.append(Stage(run, feed, _entry(Ground(wall), run, ways)))
+            stages.append(Stage(run, feed, _entry(LinkRegion(wall), run, ways)))
         else:
             run = Run((Pass("link", lead), passes))
             stages.append(Stage(run, feed, Plunge(point_of(lead.xy[0])), cut))

@@ -16,7 +16,7 @@ import numpy as np
 
 from CNCStepper.cycles.clearing.offset_rings import Ring
 from CNCStepper.cycles.clearing.pattern import Pass
-from CNCStepper.cycles.clearing.straight_links import Ground
+from CNCStepper.cycles.clearing.straight_links import LinkRegion
 from CNCStepper.cycles.moves import Point, point_of
 from CNCStepper.geometry.curve import COINCIDENT_MM, Curve, joined, straight
 from CNCStepper.geometry.region import Region
@@ -26,21 +26,21 @@ LOOKS = 48  # places on a ring from which the nearest laid one is looked for
 
 
 @dataclass(frozen=True, eq=False)
-class Laid:
+class LinkedCurve:
     """A curve that is cut: begun at the end of a step that left `parent` at a length on it."""
 
     curve: Curve
     ring: Ring
-    parent: Laid | None = None
+    parent: LinkedCurve | None = None
     left_mm: float = 0.0
 
     @property
-    def stem(self) -> Laid:
+    def stem(self) -> LinkedCurve:
         """The parent of one that has one."""
         assert self.parent is not None
         return self.parent
 
-    def trunk(self) -> list[Laid]:
+    def trunk(self) -> list[LinkedCurve]:
         """Return this one, its parent and so on."""
         found = [self]
         while found[-1].parent is not None:
@@ -62,18 +62,18 @@ class Laid:
         return straight(point_of(self.stem.curve.at_length(self.left_mm)[0]), point_of(self.curve.xy[0]))
 
 
-class Walk:
+class RingLinker:
     """What is laid so far, as passes, and where the tool stands: on a laid curve at a length."""
 
     def __init__(self, room: Region, stepover_mm: float):
         self.passes: list[Pass] = []
-        self._ground = Ground(room)
+        self._ground = LinkRegion(room)
         self._done: set[Ring] = set()
         self._free: dict[Ring, Region] = {}  # all cut, with what lies in them, and in no other of these
-        self._over: Ground | None = None  # these together
+        self._over: LinkRegion | None = None  # these together
         self._near_mm = BESIDE * stepover_mm
-        self._laid: list[Laid] = []
-        self._at: Laid
+        self._laid: list[LinkedCurve] = []
+        self._at: LinkedCurve
         self._at_mm = 0.0
         self._here: Point
 
@@ -84,7 +84,7 @@ class Walk:
 
     def begin(self, curve: Curve, ring: Ring) -> None:
         """Lay the first curve."""
-        self._add(Laid(curve, ring))
+        self._add(LinkedCurve(curve, ring))
 
     def laid(self, ring: Ring) -> None:
         """Take note that the loops of a ring are cut; where its children are too, straight ways may lead over it."""
@@ -94,7 +94,7 @@ class Walk:
             self._free[found] = found.region
             found = found.parent
         outer = [region for ring, region in self._free.items() if ring.parent not in self._free]
-        self._over = Ground(Region(tuple(loop for region in outer for loop in region.loops))) if outer else None
+        self._over = LinkRegion(Region(tuple(loop for region in outer for loop in region.loops))) if outer else None
 
     def nearest_first(self, loops: Sequence[Curve]) -> Iterator[Curve]:
         """Yield the loops, each time the one nearest to where the tool then stands."""
@@ -110,9 +110,9 @@ class Walk:
         if not (away_mm <= self._near_mm and self._ground.sees(self._here, point_of(loop.at_length(at_mm)[0]))):
             parent, left_mm, at_mm = self._nearest_laid(loop, ring)
             self._go(parent, left_mm)
-        self._add(Laid(loop.started_at_length(float(at_mm)), ring, self._at, self._at_mm))
+        self._add(LinkedCurve(loop.started_at_length(float(at_mm)), ring, self._at, self._at_mm))
 
-    def lay_near(self, curve: Curve, ring: Ring) -> None:
+    def link_near(self, curve: Curve, ring: Ring) -> None:
         """Go to a curve beside the loops of a ring, from the one of them that is nearest to one of its ends."""
         ends = curve.xy[[0, -1]]
         loops = [laid for laid in self._laid if laid.ring is ring]
@@ -120,7 +120,7 @@ class Walk:
         laid, away_mm, left_mm = min(ways, key=lambda way: way[1].min())
         last = int(np.argmin(away_mm))
         self._go(laid, float(left_mm[last]))
-        self._add(Laid(curve.reversed() if last else curve, ring, self._at, self._at_mm))
+        self._add(LinkedCurve(curve.reversed() if last else curve, ring, self._at, self._at_mm))
 
     def way_back(self) -> Curve | None:
         """Return a way over what is cut to the begin of the first curve, where no straight one leads there."""
@@ -130,18 +130,18 @@ class Walk:
         ways = list(self._back(begin, 0.0))
         return self._shortened(joined(ways)) if ways else None
 
-    def _add(self, laid: Laid) -> None:
+    def _add(self, laid: LinkedCurve) -> None:
         if laid.parent is not None:
             self._link(laid.step())
         self.passes.append(Pass(f"roughing {len(self._laid) + 1}", laid.curve))
         self._laid.append(laid)
         self._stand(laid, 0.0 if laid.curve.closed else laid.curve.length_mm)
 
-    def _stand(self, at: Laid, at_mm: float) -> None:
+    def _stand(self, at: LinkedCurve, at_mm: float) -> None:
         self._at, self._at_mm = at, at_mm
         self._here = point_of(at.curve.at_length(at_mm)[0])
 
-    def _nearest_laid(self, loop: Curve, ring: Ring) -> tuple[Laid, float, float]:
+    def _nearest_laid(self, loop: Curve, ring: Ring) -> tuple[LinkedCurve, float, float]:
         """Return the laid curve next to a loop, and the lengths on both of the shortest way between them."""
         places_mm = np.concatenate([loop.before_mm[:-1], loop.length_mm * np.arange(LOOKS) / LOOKS])
         places = loop.at_length(places_mm)[0]
@@ -154,7 +154,7 @@ class Walk:
                 found, least_mm = (laid, left_mm, float(places_mm[place])), away_mm
         return found
 
-    def _go(self, there: Laid, there_mm: float) -> None:
+    def _go(self, there: LinkedCurve, there_mm: float) -> None:
         """Go to a place on a laid curve over what is cut: straight where that can be, else back along the rings."""
         target = point_of(there.curve.at_length(there_mm)[0])
         if self._over is not None and self._over.sees(self._here, target):
@@ -165,7 +165,7 @@ class Walk:
                 self._link(self._shortened(joined(ways)))
         self._stand(there, there_mm)
 
-    def _back(self, there: Laid, there_mm: float) -> Iterator[Curve]:
+    def _back(self, there: LinkedCurve, there_mm: float) -> Iterator[Curve]:
         """Yield the ways along rings and steps to a place on a laid curve."""
         at, at_mm, down = self._at, self._at_mm, there.trunk()
         while at not in down:

@@ -14,7 +14,7 @@ from CNCStepper.geometry.region import Region
 EDGE_MM = 0.001  # a way along the wall may be so much beyond it
 
 
-class Ground:
+class LinkRegion:
     """A room, and what a straight way out of it would cross."""
 
     def __init__(self, region: Region):

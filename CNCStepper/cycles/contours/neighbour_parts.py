@@ -44,7 +44,9 @@ def require_apart(sides: Sides, paths: Sequence[Curve], parts: Sequence[Sequence
             )
 
 
-def hurt_warnings(paths: Sequence[Curve], radius_mm: float, keep: Sequence[Curve], tolerance_mm: float) -> list[str]:
+def neighbour_warnings(
+    paths: Sequence[Curve], radius_mm: float, keep: Sequence[Curve], tolerance_mm: float
+) -> list[str]:
     """Return a warning when the tool on its paths comes too near to outlines of other contours, and where most."""
     if not keep or not paths:
         return []

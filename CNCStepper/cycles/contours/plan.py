@@ -15,11 +15,11 @@ from CNCStepper.cycles.contours.contour_parameters import ContourParameters
 from CNCStepper.cycles.contours.cutting_width import radius_at
 from CNCStepper.cycles.contours.dogbones import Corner, Corners, relieved_mm, rest_warnings, strokes, with_reliefs
 from CNCStepper.cycles.contours.leads import Fitted, Walls, fit_closed, fit_open
-from CNCStepper.cycles.contours.neighbour_parts import hurt_warnings, require_apart
+from CNCStepper.cycles.contours.neighbour_parts import neighbour_warnings, require_apart
 from CNCStepper.cycles.contours.parameter_checks import require_cuttable
 from CNCStepper.cycles.contours.removed_area import removed
 from CNCStepper.cycles.contours.sides import require_followed, sides_of
-from CNCStepper.cycles.contours.tabs import Ground, stretches, tab_area, tab_places, tabs_wanted
+from CNCStepper.cycles.contours.tabs import TabContext, stretches, tab_area, tab_places, tabs_wanted
 from CNCStepper.cycles.cycle import Answer, Setup
 from CNCStepper.cycles.passes import deep_pass_warnings, whole_passes
 from CNCStepper.errors import CycleError
@@ -135,7 +135,7 @@ class _Planner:
         for way in (way for way in ways if way.finishing):
             wall_mm = self.sides.clear_mm if cycle.side != "on" else self.radius_mm
             scrap_mm = self.radius_mm + cycle.finish_stepover_mm
-            ground = Ground(self.radius_mm, self.scrap, wall_mm, scrap_mm, busy, self._overcut_mm(way))
+            ground = TabContext(self.radius_mm, self.scrap, wall_mm, scrap_mm, busy, self._overcut_mm(way))
             wanted = tabs_wanted(way.curve, cycle.tabs)
             places = tab_places(way.curve, cycle.tabs, ground)
             if len(places) < wanted:
@@ -224,9 +224,9 @@ class _Planner:
                 f"is at X{x:.3f} Y{y:.3f}"
             )
         keep = self.setup.keep
-        self.warnings += hurt_warnings([way.exact for way in ways], self.radius_mm, keep, cycle.tolerance_mm)
+        self.warnings += neighbour_warnings([way.exact for way in ways], self.radius_mm, keep, cycle.tolerance_mm)
         others = [curve for curve in keep if curve not in self.sides.curves]
-        self.warnings += hurt_warnings(reliefs, self.radius_mm, others, cycle.tolerance_mm)
+        self.warnings += neighbour_warnings(reliefs, self.radius_mm, others, cycle.tolerance_mm)
         smallest = min(way.fitted.size for way in ways)
         if smallest < 1.0:
             self.warnings.append(

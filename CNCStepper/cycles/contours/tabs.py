@@ -35,7 +35,7 @@ HALVINGS = 24
 
 
 @dataclass(frozen=True)
-class Ground:
+class TabContext:
     """What tabs on one path have to do with: the tool's radius, where scrap lies, how wide the cut is beside the path.
 
     wall_mm, scrap_mm: from the path to the part and to the far edge of the cut. busy: ways on which the tool goes
@@ -63,7 +63,7 @@ def tabs_wanted(path: Curve, tabs: Tabs) -> int:
     return tabs.count or max(math.ceil(path.length_mm / tabs.spacing_mm), 1)
 
 
-def tab_places(path: Curve, tabs: Tabs, ground: Ground) -> list[float]:
+def tab_places(path: Curve, tabs: Tabs, ground: TabContext) -> list[float]:
     """Return lengths along a path at which tabs stand: as many as asked for, or as many as fit."""
     places = np.arange(SAMPLES) * path.length_mm / SAMPLES
     fit = places[_allowed(path, places, tabs, ground)]
@@ -75,7 +75,7 @@ def tab_places(path: Curve, tabs: Tabs, ground: Ground) -> list[float]:
     return found
 
 
-def tab_area(path: Curve, place_mm: float, tabs: Tabs, ground: Ground) -> Polygon:
+def tab_area(path: Curve, place_mm: float, tabs: Tabs, ground: TabContext) -> Polygon:
     """Return the rectangle of material that is to stand at a place of a path."""
     (x, y), (u, v) = path.at_length(place_mm)
     ends = path.at_length(place_mm + np.array([-0.5, 0.5]) * tabs.width_mm)[1] @ (1, 1j)
@@ -115,7 +115,7 @@ def stretches(path: Curve, areas: Sequence[Polygon], tool_mm: float) -> list[tup
     return list(zip(pieces, lifted(middles).tolist(), strict=True))
 
 
-def _allowed(path: Curve, places: np.ndarray, tabs: Tabs, ground: Ground) -> np.ndarray:
+def _allowed(path: Curve, places: np.ndarray, tabs: Tabs, ground: TabContext) -> np.ndarray:
     """Return at which places a tab may stand, bool[n]."""
     half_mm = tabs.width_mm / 2.0 + ground.tool_mm
     allowed = np.ones(len(places), bool)
@@ -143,7 +143,7 @@ def _outside(places: np.ndarray, first: float, last: float, path: Curve) -> np.n
     )
 
 
-def _corners(path: Curve, tabs: Tabs, ground: Ground) -> list[tuple[float, float]]:
+def _corners(path: Curve, tabs: Tabs, ground: TabContext) -> list[tuple[float, float]]:
     """Return the stretches of a path that are corners: sharp vertices, and arcs round sharp corners of the wall."""
     before, begin, end = path.before_mm, path.begin_directions @ (1, 1j), path.end_directions @ (1, 1j)
     turns = np.angle(begin / np.roll(end, 1))

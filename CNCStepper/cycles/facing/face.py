@@ -24,7 +24,7 @@ from shapely.geometry.base import BaseGeometry
 
 from CNCStepper.cycles.clearing.entry_moves import Entry, entry_for
 from CNCStepper.cycles.clearing.pattern import Area
-from CNCStepper.cycles.clearing.straight_links import Ground
+from CNCStepper.cycles.clearing.straight_links import LinkRegion
 from CNCStepper.cycles.cycle import Answer, Removal, Setup
 from CNCStepper.cycles.facing.facing_lines import chains_of, inwards, level, lines_of, one_way, zigzags
 from CNCStepper.cycles.facing.side_entry import Surroundings, lead_to
@@ -115,7 +115,7 @@ class Face(BaseModel):
         if not allowed.area > 0:
             raise CycleError("face-beside", "the outlines lie beside the stock", advice="move them or the work zero")
         groups, apart_mm = self._groups(wanted, room, wide_mm, setup)
-        runs = [run for ways in groups for run in self._entered(ways, around, Ground(room), setup)]
+        runs = [run for ways in groups for run in self._entered(ways, around, LinkRegion(room), setup)]
         blocks = sum(len(run.curve) + run.blocks(setup.retract_mm + self.depth_mm) for run in runs)
         require_few_blocks(len(floors_mm) * blocks)
         return _Plan(
@@ -152,7 +152,7 @@ class Face(BaseModel):
             return one_way(chains, self.angle_deg, climb), wide_mm
         return zigzags(chains, self.angle_deg), wide_mm
 
-    def _entered(self, ways: list[list[Curve]], around: Surroundings, ground: Ground, setup: Setup) -> list[_Run]:
+    def _entered(self, ways: list[list[Curve]], around: Surroundings, ground: LinkRegion, setup: Setup) -> list[_Run]:
         """Return the runs of the way with the most leads from beside the stock, and then the shortest.
 
         A run without one comes from where the run before began, if it can: there this floor is cut already.
@@ -179,7 +179,7 @@ class Face(BaseModel):
                 runs.append(_Run(curve, self._entry(curve, ground, setup)))
         return runs
 
-    def _entry(self, curve: Curve, ground: Ground, setup: Setup) -> Entry:
+    def _entry(self, curve: Curve, ground: LinkRegion, setup: Setup) -> Entry:
         return entry_for(self.entry, ground, curve, setup.tool, self.entry_angle_deg)
 
     def _in_order(self, runs: Sequence[_Run]) -> list[_Run]:

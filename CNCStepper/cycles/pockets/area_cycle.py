@@ -20,8 +20,8 @@ from pydantic import BaseModel, ConfigDict
 from CNCStepper.cycles.clearing.area_result import AreaAnswer
 from CNCStepper.cycles.clearing.depth_levels import cut_parts, require_short
 from CNCStepper.cycles.clearing.pattern import Area, Pattern
-from CNCStepper.cycles.clearing.reachable_regions import rooms_of
-from CNCStepper.cycles.clearing.region_stages import Ways, parts_of
+from CNCStepper.cycles.clearing.reachable_regions import reachable_regions
+from CNCStepper.cycles.clearing.region_stages import ClearingOptions, parts_of
 from CNCStepper.cycles.cycle import Answer, Setup
 from CNCStepper.cycles.moves import require_setup
 from CNCStepper.cycles.passes import whole_passes
@@ -79,16 +79,18 @@ class AreaCycle(BaseModel):
         self._require(setup)
         drawn, kept = ([curve.moved(*self.offset_mm) for curve in curves] for curves in (outlines, islands))
         finish_mm = self.finish_stepover_mm
-        rooms = rooms_of(drawn, kept, setup.tool.radius_mm, self.stock_to_leave_mm, finish_mm, self.tolerance_mm)
+        rooms = reachable_regions(
+            drawn, kept, setup.tool.radius_mm, self.stock_to_leave_mm, finish_mm, self.tolerance_mm
+        )
         parts = parts_of(rooms.walls, rooms.roughed, self._ways(pattern, setup.tool))
         floors_mm = self._floors_mm()
         require_short(parts, floors_mm, setup.retract_mm)
         cut_parts(parts, floors_mm, setup, table)
         return AreaAnswer(self, rooms, parts, floors_mm, setup)
 
-    def _ways(self, pattern: Pattern, tool: Tool) -> Ways:
+    def _ways(self, pattern: Pattern, tool: Tool) -> ClearingOptions:
         area = Area(Region(()), tool.radius_mm, self.stepover_mm, self.tolerance_mm, self.direction == "climb")
-        return Ways(
+        return ClearingOptions(
             pattern,
             area,
             tool,

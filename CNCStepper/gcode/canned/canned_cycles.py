@@ -21,7 +21,7 @@ from CNCStepper.gcode.interpreter.functions.outputs import OVERRIDE_CALLS
 from CNCStepper.gcode.interpreter.functions.spindle import STOP, need_turning, turn
 from CNCStepper.gcode.interpreter.motion.polar_coordinates import polar_end
 from CNCStepper.gcode.interpreter.state.model import Point
-from CNCStepper.gcode.interpreter.state.stand_alone_position import goes_on_at
+from CNCStepper.gcode.interpreter.state.stand_alone_position import continue_at
 from CNCStepper.toolpath import LINE, PLANE_AXES, PLANE_NAMES, XY
 
 MOST_STROKES = 1_000_000  # of one block
@@ -82,7 +82,7 @@ def _execute(block: Block, cycle: Canned, axes: tuple[int, int, int], begin: Pla
         if drills:
             block.do(block.table.close_span)
     if cycle.name == "G88" and places:  # whoever ended its pause has lifted the tool
-        goes_on_at(block.model, _machine(block, (*places[-1], cycle.clear(initial)), axes))
+        continue_at(block.model, _machine(block, (*places[-1], cycle.clear(initial)), axes))
     for call in () if exact else block.model.path_calls:
         block.call(call)
 

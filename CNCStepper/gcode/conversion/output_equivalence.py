@@ -75,7 +75,7 @@ def _strokes(path: Toolpath) -> np.ndarray:
     return strokes
 
 
-class _Happening(NamedTuple):
+class _PlacedEvent(NamedTuple):
     """An event, and the old row that is the next with a way."""
 
     row: int
@@ -106,20 +106,20 @@ def compare_events(
             raise _differs(Event(0, other.event.kind, other.event.value, other.event.text), file)
 
 
-def _happenings(side: Switched, next_rows: np.ndarray, options: WriteOptions) -> Iterator[_Happening]:
+def _happenings(side: Switched, next_rows: np.ndarray, options: WriteOptions) -> Iterator[_PlacedEvent]:
     """Yield what must happen; pauses that follow one another are one."""
-    last: _Happening | None = None
+    last: _PlacedEvent | None = None
     for event in side.path.events:
         if event.kind not in HAPPENS or LEFT_OUT.get(event.kind) in options.leave_out:
             continue
-        found = _Happening(int(next_rows[event.index]), event)
+        found = _PlacedEvent(int(next_rows[event.index]), event)
         if last and event.kind == "pause" == last.event.kind and found.row == last.row:
             continue
         last = found
         yield found
 
 
-def _is_same(one: _Happening, other: _Happening, old: Switched, new: Switched, changes: set[int]) -> bool:
+def _is_same(one: _PlacedEvent, other: _PlacedEvent, old: Switched, new: Switched, changes: set[int]) -> bool:
     was, now = one.event, other.event
     if one.row != other.row or was.kind != now.kind or abs(was.value - now.value) > SAME_S:
         return False
@@ -130,7 +130,7 @@ def _is_same(one: _Happening, other: _Happening, old: Switched, new: Switched, c
     return stands or bool(old.same_on(states[0], new, states[1])[0])
 
 
-def _is_more(other: _Happening, options: WriteOptions, changes: set[int]) -> bool:
+def _is_more(other: _PlacedEvent, options: WriteOptions, changes: set[int]) -> bool:
     """Whether the writer may have added this by itself."""
     if other.event.kind == "pause":
         return options.tool_change == "pause" and other.row in changes

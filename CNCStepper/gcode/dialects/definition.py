@@ -102,7 +102,7 @@ class Dialect:
     expressions: bool = False  # parameters and values in brackets
     o_words: bool = False  # subroutines, branches and loops; M98 and M99
     strict_comments: bool = False  # a comment must be closed, and may not hold "("
-    strict_tape: bool = False  # "%" only as first and last line
+    strict_percent_markers: bool = False  # "%" only as first and last line
     skips_deleted: bool = False  # the block delete switch: lines that begin with "/" are left out
     needs_end: bool = False  # M2, M30 or "%" must end the text
     stops_at_end: bool = False  # nothing after M2 or M30 is read
@@ -119,7 +119,9 @@ class Dialect:
     cancel_yields: bool = False  # G80 may share a line with another motion, which counts
     cancel_takes_no_axes: bool = False  # beside G80 on the line, not even those of G43.1
     # motion
-    takes_up_play: bool = False  # the controller knows the backlash of its axes, so that a sender leaves it alone
+    compensates_backlash: bool = (
+        False  # the controller knows the backlash of its axes, so that a sender leaves it alone
+    )
     first_motion: int = NO_MOTION
     repeats: frozenset[int] = frozenset((RAPID, LINE, ARC_CW, ARC_CCW)) | CYCLES
     arc_needs_plane_axis: bool = False

@@ -20,7 +20,7 @@ _SLACK_MM, _SLACK_INCH = 0.005, 0.0002
 
 ISO = Dialect(
     name="iso",
-    takes_up_play=True,
+    compensates_backlash=True,
     title="ISO 6983",
     codes={
         **rs274_codes(

@@ -13,7 +13,7 @@ _SMALLEST_MM, _SMALLEST_INCH = 0.00127, 0.00005
 
 LINUXCNC = Dialect(
     name="linuxcnc",
-    takes_up_play=True,
+    compensates_backlash=True,
     title="LinuxCNC",
     codes=RS274,
     letters="ABCDEFHIJKLNPQRSTXYZ@^$",
@@ -38,7 +38,7 @@ LINUXCNC = Dialect(
     o_words=True,
     line_number_first=True,
     strict_comments=True,
-    strict_tape=True,
+    strict_percent_markers=True,
     needs_end=True,
     stops_at_end=True,
     feed_mode_clears_feed=True,

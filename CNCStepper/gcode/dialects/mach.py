@@ -13,7 +13,7 @@ from CNCStepper.gcode.dialects.definition import ArcRule, Dialect, Writing, rs27
 
 MACH = Dialect(
     name="mach",
-    takes_up_play=True,
+    compensates_backlash=True,
     title="Mach3/4",
     codes=rs274_codes(
         "G0 G1 G4 G10 G17 G18 G19 G20 G21 G28 G30 G40 G43 G49 G53 G54 G55 G56 G57 G58 G59 G61 G64 G80 "

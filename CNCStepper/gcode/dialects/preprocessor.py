@@ -78,7 +78,7 @@ def pieces(line: str, dialect: Dialect, as_written: bool = False) -> list[Piece]
     return found
 
 
-def keeps_moves(dialect: Dialect) -> bool:
+def reads_moves_directly(dialect: Dialect) -> bool:
     """Return whether a line is read as it stands when it holds nothing but N, one G, coordinates and F."""
     return not {"records", "dotless", "feed_per_second"} & {*dialect.front}
 

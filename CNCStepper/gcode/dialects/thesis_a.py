@@ -16,7 +16,7 @@ _RULE = ArcRule(slack=0.005, gap=0.5, relative=0.001)
 
 THESIS_A = Dialect(
     name="thesis-a",
-    takes_up_play=True,
+    compensates_backlash=True,
     title="thesis A",
     codes=rs274_codes(
         "G0 M2 M30",

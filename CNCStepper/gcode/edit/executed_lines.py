@@ -16,7 +16,7 @@ from CNCStepper.gcode.interpreter.flow.o_words import is_plain, leads
 from CNCStepper.gcode.interpreter.flow.program_flow import Flow, Limits
 from CNCStepper.gcode.interpreter.flow.subprogram_files import library_of
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
-from CNCStepper.gcode.syntax.words import is_tape_mark, program_lines, split_line
+from CNCStepper.gcode.syntax.words import is_percent_mark, program_lines, split_line
 from CNCStepper.state import UNKNOWN, Start
 from CNCStepper.toolpath import Toolpath
 
@@ -98,7 +98,7 @@ class Source:
             units, begin, runs = reader.model.state.units, work_place(reader), not reader.ended
             self.firsts.append(reader.table.index)
             reader.line(line)
-            skipped = is_tape_mark(line) or (self.dialect.skips_deleted and split_line(line).deleted)
+            skipped = is_percent_mark(line) or (self.dialect.skips_deleted and split_line(line).deleted)
             if runs and not skipped:
                 self.meanings[number - 1] = self._meaning(reader, units, begin)
         self.firsts.append(reader.table.index)

@@ -25,8 +25,8 @@ from CNCStepper.gcode.edit.line_tokens import changed, tokens_of
 from CNCStepper.gcode.edit.number_format import MOST_DECIMALS, dialect_decimals, number_text
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
-from CNCStepper.gcode.interpreter.state.modal_words import said_modes
-from CNCStepper.gcode.syntax.words import is_tape_mark
+from CNCStepper.gcode.interpreter.state.modal_words import modal_words
+from CNCStepper.gcode.syntax.words import is_percent_mark
 from CNCStepper.state import Start, State
 from CNCStepper.toolpath import RAPID, Toolpath
 from CNCStepper.units import UNIT_MM
@@ -111,7 +111,7 @@ def _changes(
         tool = reader.model.state.tool
         if tool != state.tool and tool:
             if cut:
-                more = said_modes(model, said)
+                more = modal_words(model, said)
                 changes.append(_Change(number, _first_line(lines, number), tool, state, motion, place, row, more))
             first_tool = first_tool or tool
         cut = cut or reader.table.index > row
@@ -175,7 +175,7 @@ class _Part:
     def text(self, number: int, count: int, relies: bool) -> str:
         """Return the program; `relies`: it goes to where the program stood first."""
         lines = self.source.lines
-        marked = any(is_tape_mark(line) for line in lines[:1])
+        marked = any(is_percent_mark(line) for line in lines[:1])
         own = list(lines[self.first : self.last])
         if self.change is not None:
             own = [*self._head(self.change, relies), *self._with_tool(own, self.change)]

@@ -10,9 +10,9 @@ from __future__ import annotations
 import re
 
 from CNCStepper.errors import Place, ProgramError
-from CNCStepper.gcode.interpreter.state.system_parameters import Known
+from CNCStepper.gcode.interpreter.state.system_parameters import SystemParameters
 from CNCStepper.gcode.syntax.expressions import EQUAL
-from CNCStepper.gcode.syntax.words import Comment, small_letters
+from CNCStepper.gcode.syntax.words import Comment, lower_case
 
 _PIECE = re.compile(
     r"%(?P<whole>d)|%(?P<four>f)|%\.(?P<decimals>[0-9])f|%(?=\.)|#<(?P<name>[^>]*)>|#(?P<number>[0-9]+)"
@@ -33,7 +33,7 @@ def canonical_call(comment: Comment) -> str:
     return _CALLS.get(comment.kind, 'COMMENT("{}")').format(comment.text)
 
 
-def spoken(comment: Comment, known: Known) -> str:
+def expanded_comment(comment: Comment, known: SystemParameters) -> str:
     """Return a comment's text with the values of the parameters that it names; raises ProgramError for (PY, ...)."""
     if comment.kind == "py":
         what = "this comment would run Python on the machine"
@@ -52,12 +52,12 @@ def spoken(comment: Comment, known: Known) -> str:
     return _PIECE.sub(piece, comment.text)
 
 
-def _value(match: re.Match[str], known: Known, decimals: int) -> str:
+def _value(match: re.Match[str], known: SystemParameters, decimals: int) -> str:
     try:
         if match["number"]:
             value = known.number(int(match["number"][:9]))
         else:
-            value = known.named(small_letters(re.sub(r"\s", "", match["name"])))
+            value = known.named(lower_case(re.sub(r"\s", "", match["name"])))
     except ProgramError:
         return _NONE
     return f"{value if abs(value) >= EQUAL else 0.0:.{decimals}f}"

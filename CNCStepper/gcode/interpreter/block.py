@@ -14,7 +14,7 @@ from typing import Protocol
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.dialects import Dialect
 from CNCStepper.gcode.dialects.codes import ALL_AXES
-from CNCStepper.gcode.interpreter.canonical_output import SET_FEED, Canon, Telling
+from CNCStepper.gcode.interpreter.canonical_output import SET_FEED, Canon, CanonicalBlock
 from CNCStepper.gcode.interpreter.motion.moves import SMALLEST_INVERSE_FEED, Arc, way_length
 from CNCStepper.gcode.interpreter.motion.rotated_arcs import chords
 from CNCStepper.gcode.interpreter.state import stand_alone_position
@@ -34,7 +34,7 @@ class ProfileReader(Protocol):
         """Run the subroutine O<number> from `model`; `take` gets the words of each block, and their values."""
 
 
-class Block(Telling, ABC):
+class Block(CanonicalBlock, ABC):
     """One block that is checked and executed on `model`, the scratch copy."""
 
     def __init__(self, model: Model, dialect: Dialect, table: TableBuilder, line: int, canon: Canon | None):

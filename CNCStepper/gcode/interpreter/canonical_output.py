@@ -11,7 +11,7 @@ from collections.abc import Callable, Sequence
 from typing import Any, Protocol
 
 from CNCStepper.gcode.interpreter.active_comments import canonical_call
-from CNCStepper.gcode.interpreter.cutter_compensation.held_moves import Held
+from CNCStepper.gcode.interpreter.cutter_compensation.held_moves import QueuedMove
 from CNCStepper.gcode.interpreter.motion.moves import Arc
 from CNCStepper.gcode.interpreter.state.model import Model
 from CNCStepper.gcode.interpreter.state.stored_points import length_scale
@@ -49,7 +49,7 @@ class Canon(Protocol):
         """Hear a move to `end`, of three or nine axes."""
 
 
-class Telling:
+class CanonicalBlock:
     """A block on the scratch copy `model`; `actions` is what is to be done when all went well."""
 
     def __init__(self, model: Model, table: TableBuilder, line: int, canon: Canon | None):
@@ -103,7 +103,7 @@ class Telling:
         """Do something after the moves that compensation holds back."""
         ours = self.model.compensation
         if ours and ours.held:
-            note = Held(RAPID, (0.0, 0.0, 0.0), 0j, 0.0, note=(action, arguments))
+            note = QueuedMove(RAPID, (0.0, 0.0, 0.0), 0j, 0.0, note=(action, arguments))
             self.model.compensation = ours._replace(held=(*ours.held, note))
         else:
             self.do(action, *arguments)

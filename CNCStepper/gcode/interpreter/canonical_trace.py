@@ -45,7 +45,7 @@ def canonical_calls(
     Raises ProgramError at the line that is refused, after the calls of the lines before it.
     """
     calls = _Calls()
-    start = replace(start or bare_start(), tool_lengths_mm=tool_lengths_mm or {})
+    start = replace(start or default_start(), tool_lengths_mm=tool_lengths_mm or {})
     interpreter = Interpreter(start, dialect, file, canon=calls)
     calls.interpreter = interpreter
     for call in _begin(interpreter.model):
@@ -68,7 +68,7 @@ def traced_path(text: str, dialect: str | Dialect = "linuxcnc") -> list[str]:
     return motion_calls(canonical_calls(text, dialect))
 
 
-def bare_start() -> Start:
+def default_start() -> Start:
     """Return the start of a bare interpreter: all at zero, the stored positions too; its own unit is the inch.
 
     It has the tools of LinuxCNC's samples.

@@ -44,7 +44,7 @@ class Execution(Block):
                 ACTS[code.act](self, code)
         if self.asks_position:
             stand_alone_position.ask_position(self.model)
-            compensation_codes.stands_here(self)
+            compensation_codes.take_centre_position(self)
 
     def _motion(self, code: Code) -> None:
         self._set(code)

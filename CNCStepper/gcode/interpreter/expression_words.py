@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from CNCStepper.errors import ProgramError
-from CNCStepper.gcode.interpreter.state.system_parameters import Known, check_assignable
+from CNCStepper.gcode.interpreter.state.system_parameters import SystemParameters, check_assignable
 from CNCStepper.gcode.syntax.expressions import Scanner
 from CNCStepper.gcode.syntax.words import SIGNS, Word, not_a_word, pack
 
@@ -18,7 +18,7 @@ _NEAR = 1e-4
 _CODE_DIGIT = 1e-3  # how near ten times a G number must be to a whole one
 
 
-class Items(NamedTuple):
+class ExpressionWords(NamedTuple):
     """words: their numbers are the values. values: of all words but G and M. assignments: name or number, value."""
 
     words: list[Word]
@@ -31,11 +31,11 @@ def is_computed(code: str) -> bool:
     return "#" in code or "[" in code
 
 
-def read_items(code: str, known: Known) -> Items:
+def read_items(code: str, known: SystemParameters) -> ExpressionWords:
     """Return the words and assignments of a line without comments; raises ProgramError with its column."""
     packed, columns = pack(code)
     scanner = Scanner(packed, columns, known)
-    items = Items([], [], [])
+    items = ExpressionWords([], [], [])
     while not scanner.ended:
         if scanner.take("#"):
             items.assignments.append(_assignment(scanner))
@@ -56,7 +56,7 @@ def _assignment(scanner: Scanner) -> tuple[int | str, float]:
     return target, scanner.value()
 
 
-def _word(scanner: Scanner, items: Items) -> None:
+def _word(scanner: Scanner, items: ExpressionWords) -> None:
     """Read a letter and its value."""
     letter, column = scanner.next, scanner.column
     if not (letter in SIGNS or (letter.isascii() and letter.isalpha())) or letter == "O":

@@ -12,22 +12,22 @@ from CNCStepper.errors import Place, ProgramError
 from CNCStepper.gcode.dialects import Dialect, dialect_named
 from CNCStepper.gcode.dialects.codes import MOTION_NAMES, NO_MOTION
 from CNCStepper.gcode.dialects.definition import with_axes
-from CNCStepper.gcode.dialects.preprocessor import keeps_moves
-from CNCStepper.gcode.interpreter.active_comments import spoken
+from CNCStepper.gcode.dialects.preprocessor import reads_moves_directly
+from CNCStepper.gcode.interpreter.active_comments import expanded_comment
 from CNCStepper.gcode.interpreter.block import ProfileReader
 from CNCStepper.gcode.interpreter.canonical_output import Canon
 from CNCStepper.gcode.interpreter.execute import Execution
-from CNCStepper.gcode.interpreter.expression_words import Items, is_computed, read_items
+from CNCStepper.gcode.interpreter.expression_words import ExpressionWords, is_computed, read_items
 from CNCStepper.gcode.interpreter.fast_path import fast_line
 from CNCStepper.gcode.interpreter.flow.o_words import has_profile, leads
 from CNCStepper.gcode.interpreter.preprocessed_line import read_pieces
 from CNCStepper.gcode.interpreter.state.modal_state_stack import leave_level
 from CNCStepper.gcode.interpreter.state.model import Point, model_at
-from CNCStepper.gcode.interpreter.state.system_parameters import Known
-from CNCStepper.gcode.syntax.error_location import blamed
+from CNCStepper.gcode.interpreter.state.system_parameters import SystemParameters
+from CNCStepper.gcode.syntax.error_location import located_error
 from CNCStepper.gcode.syntax.line_grammar import PLAIN_NUMBER, Grammar, Plan
-from CNCStepper.gcode.syntax.percent_markers import Tape
-from CNCStepper.gcode.syntax.words import Comment, Word, is_tape_mark, split_line, words_of
+from CNCStepper.gcode.syntax.percent_markers import PercentMarkers
+from CNCStepper.gcode.syntax.words import Comment, Word, is_percent_mark, split_line, words_of
 from CNCStepper.state import Start
 from CNCStepper.toolpath import TableBuilder, Toolpath
 
@@ -54,9 +54,9 @@ class Interpreter:
         self.sequence = ""  # the N word's digits of the line being read
         self.grammar = Grammar(self.dialect)
         self._plans = self.grammar.plans(self.model.motion)
-        self._keeps_moves = keeps_moves(self.dialect)
+        self._keeps_moves = reads_moves_directly(self.dialect)
         self._too_long = self.dialect.line_limit if self.dialect.reads_files else NO_LIMIT
-        self.tape = Tape()
+        self.tape = PercentMarkers()
         self.read_profile: ProfileReader | None = None  # who leads through subroutines, if there is one
         self._place: Place | None = None  # of a line that stands elsewhere than `line_number` says
 
@@ -196,11 +196,11 @@ class Interpreter:
     def _any_line(self, text: str) -> None:
         """Read any line, with all that may stand on it."""
         if self.ended:
-            self.tape.closed = self.tape.closed or is_tape_mark(text)
+            self.tape.closed = self.tape.closed or is_percent_mark(text)
             return
         words: list[Word] = []
         try:
-            if self.tape.heed(text, self.dialect.strict_tape):
+            if self.tape.is_mark(text, self.dialect.strict_percent_markers):
                 return
             line = split_line(text, self.dialect.strict_comments)
             if line.deleted and self.dialect.skips_deleted:
@@ -215,23 +215,23 @@ class Interpreter:
         if words or line.comments:
             self.tape.begun = True
 
-    def _items(self, code: str) -> Items:
+    def _items(self, code: str) -> ExpressionWords:
         """Return the words, values and assignments of a line without comments."""
         if self.dialect.expressions and is_computed(code):
             return read_items(code, self._known())
         words = words_of(code)
-        return Items(words, [float(word.number) for word in words if word.letter not in "GM"], [])
+        return ExpressionWords(words, [float(word.number) for word in words if word.letter not in "GM"], [])
 
-    def _known(self) -> Known:
-        return Known(self.model, self._place.line if self._place else self.line_number)
+    def _known(self) -> SystemParameters:
+        return SystemParameters(self.model, self._place.line if self._place else self.line_number)
 
-    def _block(self, plan: Plan, items: Items, comments: tuple[Comment, ...]) -> None:
+    def _block(self, plan: Plan, items: ExpressionWords, comments: tuple[Comment, ...]) -> None:
         """Check and execute one block on a copy of the model, then let the copy be the model."""
         execution = Execution(self.model.copy(), self.dialect, self.table, self.line_number, self.canon)
         execution.read_profile = self.read_profile
         try:
             self._assign(items)
-            execution.comments(self._spoken(comments), stops=any(code.act == "stop" for code in plan.codes))
+            execution.comments(self._expanded_comments(comments), stops=any(code.act == "stop" for code in plan.codes))
             execution.execute(plan, items.values)
         except ProgramError:
             self.model.parameters.rollback()
@@ -245,7 +245,7 @@ class Interpreter:
         self._plans = self.grammar.plans(self.model.motion)
         execution.commit()
 
-    def _assign(self, items: Items) -> None:
+    def _assign(self, items: ExpressionWords) -> None:
         """Give parameters their values: only now, so that the words of the line had the old ones."""
         for target, value in items.assignments:
             if isinstance(target, int):
@@ -253,11 +253,11 @@ class Interpreter:
             else:
                 self.model.parameters.set_named(target, value)
 
-    def _spoken(self, comments: tuple[Comment, ...]) -> tuple[Comment, ...]:
+    def _expanded_comments(self, comments: tuple[Comment, ...]) -> tuple[Comment, ...]:
         """Return the comments with the values that they speak of."""
         if not self.dialect.expressions:
             return comments
-        return tuple(comment._replace(text=spoken(comment, self._known())) for comment in comments)
+        return tuple(comment._replace(text=expanded_comment(comment, self._known())) for comment in comments)
 
     def _number(self, plan: Plan, values: list[float], words: list[Word]) -> None:
         """Check and keep the N word."""
@@ -272,7 +272,7 @@ class Interpreter:
 
     def _placed(self, error: ProgramError, words: list[Word]) -> ProgramError:
         """Return the error of the line being read, with its place and the word that it blames."""
-        return blamed(error, words, self.dialect, self._at)
+        return located_error(error, words, self.dialect, self._at)
 
     def _at(self, column: int) -> Place:
         """Return a place in the line being read."""

@@ -16,7 +16,7 @@ from CNCStepper.gcode.interpreter.cutter_compensation.compensation_codes import 
     end_compensation,
     flush,
 )
-from CNCStepper.gcode.interpreter.functions.coordinate_offsets import OFFSET_ACTS, say_rotation, say_work_offset
+from CNCStepper.gcode.interpreter.functions.coordinate_offsets import OFFSET_ACTS, emit_rotation, emit_work_offset
 from CNCStepper.gcode.interpreter.functions.outputs import OUTPUT_ACTS
 from CNCStepper.gcode.interpreter.functions.spindle import SPINDLE_ACTS, check_spindle
 from CNCStepper.gcode.interpreter.functions.tools import TOOL_ACTS
@@ -134,8 +134,8 @@ def end(block: Block, code: Code) -> None:
     block.event("end", 30.0 if code.name == "M30" else 2.0)
     state = model.state
     model.use_system("G54")
-    say_work_offset(block)
-    say_rotation(block)
+    emit_work_offset(block)
+    emit_rotation(block)
     if state.plane != "XY" or model.far_plane:
         block.call(RS274["G17"].calls[0])
     block.call("SET_FEED_MODE(0, 0)")

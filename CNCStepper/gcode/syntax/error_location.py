@@ -11,7 +11,7 @@ from CNCStepper.gcode.dialects.codes import ARC_WORDS, AXES
 from CNCStepper.gcode.syntax.words import Word
 
 
-def blamed(error: ProgramError, words: list[Word], dialect: Dialect, at: Callable[[int], Place]) -> ProgramError:
+def located_error(error: ProgramError, words: list[Word], dialect: Dialect, at: Callable[[int], Place]) -> ProgramError:
     """Return the error of a line of `words`, complete; `at` gives the place of a column."""
     column = error.place.column if error.place else 0
     word = _word(error.value, words)

@@ -17,7 +17,7 @@ from collections.abc import Callable
 from typing import Protocol
 
 from CNCStepper.errors import Place, ProgramError
-from CNCStepper.gcode.syntax.words import small_letters
+from CNCStepper.gcode.syntax.words import lower_case
 
 _NUMBER = re.compile(r"[+-]?[0-9.]+")
 _NAME = re.compile(r"[A-Z]+")
@@ -108,7 +108,7 @@ class Scanner:
         if not self.take("<") or end < 0:
             raise self.error("parameter", "the name is not closed", "close it with >", begin)
         self.position = end + 1
-        return small_letters(self.packed[begin + 1 : end])
+        return lower_case(self.packed[begin + 1 : end])
 
     def expression(self) -> float:
         """Read `[...]`: operators that bind as strongly are worked from left to right."""

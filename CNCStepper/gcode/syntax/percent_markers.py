@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 from CNCStepper.errors import Place, ProgramError
-from CNCStepper.gcode.syntax.words import is_tape_mark
+from CNCStepper.gcode.syntax.words import is_percent_mark
 
 
-class Tape:
+class PercentMarkers:
     """Whether a program has begun, by a mark or by its first line, and whether a mark has closed it."""
 
     def __init__(self) -> None:
@@ -18,12 +18,12 @@ class Tape:
         """Whether a mark opened the program and none closed it."""
         return self.opened_by_mark and not self.closed
 
-    def heed(self, text: str, strict: bool) -> bool:
+    def is_mark(self, text: str, strict: bool) -> bool:
         """Whether a line is a mark; raises ProgramError where none may stand.
 
         The first line opens the program by it, a later one closes it; a `strict` dialect closes only what was opened.
         """
-        if not is_tape_mark(text):
+        if not is_percent_mark(text):
             return False
         if not self.begun:
             self.begun = self.opened_by_mark = True

@@ -113,7 +113,7 @@ def require_short(length: int, place: Place | None = None) -> None:
         raise ProgramError("line-long", "a line is too long", value=value, limit=limit, advice=advice, place=place)
 
 
-def is_tape_mark(text: str) -> bool:
+def is_percent_mark(text: str) -> bool:
     """Whether the line is a "%", which begins or ends a program."""
     return text.strip(_BLANKS) == "%"
 
@@ -125,7 +125,7 @@ def pack(code: str) -> tuple[str, list[int]]:
     return packed.translate(_CAPITALS), columns
 
 
-def small_letters(name: str) -> str:
+def lower_case(name: str) -> str:
     """Return a name with its ASCII letters small; LinuxCNC tells others apart, as in "ç" and "Ç"."""
     return name.translate(_SMALL)
 

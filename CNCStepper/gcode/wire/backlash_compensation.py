@@ -34,7 +34,7 @@ from CNCStepper.gcode.wire.backlash_words import AXES, Words, crossing
 from CNCStepper.gcode.wire.monotonic_split import Piece, arc_pieces, straight_pieces
 from CNCStepper.gcode.wire.wire_lines import WireLines
 from CNCStepper.gcode.wire.wire_text import WireText, check_wire_line
-from CNCStepper.machine.backlash import SAME_MM, Motors, Play
+from CNCStepper.machine.backlash import SAME_MM, Backlash, Motors
 from CNCStepper.machine.profile import Machine
 from CNCStepper.state import Start
 from CNCStepper.toolpath import ARC_CCW, LINE, RAPID, Chunk
@@ -44,16 +44,16 @@ NAMES_PLACE = frozenset(("G92", "G10", "G28.1", "G30.1"))
 TAKES_AXES = frozenset(("G4", "G43", "G43.1", "G43.2", "G52"))  # whose axis words are no move's
 
 
-def play_of(machine: Machine | None, dialect: str | Dialect) -> Play | None:
+def backlash_of(machine: Machine | None, dialect: str | Dialect) -> Backlash | None:
     """Return the play that a sender must take up on a machine; None where there is none, or its controller does."""
-    play = Play.of(machine) if machine and not dialect_named(dialect).takes_up_play else None
+    play = Backlash.of(machine) if machine and not dialect_named(dialect).compensates_backlash else None
     return play or None
 
 
-class TakeUp:
+class BacklashCompensation:
     """Turns the lines of a program, in their order, into those that are sent."""
 
-    def __init__(self, play: Play, dialect: Dialect, start: Start | None, file: str):
+    def __init__(self, play: Backlash, dialect: Dialect, start: Start | None, file: str):
         if "records" in dialect.front:
             what = f"in the language of {dialect.title} no play can be taken up"
             advice = "set backlash_mm to 0 in the machine profile"
@@ -185,12 +185,14 @@ class TakeUp:
             model, self._crossed = self._reader.model, ""
 
 
-def with_take_up(wire: WireText, play: Play, dialect: Dialect, start: Start | None, file: str) -> WireText:
+def with_backlash_compensation(
+    wire: WireText, play: Backlash, dialect: Dialect, start: Start | None, file: str
+) -> WireText:
     """Return the wire text with what takes up play; `leads` says which of its lines the next one continues.
 
     A message is told at the last line of those that its line has become, where the program stops.
     """
-    writer = TakeUp(play, dialect, start, file)
+    writer = BacklashCompensation(play, dialect, start, file)
     lines, numbers, leads = bytearray(), array("i"), bytearray()
     messages: dict[int, str] = {}
     for index, (line, number) in enumerate(zip(wire.lines, wire.file_lines.tolist(), strict=True)):

@@ -18,15 +18,15 @@ from CNCStepper.errors import Place, ProgramError
 from CNCStepper.gcode.dialects import Dialect, dialect_named
 from CNCStepper.gcode.dialects.preprocessor import Piece, pieces
 from CNCStepper.gcode.interpreter.flow.o_words import is_plain
-from CNCStepper.gcode.syntax.words import Comment, Word, is_tape_mark, split_line, words_of
-from CNCStepper.gcode.wire.backlash_compensation import with_take_up
+from CNCStepper.gcode.syntax.words import Comment, Word, is_percent_mark, split_line, words_of
+from CNCStepper.gcode.wire.backlash_compensation import with_backlash_compensation
 from CNCStepper.gcode.wire.expansion import Block, expanded, is_expanded
 from CNCStepper.gcode.wire.first_motion import FirstMove, with_first_motion
 from CNCStepper.gcode.wire.line_runs import WireRun, wire_runs
 from CNCStepper.gcode.wire.wire_lines import WireLines
 from CNCStepper.gcode.wire.wire_records import Records
 from CNCStepper.gcode.wire.wire_text import WireText, check_wire_line
-from CNCStepper.machine.backlash import Play
+from CNCStepper.machine.backlash import Backlash
 from CNCStepper.state import Start
 
 ENDS = frozenset(("M2", "M30"))
@@ -38,16 +38,16 @@ def prepare(
     dialect: str | Dialect = "grbl",
     file: str = "",
     start: Start | None = None,
-    play: Play | None = None,
+    play: Backlash | None = None,
 ) -> WireText:
     """Return the wire text of a program; raises ProgramError naming file, line, column for what cannot be sent.
 
     Loops, subroutines and expressions are written out, where lines are sent one by one, as they run from `start`; a
-    controller that reads the file itself keeps them. play: of the axes, to be taken up from `start` on (`play_of`).
+    controller that reads the file itself keeps them. play: of the axes, to be taken up from `start` on (`backlash_of`).
     """
     language = dialect_named(dialect)
     wire = _wire_text(text, language, file, start)
-    return with_take_up(wire, play, language, start, file) if play else wire
+    return with_backlash_compensation(wire, play, language, start, file) if play else wire
 
 
 def _wire_text(text: str, language: Dialect, file: str, start: Start | None) -> WireText:
@@ -95,7 +95,7 @@ class WireEncoder:
         for found in wires:
             if isinstance(found, WireRun):
                 if found.lines:
-                    self._tell_at(self.count + len(file_lines))
+                    self._notify_at(self.count + len(file_lines))
                 lines += found.lines
                 file_lines.frombytes(found.numbers.astype(np.intc).tobytes())
                 continue
@@ -104,13 +104,13 @@ class WireEncoder:
             if not wire:
                 continue
             check_wire_line(wire, self._language, Place(self._file, number, column))
-            self._tell_at(self.count + len(file_lines))
+            self._notify_at(self.count + len(file_lines))
             lines += f"{wire}\n".encode("ascii")
             file_lines.append(number)
         self.count += len(file_lines)
         return bytes(lines), np.array(file_lines, np.int32)
 
-    def _tell_at(self, index: int) -> None:
+    def _notify_at(self, index: int) -> None:
         if self._waiting:
             self.messages[index] = "\n".join(self._waiting)
             self._waiting = []
@@ -133,7 +133,7 @@ class WireEncoder:
         blocks: list[list[Word]] = []
         try:
             found = pieces(raw, language, as_written=True)
-            if any(is_tape_mark(piece.text) for piece in found):
+            if any(is_percent_mark(piece.text) for piece in found):
                 self._over, self._begun = self._begun, True
                 return
             if language.reads_files and not is_plain(raw):

@@ -20,7 +20,7 @@ from CNCStepper.gcode.wire.encoder import wire_of_block
 from CNCStepper.gcode.wire.expansion import Block, expanded_lines, writes_out
 from CNCStepper.gcode.wire.read_back import groups_of, read_block
 from CNCStepper.gcode.wire.wire_file import Sink, WireFile
-from CNCStepper.machine.backlash import Play
+from CNCStepper.machine.backlash import Backlash
 from CNCStepper.state import Start
 from CNCStepper.toolpath import Chunk, Event
 
@@ -31,7 +31,7 @@ def wire_of_file(
     path: Path,
     start: Start | None,
     dialect: str | Dialect,
-    play: Play | None = None,
+    play: Backlash | None = None,
     *,
     sink: Sink = lambda wire: None,
     progress: Callable[[float], None] = lambda share: None,

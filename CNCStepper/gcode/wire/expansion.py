@@ -16,7 +16,7 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from CNCStepper.gcode.dialects import Dialect
-from CNCStepper.gcode.interpreter.expression_words import Items
+from CNCStepper.gcode.interpreter.expression_words import ExpressionWords
 from CNCStepper.gcode.interpreter.flow.o_words import is_plain
 from CNCStepper.gcode.interpreter.flow.program_flow import run_on
 from CNCStepper.gcode.interpreter.flow.subprogram_files import library_of
@@ -81,7 +81,7 @@ class _Recorder(Interpreter):
     def _line(self, text: str) -> None:
         self._any_line(text)
 
-    def _block(self, plan: Plan, items: Items, comments: tuple[Comment, ...]) -> None:
+    def _block(self, plan: Plan, items: ExpressionWords, comments: tuple[Comment, ...]) -> None:
         super()._block(plan, items, comments)
         words = [word._replace(number=_plain(word)) for word in items.words]
         self._blocks.append(Block(self.line_number, words, comments))

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from CNCStepper.gcode.dialects import Dialect
-from CNCStepper.gcode.dialects.preprocessor import keeps_moves
+from CNCStepper.gcode.dialects.preprocessor import reads_moves_directly
 from CNCStepper.gcode.interpreter.fast_path.policy import as_bytes, pays
 from CNCStepper.gcode.syntax.words import program_lines
 
@@ -31,7 +31,7 @@ class WireRun(NamedTuple):
 
 def wire_runs(text: str, dialect: Dialect) -> Iterator[WireRun | tuple[int, str]]:
     """Yield the text as runs, where a kernel can write them, and the number and text of every other line."""
-    if keeps_moves(dialect) and pays(len(text)):
+    if reads_moves_directly(dialect) and pays(len(text)):
         yield from compiled_runs(as_bytes(text), dialect)
     else:
         yield from enumerate(program_lines(text), 1)
@@ -39,7 +39,7 @@ def wire_runs(text: str, dialect: Dialect) -> Iterator[WireRun | tuple[int, str]
 
 def runs_of_piece(piece: str, first: int, dialect: Dialect) -> Iterator[WireRun | tuple[int, str]]:
     """Yield the same of whole lines of a text, of which the first is line `first`."""
-    if keeps_moves(dialect) and pays(len(piece)):
+    if reads_moves_directly(dialect) and pays(len(piece)):
         yield from compiled_runs(piece.encode("utf-8", "surrogatepass"), dialect, first)
     else:
         yield from enumerate(program_lines(piece), first)

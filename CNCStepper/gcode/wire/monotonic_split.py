@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 from CNCStepper.gcode.interpreter.motion.moves import FULL_TURN, sweep
 from CNCStepper.geometry.quadrant_points import point_on_arc, turning_points
-from CNCStepper.machine.backlash import Play
+from CNCStepper.machine.backlash import Backlash
 from CNCStepper.toolpath import ARC_CW, PLANE_AXES
 
 Place = tuple[float, ...]
@@ -29,7 +29,7 @@ class Piece(NamedTuple):
     turns: int
 
 
-def straight_pieces(play: Play, begin_mm: Place, end_mm: Place) -> list[Piece]:
+def straight_pieces(play: Backlash, begin_mm: Place, end_mm: Place) -> list[Piece]:
     """Return a straight move as one piece, or as two where it comes from an unknown place."""
     first = play.approach(begin_mm, end_mm)
     if first is None:
@@ -38,7 +38,7 @@ def straight_pieces(play: Play, begin_mm: Place, end_mm: Place) -> list[Piece]:
 
 
 def arc_pieces(
-    play: Play, begin_mm: Place, end_mm: Place, centre_mm: Place, kind: int, plane: int, turns: int
+    play: Backlash, begin_mm: Place, end_mm: Place, centre_mm: Place, kind: int, plane: int, turns: int
 ) -> list[Piece]:
     """Return an arc or helix cut where an axis with play turns back; whole where none does."""
     one, two, normal = PLANE_AXES[plane]

@@ -26,13 +26,13 @@ from CNCStepper.gcode.interpreter.line_store import LineStore
 from CNCStepper.gcode.interpreter.program_file import FileReading
 from CNCStepper.gcode.syntax.text_format import BOM
 from CNCStepper.gcode.syntax.words import program_lines
-from CNCStepper.gcode.wire.backlash_compensation import TakeUp
+from CNCStepper.gcode.wire.backlash_compensation import BacklashCompensation
 from CNCStepper.gcode.wire.encoder import WireEncoder
 from CNCStepper.gcode.wire.line_runs import runs_of_piece
 from CNCStepper.gcode.wire.read_back import joined_lines
 from CNCStepper.gcode.wire.wire_lines import WireLines
 from CNCStepper.gcode.wire.wire_text import WireText, check_wire_line
-from CNCStepper.machine.backlash import Play
+from CNCStepper.machine.backlash import Backlash
 from CNCStepper.state import Start
 from CNCStepper.toolpath import Chunk, Event, TableBuilder
 
@@ -51,7 +51,7 @@ class WireFile:
         path: Path,
         start: Start | None,
         dialect: str | Dialect,
-        play: Play | None = None,
+        play: Backlash | None = None,
         *,
         sink: Sink = lambda wire: None,
         progress: Callable[[float], None] = lambda share: None,
@@ -62,7 +62,7 @@ class WireFile:
         self._language = dialect_named(dialect)
         self._reading = _Reading(path, start, self._language, name=name)
         self._encoder = WireEncoder(self._language, self._name)
-        self._take_up = TakeUp(play, self._language, start, self._name) if play else None
+        self._take_up = BacklashCompensation(play, self._language, start, self._name) if play else None
         self._start = start
         self._digest = hashlib.sha256()
         self._numbers = _LineNumbers()

@@ -19,7 +19,7 @@ MOST_FEED_ERROR = 0.005  # relative
 Counts = list[int | None]
 
 
-class Page:
+class BlockEmitter:
     """The lines written so far and the modal words in force; `at` is None on axes never written.
 
     notes: what was written differently. number: the last N word.

@@ -19,7 +19,7 @@ from math import ceil
 
 from CNCStepper.canned_drilling import DWELL, FEED, OWN_WORD, PECK_BACK_MM, RAPID, Canned, Stroke
 from CNCStepper.gcode.dialects.codes import AXES
-from CNCStepper.gcode.writer.block_emitter import Page
+from CNCStepper.gcode.writer.block_emitter import BlockEmitter
 from CNCStepper.gcode.writer.move_rows import RowWriter
 from CNCStepper.toolpath import LINE, Event, Span, Toolpath
 from CNCStepper.toolpath import RAPID as RAPID_ROW
@@ -46,7 +46,7 @@ class _Block:
 class CycleWriter:
     """Writes runs of blocks; `page` knows where the machine stands."""
 
-    def __init__(self, toolpath: Toolpath, page: Page, rows: RowWriter):
+    def __init__(self, toolpath: Toolpath, page: BlockEmitter, rows: RowWriter):
         self.path = toolpath
         self.table = toolpath.table()
         self.page = page

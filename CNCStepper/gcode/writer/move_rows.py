@@ -13,7 +13,7 @@ from CNCStepper.errors import Place, ProgramError
 from CNCStepper.gcode.dialects import Dialect
 from CNCStepper.gcode.dialects.codes import AXES
 from CNCStepper.gcode.interpreter.motion.moves import FULL_TURN
-from CNCStepper.gcode.writer.block_emitter import Counts, Page
+from CNCStepper.gcode.writer.block_emitter import BlockEmitter, Counts
 from CNCStepper.gcode.writer.rounded_arcs import Limits, Piece, TrueArc, rounded
 from CNCStepper.gcode.writer.write_options import WriteOptions
 from CNCStepper.state import State
@@ -30,7 +30,7 @@ class RowWriter:
     off_grid: the machine stands beside the numbers that `page.at` says, less than a last digit away.
     """
 
-    def __init__(self, toolpath: Toolpath, page: Page, options: WriteOptions, keeps_lengths: bool = True):
+    def __init__(self, toolpath: Toolpath, page: BlockEmitter, options: WriteOptions, keeps_lengths: bool = True):
         self.path = toolpath
         self.table = table = toolpath.table()
         self.page = page

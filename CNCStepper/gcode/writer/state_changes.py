@@ -16,7 +16,7 @@ from __future__ import annotations
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.dialects import Dialect
 from CNCStepper.gcode.writer.ascii_comments import comment_lines
-from CNCStepper.gcode.writer.block_emitter import Page
+from CNCStepper.gcode.writer.block_emitter import BlockEmitter
 from CNCStepper.gcode.writer.write_options import WriteOptions
 from CNCStepper.state import State
 
@@ -31,7 +31,7 @@ class Switches:
     own_lengths: the table's states name the tools' lengths themselves. length_mm: the one that the text has set.
     """
 
-    def __init__(self, page: Page, options: WriteOptions, own_lengths: bool = False):
+    def __init__(self, page: BlockEmitter, options: WriteOptions, own_lengths: bool = False):
         self.page = page
         self.dialect = dialect = page.dialect
         self.writing = page.writing

@@ -22,7 +22,7 @@ from CNCStepper.cancellation import checkpoint
 from CNCStepper.errors import Place, ProgramError
 from CNCStepper.gcode.dialects import Dialect, dialect_named
 from CNCStepper.gcode.writer.ascii_comments import ascii_text
-from CNCStepper.gcode.writer.block_emitter import Page
+from CNCStepper.gcode.writer.block_emitter import BlockEmitter
 from CNCStepper.gcode.writer.canned_cycle_blocks import CycleWriter
 from CNCStepper.gcode.writer.decimal_grid import Grid
 from CNCStepper.gcode.writer.move_rows import RowWriter
@@ -140,7 +140,7 @@ class _Writer:
         self.writing = writing
         self.states = toolpath.states
         self._first_cut = 0
-        self.page = Page(dialect, writing, Grid(options.units, writing.decimals[options.units]))
+        self.page = BlockEmitter(dialect, writing, Grid(options.units, writing.decimals[options.units]))
         used = {self.states[index] for index in set(toolpath.table().state.tolist())}
         lengths = any(state.tool_length_mm for state in used)
         self.switches = Switches(self.page, options, lengths)
@@ -211,7 +211,7 @@ class _Writer:
         own = () if first else self.switches.own_events
         for event in before:
             if event.kind not in own:
-                self._wait_or_say(event)
+                self._wait_or_comment(event)
         messages = [event.text for event in before if event.kind in own and event.text]
         if not first:
             self.rows.lift(self.switches.rise_mm(state.tool))
@@ -230,7 +230,7 @@ class _Writer:
         if not (self.options.retract or is_arc) and self.page.has_plane(plane):
             self.page.select_plane(plane)
 
-    def _wait_or_say(self, event: Event) -> None:
+    def _wait_or_comment(self, event: Event) -> None:
         """Write an event that no row follows; what waits does so with what runs then, which is often nothing."""
         if event.kind in ("dwell", "pause", "optional_pause"):
             self.switches.run(self.states[event.state])
@@ -258,7 +258,7 @@ class _Writer:
         if last == len(self.path):
             for event in events:
                 if event.kind != "end":
-                    self._wait_or_say(event)
+                    self._wait_or_comment(event)
         self.rows.lift()
         ends = [f"M{event.value:.0f}" for event in self.path.events if event.kind == "end"]
         for line in self.writing.footer:

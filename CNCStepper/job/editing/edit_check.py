@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.dialects import Dialect
-from CNCStepper.job.wire_round_trip import wire_and_ways
+from CNCStepper.job.wire_round_trip import wire_round_trip
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.simulation.checks.check_program import check
@@ -53,7 +53,7 @@ class EditCheck:
             return []
 
     def _errors(self, text: str) -> list[Finding]:
-        _, motors, toolpath = wire_and_ways(text, self.machine, self.dialect, self.file, self.start)
+        _, motors, toolpath = wire_round_trip(text, self.machine, self.dialect, self.file, self.start)
         if self.machine is None:
             return []
         found = check(toolpath, self.machine, file=self.file, stock=self.stock, tools=self.tools, motors=motors)

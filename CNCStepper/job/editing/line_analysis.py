@@ -18,13 +18,13 @@ import numpy as np
 
 from CNCStepper.errors import Place, ProgramError
 from CNCStepper.gcode.dialects import dialect_named
-from CNCStepper.gcode.interpreter.fast_path.compiled_reader import PlainReader
+from CNCStepper.gcode.interpreter.fast_path.compiled_reader import CompiledReader
 from CNCStepper.gcode.interpreter.flow.o_words import has_profile, is_plain
 from CNCStepper.gcode.interpreter.flow.program_flow import Flow, Limits
 from CNCStepper.gcode.interpreter.flow.subprogram_files import library_of
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.interpreter.state.model import Point
-from CNCStepper.gcode.syntax.words import is_tape_mark, split_line, words_of
+from CNCStepper.gcode.syntax.words import is_percent_mark, split_line, words_of
 from CNCStepper.gcode.wire.encoder import prepare
 from CNCStepper.gcode.wire.expansion import is_expanded
 from CNCStepper.state import Start, State
@@ -34,7 +34,7 @@ from CNCStepper.units import MM_PER_INCH
 LINES_AT_ONCE = 4096
 SHORT = 2000
 MOST_TOLD = 1000  # refusals that are told one by one; all are counted
-MOST_ROUNDS = 100_000  # refusals of lines that are run again and again
+MOST_ITERATIONS = 100_000  # refusals of lines that are run again and again
 _FEED = re.compile(r"[ \t]*(?:N[0-9]+[ \t]*)?F", re.IGNORECASE)
 
 
@@ -166,7 +166,7 @@ def unsendable(
         for error in _unsendable(piece, dialect, file, start):
             place = error.place or Place(file)
             found.append(error.at(replace(place, line=place.line + first)))  # type: ignore[arg-type]
-        if first and any(map(is_tape_mark, piece)):
+        if first and any(map(is_percent_mark, piece)):
             break  # what stands after a second "%" is not sent
     return found
 
@@ -215,7 +215,7 @@ class _Refusals:
             self._seen.add(key)
             if len(self.found) < MOST_TOLD:
                 self.found.append(error)
-        if self._rounds == MOST_ROUNDS:
+        if self._rounds == MOST_ITERATIONS:
             raise error
 
     def _here(self, error: ProgramError) -> ProgramError:
@@ -239,7 +239,7 @@ def _in_order(reader: Interpreter, lines: list[str], refusals: _Refusals) -> Ite
                 refusals.add(refusal)
         yield
         return
-    fast = PlainReader(reader)
+    fast = CompiledReader(reader)
     for first in range(0, len(lines), LINES_AT_ONCE):
         piece = "\n".join(lines[first : first + LINES_AT_ONCE]) + "\n"
         for error in fast.refused(piece.encode("utf-8", "surrogatepass")):

@@ -16,7 +16,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from CNCStepper.kernels import njit
-from CNCStepper.motion.interpolation.iteration_stream import stream_of_rounds
+from CNCStepper.motion.interpolation.iteration_stream import iteration_stream
 from CNCStepper.motion.signals.pulse_stream import PULSE_ROWS, PulseStream
 
 
@@ -29,7 +29,7 @@ def bresenham(steps: Sequence[int], begin_steps: Sequence[int] | None = None, ro
     counts = np.abs(np.array(steps, np.int64))
     back = sum(1 << axis for axis, count in enumerate(steps) if count < 0)
     sums, done = np.full(len(counts), counts.max(), np.int64), np.zeros(1, np.int64)
-    return stream_of_rounds(
+    return iteration_stream(
         lambda *columns: _write(counts, back, sums, done, *columns), begin_steps or (0,) * len(counts), rows
     )
 

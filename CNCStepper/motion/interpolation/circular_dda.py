@@ -24,7 +24,7 @@ import numpy as np
 
 from CNCStepper.errors import GeometryError
 from CNCStepper.kernels import njit
-from CNCStepper.motion.interpolation.iteration_stream import stream_of_rounds
+from CNCStepper.motion.interpolation.iteration_stream import iteration_stream
 from CNCStepper.motion.signals.pulse_stream import PULSE_ROWS, PulseStream
 
 QUARTER = math.pi / 2.0
@@ -75,7 +75,7 @@ def circular_dda(
     state[0].radius = int(math.dist(begin_steps, centre_steps)) if published else radius
     state[0].centre_x, state[0].centre_y = (0.0, 0.0) if published else centre_steps
     state[0].published = published
-    return stream_of_rounds(lambda *columns: _write(state, whole_ends, true_begins, *columns), begin_steps, rows)
+    return iteration_stream(lambda *columns: _write(state, whole_ends, true_begins, *columns), begin_steps, rows)
 
 
 def _quadrants(

@@ -12,7 +12,7 @@ import numpy as np
 
 from CNCStepper.geometry.shapes.ellipse_dda import ellipse_by_dda
 from CNCStepper.kernels import njit
-from CNCStepper.motion.interpolation.iteration_stream import stream_of_rounds
+from CNCStepper.motion.interpolation.iteration_stream import iteration_stream
 from CNCStepper.motion.planner.step_timeline import steps_made
 from CNCStepper.motion.signals.pulse_stream import PULSE_ROWS, PulseStream
 
@@ -39,7 +39,7 @@ def elliptical_dda(
     points = points[::-1].copy() if clockwise else points
     state = np.zeros(3, np.int64)  # chord in hand, its events that are done, all events
     begin = (int(points[0, 0]), int(points[0, 1]))
-    return stream_of_rounds(lambda *columns: _write(points, state, *columns), begin, rows)
+    return iteration_stream(lambda *columns: _write(points, state, *columns), begin, rows)
 
 
 @njit

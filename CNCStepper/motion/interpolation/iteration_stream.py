@@ -12,7 +12,7 @@ from CNCStepper.motion.signals.pulse_stream import PULSE_ROWS, PulseChunk, Pulse
 Write = Callable[[np.ndarray, np.ndarray, np.ndarray], int]
 
 
-def stream_of_rounds(write: Write, begin_steps: Sequence[int], rows: int = PULSE_ROWS) -> PulseStream:
+def iteration_stream(write: Write, begin_steps: Sequence[int], rows: int = PULSE_ROWS) -> PulseStream:
     """Return the stream of what `write` fills into ticks, step and back; it returns the rows filled, 0 at the end.
 
     A tick is the number of a round, from 1; rounds without a pulse have no row. Each chunk is valid until the next.

@@ -16,7 +16,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from CNCStepper.kernels import njit
-from CNCStepper.motion.interpolation.iteration_stream import stream_of_rounds
+from CNCStepper.motion.interpolation.iteration_stream import iteration_stream
 from CNCStepper.motion.signals.pulse_stream import PULSE_ROWS, PulseStream
 
 
@@ -29,7 +29,7 @@ def linear_dda(steps: Sequence[int], begin_steps: Sequence[int] | None = None, r
     back = sum(1 << axis for axis, count in enumerate(steps) if count < 0)
     limit = math.isqrt(sum(int(count) ** 2 for count in counts))
     sums, done = counts.copy(), np.zeros(1, np.int64)
-    return stream_of_rounds(
+    return iteration_stream(
         lambda *columns: _write(counts, back, limit, sums, done, *columns), begin_steps or (0,) * len(counts), rows
     )
 

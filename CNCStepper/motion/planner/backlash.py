@@ -17,7 +17,7 @@ import numpy as np
 
 from CNCStepper.gcode.wire.monotonic_split import Piece, arc_pieces, straight_pieces
 from CNCStepper.kernels import njit
-from CNCStepper.machine.backlash import Motors, Play
+from CNCStepper.machine.backlash import Backlash, Motors
 from CNCStepper.machine.profile import Machine
 from CNCStepper.motion.planner.chunk_window import ChunkWindow
 from CNCStepper.motion.planner.plan import duration_s, times_s
@@ -26,7 +26,7 @@ from CNCStepper.toolpath import CHUNK_ROWS, LINE, RAPID, XY, Chunk, Event, Toolp
 Row = tuple[int, tuple[float, ...], tuple[float, ...], int, int, float, int, int]  # the columns of a chunk
 
 
-def motor_moves(path: Toolpath, play: Play) -> Toolpath:
+def motor_moves(path: Toolpath, play: Backlash) -> Toolpath:
     """Return the moves of the motors that lead the tool along `path`: three axes, with rows that take up play.
 
     Rows name the state and the line of the row that they come from; events and spans go with it. A path of machines
@@ -35,7 +35,7 @@ def motor_moves(path: Toolpath, play: Play) -> Toolpath:
     return _motor_moves(path, play)[0] if play else path
 
 
-def row_times_s(path: Toolpath, machine: Machine, play: Play | None = None) -> np.ndarray:
+def row_times_s(path: Toolpath, machine: Machine, play: Backlash | None = None) -> np.ndarray:
     """Return the time in s at which every row of the tool's path ends, float64[n], with all that takes up play."""
     if not play:
         return times_s(path, machine)
@@ -44,7 +44,7 @@ def row_times_s(path: Toolpath, machine: Machine, play: Play | None = None) -> n
     return ends_s[firsts[1:] - firsts[0]]
 
 
-def way_duration_s(path: Toolpath, chunks: Iterable[Chunk], machine: Machine, play: Play | None = None) -> float:
+def way_duration_s(path: Toolpath, chunks: Iterable[Chunk], machine: Machine, play: Backlash | None = None) -> float:
     """Return the time in s that the tool's way takes, dwells and all that takes up play included.
 
     path, chunks: as of `motor_chunks`; no more than two of the chunks are kept.
@@ -54,7 +54,7 @@ def way_duration_s(path: Toolpath, chunks: Iterable[Chunk], machine: Machine, pl
     return duration_s(replace(path, chunks=ChunkWindow(chunks)), machine)  # type: ignore[arg-type]
 
 
-def motor_chunks(path: Toolpath, chunks: Iterable[Chunk], play: Play) -> tuple[Toolpath, Iterator[Chunk]]:
+def motor_chunks(path: Toolpath, chunks: Iterable[Chunk], play: Backlash) -> tuple[Toolpath, Iterator[Chunk]]:
     """Return the motors' table, still without rows, and its chunks, made as those of a table that is being read come.
 
     path: that table, whose events grow while it is read; those of the motors' table do so with its chunks.
@@ -75,7 +75,7 @@ def motor_chunks(path: Toolpath, chunks: Iterable[Chunk], play: Play) -> tuple[T
     return Toolpath(path.start, [], path.states, events), coming()
 
 
-def _motor_moves(path: Toolpath, play: Play) -> tuple[Toolpath, np.ndarray]:
+def _motor_moves(path: Toolpath, play: Backlash) -> tuple[Toolpath, np.ndarray]:
     """Return the motors' moves, and for each row of the tool's the first of them; one more is where they end."""
     chunks: list[Chunk] = []
     begin = path.chunks[0].first if path.chunks else 0
@@ -90,7 +90,7 @@ def _motor_moves(path: Toolpath, play: Play) -> tuple[Toolpath, np.ndarray]:
 
 
 def _folded(
-    chunks: Iterable[Chunk], start_mm: tuple[float, ...], play: Play
+    chunks: Iterable[Chunk], start_mm: tuple[float, ...], play: Backlash
 ) -> Iterator[tuple[int, np.ndarray, list[Chunk]]]:
     """Yield for each chunk the index of its first row, of each row the motors' first and one more, and their chunks."""
     motors, begin = Motors(play, start_mm), np.array(start_mm, float)
@@ -164,7 +164,7 @@ def _chunks(rows: list[Row], first: int) -> Iterator[Chunk]:
         )
 
 
-def tool_moves(path: Toolpath, play: Play) -> Toolpath:
+def tool_moves(path: Toolpath, play: Backlash) -> Toolpath:
     """Return where the tool goes while the motors go along `path`: the same rows, of which some do not move it.
 
     An axis' tool stands from `motor - ahead(+)` to `motor - ahead(-)`, and where neither side pushes it, it stays. At
@@ -179,7 +179,7 @@ def tool_moves(path: Toolpath, play: Play) -> Toolpath:
 class ToolMoves:
     """Where the tool goes while the motors go along chunks, one after the other; as `tool_moves` has it."""
 
-    def __init__(self, play: Play, start_mm: tuple[float, ...]):
+    def __init__(self, play: Backlash, start_mm: tuple[float, ...]):
         self._pushed_up, self._pushed_down = (
             np.array([play.ahead_mm(axis, sense) for axis in range(len(play.backlash_mm))]) for sense in (1, -1)
         )

@@ -28,7 +28,7 @@ REST_TICKS = round(REST_S * TICKS_PER_S)
 LEAST_SHARE, MOST_SHARE = 0.01, 1.0  # no faster than programmed: the port was tried at the program's own rate
 
 
-class Reins:
+class FeedHold:
     """What is asked of a pass while it runs; it may be asked from any thread.
 
     held: it is to stand still. share: of every programmed speed, feeds and rapids.

@@ -10,7 +10,7 @@ import numpy as np
 from CNCStepper.machine.profile import Machine
 from CNCStepper.motion.planner.buffers import TICKS_PER_S
 from CNCStepper.motion.planner.machine_limits import Limits
-from CNCStepper.motion.planner.segment_index import Pieces
+from CNCStepper.motion.planner.segment_index import SegmentIndex
 from CNCStepper.motion.planner.step_timeline import step_table
 from CNCStepper.toolpath import Toolpath
 
@@ -26,7 +26,7 @@ class Pulses:
     """The pulses of a table of moves; its positions must be known, as `plan.begun` leaves them."""
 
     def __init__(self, toolpath: Toolpath, machine: Machine | Limits):
-        self._pieces = Pieces(toolpath, machine)
+        self._pieces = SegmentIndex(toolpath, machine)
 
     def after(self, time_s: float) -> Pulse | None:
         """Return the first pulse later than a moment, None behind the last."""

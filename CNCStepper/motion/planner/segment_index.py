@@ -20,7 +20,7 @@ from CNCStepper.motion.planner.plan import Mark, Run
 from CNCStepper.toolpath import Toolpath
 
 
-class Pieces:
+class SegmentIndex:
     """The pieces of a table of moves by number; its positions must be known, as `plan.begun` leaves them."""
 
     def __init__(self, toolpath: Toolpath, machine: Machine | Limits):

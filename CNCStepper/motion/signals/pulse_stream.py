@@ -22,7 +22,7 @@ from CNCStepper.kernels import njit
 from CNCStepper.machine.profile import Machine
 from CNCStepper.motion.planner.buffers import TICKS_PER_S
 from CNCStepper.motion.planner.chunk_window import ChunkWindow
-from CNCStepper.motion.planner.feed_hold import Reins
+from CNCStepper.motion.planner.feed_hold import FeedHold
 from CNCStepper.motion.planner.machine_limits import Limits
 from CNCStepper.motion.planner.plan import Run
 from CNCStepper.motion.signals.device_switching import SPINDLES, Change, Changes, Switch
@@ -72,7 +72,7 @@ class PulseStream:
 
 
 def pulse_stream(
-    toolpath: Toolpath, machine: Machine | Limits, chunks: Iterable[Chunk] | None = None, reins: Reins | None = None
+    toolpath: Toolpath, machine: Machine | Limits, chunks: Iterable[Chunk] | None = None, reins: FeedHold | None = None
 ) -> PulseStream:
     """Return the pulses of a table of moves, as the planner times them; each chunk is valid until the next one.
 
@@ -87,7 +87,7 @@ def pulse_stream(
     run = Run(replace(toolpath, chunks=window), limits)  # type: ignore[arg-type]
     begin = tuple(run.course.planner.position.tolist())
     pulses = _switched(run, reins.segments(run) if reins else run.segments(), coming, changes)
-    pulses = dark_while_held(pulses) if limits.laser else pulses
+    pulses = beam_off_in_hold(pulses) if limits.laser else pulses
     return PulseStream(pulses, check_axes(run.limits.axes), TICKS_PER_S, begin)
 
 
@@ -117,7 +117,7 @@ def _switched(run: Run, pieces: Iterable[np.recarray], coming: deque[Change], ch
         yield replace(NO_PULSES, switches=_on_rows(NO_PULSES.ticks, last))
 
 
-def dark_while_held(chunks: Iterable[PulseChunk]) -> Iterator[PulseChunk]:
+def beam_off_in_hold(chunks: Iterable[PulseChunk]) -> Iterator[PulseChunk]:
     """Yield chunks with a laser's beam off while the axes stand in a hold; it comes back with the pulses."""
     beam = dark = None  # the last switch of the beam; the moment at which a hold has put it out
     for chunk in chunks:

@@ -17,7 +17,7 @@ import numpy as np
 from CNCStepper.machine.profile import Machine
 from CNCStepper.motion.planner.buffers import TICKS_PER_S
 from CNCStepper.motion.planner.machine_limits import Limits
-from CNCStepper.motion.planner.segment_index import Pieces
+from CNCStepper.motion.planner.segment_index import SegmentIndex
 from CNCStepper.motion.planner.step_timeline import place_in
 from CNCStepper.motion.signals.pulse_stream import PulseChunk, PulseStream, moved_steps, pulses_of
 from CNCStepper.toolpath import Toolpath
@@ -31,11 +31,11 @@ def turned_back(chunk: PulseChunk, tick: int) -> PulseChunk:
     return PulseChunk(tick - chunk.ticks[::-1], step, step & ~chunk.back[::-1])
 
 
-class WayBack:
+class ReversePulses:
     """The pulses of a table of moves, from any moment back to the begin; memory does not grow with the pulses."""
 
     def __init__(self, toolpath: Toolpath, machine: Machine | Limits):
-        self._pieces = Pieces(toolpath, machine)
+        self._pieces = SegmentIndex(toolpath, machine)
 
     def stream(self, tick: int | None = None) -> PulseStream:
         """Return all pulses up to `tick` of the planner's clock backwards, from the last pulse when left out.

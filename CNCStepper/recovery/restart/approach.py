@@ -9,7 +9,7 @@ import numpy as np
 
 from CNCStepper.gcode.interpreter.state.model import Model
 from CNCStepper.recovery.restart.cutting_segments import LEVEL_MM
-from CNCStepper.recovery.restart.entry_point import Entrance
+from CNCStepper.recovery.restart.entry_point import EntryPoint
 from CNCStepper.recovery.restart.options import Options
 from CNCStepper.recovery.restart.program import Program
 from CNCStepper.state import State
@@ -32,7 +32,7 @@ class Approach:
     state: State
 
 
-def approach_to(program: Program, entrance: Entrance, model: Model, options: Options) -> Approach:
+def approach_to(program: Program, entrance: EntryPoint, model: Model, options: Options) -> Approach:
     """Return the way to an entrance; raises ProgramError where no safe height is known, or nothing says how fast."""
     row, state = entrance.row, model.state
     x, y, z = (program.at(row, entrance.share) if entrance.share else program.begins[row]).tolist()

@@ -27,7 +27,7 @@ _CYCLE = re.compile(r"G[ \t]*(?:7[ \t]*[346]|8[ \t]*[1-9])(?![0-9])", re.IGNOREC
 
 
 @dataclass(frozen=True)
-class Entrance:
+class EntryPoint:
     """Where the path is entered: after a share of a row, from 0 to below 1.
 
     first_line: the line, as they run from 1, from which on the program's own lines follow. overlap_mm: how much of the
@@ -44,7 +44,7 @@ class Entrance:
 Step = Callable[[Program, Place], tuple[Place, str] | None]
 
 
-def entrance_of(program: Program, wanted: Place, overlap_mm: float = 0.0) -> Entrance:
+def entry_point_of(program: Program, wanted: Place, overlap_mm: float = 0.0) -> EntryPoint:
     """Return where the path is entered for a restart at `wanted`, or `overlap_mm` before it on the same cut.
 
     Raises ProgramError where nothing is cut before it, or after it.
@@ -55,7 +55,7 @@ def entrance_of(program: Program, wanted: Place, overlap_mm: float = 0.0) -> Ent
         place, note = step
         notes = (*notes, note) if note else notes
     _check_worthwhile(program, place)
-    return Entrance(place.row, place.share, _first_line(program, place), overlap_mm, notes)
+    return EntryPoint(place.row, place.share, _first_line(program, place), overlap_mm, notes)
 
 
 def _check_worthwhile(program: Program, place: Place) -> None:

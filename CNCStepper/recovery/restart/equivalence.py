@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from CNCStepper.errors import ProgramError
-from CNCStepper.recovery.restart.entry_point import Entrance
+from CNCStepper.recovery.restart.entry_point import EntryPoint
 from CNCStepper.recovery.restart.program import Program
 from CNCStepper.state import ZERO3, State
 from CNCStepper.toolpath import Toolpath
@@ -21,7 +21,7 @@ SAME_MM = 1e-5  # what the numbers of the entry leave
 SAME_FEED = 1e-6  # of the feed
 
 
-def require_same_rest(program: Program, entrance: Entrance, restart: Toolpath, entry_lines: int) -> None:
+def require_same_rest(program: Program, entrance: EntryPoint, restart: Toolpath, entry_lines: int) -> None:
     """Raise ProgramError, naming the first line that would differ, unless the rest is run as in the undisturbed run.
 
     restart: the moves of the restart program, whose first lines, so many, are the entry.
@@ -55,7 +55,7 @@ def _require_states(program: Program, first: int, restart: Toolpath, own: int) -
             raise _differs(program, first + row, _difference(before, after))
 
 
-def _require_events(program: Program, first: int, restart: Toolpath, own: int, entrance: Entrance) -> None:
+def _require_events(program: Program, first: int, restart: Toolpath, own: int, entrance: EntryPoint) -> None:
     """Compare what happens between the moves of the program's own lines."""
     old = [
         (event.index - first, event.kind, event.value, event.text)

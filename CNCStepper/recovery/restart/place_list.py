@@ -14,7 +14,7 @@ from CNCStepper.state import Start
 MOST_CONTOURS = 5000  # that are told: a longer list finds nothing any more, the picture does
 
 
-def contours_told(lines: Sequence[str], dialect: str, start: Start | None, file: str) -> dict[str, Any]:
+def contours_as_data(lines: Sequence[str], dialect: str, start: Start | None, file: str) -> dict[str, Any]:
     """Return the operations and contours of a program as plain values, or why it cannot be restarted at all.
 
     operations: [number, line, name] each. contours: [number, line, operation, where it begins, length in mm] each.

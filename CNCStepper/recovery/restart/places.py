@@ -27,7 +27,7 @@ class Place(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Where:
+class RequestedPlace:
     """What a person says of the place; exactly one of line, contour, operation and at_mm, or operation with contour.
 
     line: of the file, from 1. time: which of the times that it is run, from 1; needed where it is run more than once.
@@ -42,7 +42,7 @@ class Where:
     at_mm: tuple[float, ...] = ()
 
 
-def place_of(program: Program, where: Where) -> Place:
+def place_of(program: Program, where: RequestedPlace) -> Place:
     """Return the place that is meant; raises ProgramError where there is none, or more than one."""
     said = bool(where.line) + bool(where.operation or where.contour) + bool(where.at_mm)
     if said != 1:

@@ -24,12 +24,12 @@ from pathlib import PurePath
 from CNCStepper.gcode.dialects.codes import AXES, CODE_OF_PLANE, MOTION_NAMES, NO_MOTION, PLANE_CODES, UNIT_CODES
 from CNCStepper.gcode.edit.line_tokens import tokens_of
 from CNCStepper.gcode.edit.number_format import MOST_DECIMALS, dialect_decimals, number_text
-from CNCStepper.gcode.interpreter.state.modal_words import OVERRIDES, PATH_MODES, RETRACT_MODES, said_modes
+from CNCStepper.gcode.interpreter.state.modal_words import OVERRIDES, PATH_MODES, RETRACT_MODES, modal_words
 from CNCStepper.gcode.interpreter.state.model import Model
 from CNCStepper.gcode.writer.ascii_comments import comment_lines
 from CNCStepper.gcode.writer.state_changes import SPINDLE_CODES
 from CNCStepper.recovery.restart.approach import Approach
-from CNCStepper.recovery.restart.entry_point import Entrance
+from CNCStepper.recovery.restart.entry_point import EntryPoint
 from CNCStepper.recovery.restart.program import Program
 from CNCStepper.toolpath import LINE, PLANE_AXES
 from CNCStepper.units import UNIT_MM
@@ -42,7 +42,7 @@ _MODES = tuple(sorted(PATH_MODES | RETRACT_MODES | OVERRIDES))
 class EntryWriter:
     """Writes the entry of one program; `model`: what holds before the first of the program's own lines that follow."""
 
-    def __init__(self, program: Program, entrance: Entrance, approach: Approach, model: Model):
+    def __init__(self, program: Program, entrance: EntryPoint, approach: Approach, model: Model):
         self.program = program
         self.entrance = entrance
         self.approach = approach
@@ -77,7 +77,7 @@ class EntryWriter:
         units = UNIT_CODES[self.state.units]
         header = [line.format(units=units) for line in self.dialect.writing.header]
         shifted = any(self.state.g92_mm) or any(self.program.start.g92_mm)
-        return [*header, self.state.work_system, "G92.1" * shifted, *said_modes(self.model, self._said())]
+        return [*header, self.state.work_system, "G92.1" * shifted, *modal_words(self.model, self._said())]
 
     def _said(self) -> set[str]:
         """Return which of the modes that no row shows the program names."""

@@ -13,12 +13,12 @@ from math import isnan
 import numpy as np
 
 from CNCStepper.recovery.restart.approach import Approach
-from CNCStepper.recovery.restart.entry_point import Entrance
+from CNCStepper.recovery.restart.entry_point import EntryPoint
 from CNCStepper.recovery.restart.program import Program
 from CNCStepper.toolpath import COLUMNS, RAPID, XY, Chunk, Toolpath
 
 
-def cut_before(program: Program, entrance: Entrance, approach: Approach) -> Toolpath:
+def cut_before(program: Program, entrance: EntryPoint, approach: Approach) -> Toolpath:
     """Return the program's moves up to the entrance, and the lift to the height at which it is crossed."""
     row, table = entrance.row, program.table
     rows = [_rows(table, 0, row)]

@@ -14,7 +14,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from CNCStepper.recovery.restart.places import Where
+from CNCStepper.recovery.restart.places import RequestedPlace
 
 if TYPE_CHECKING:
     from CNCStepper.recovery.restart.restart_program import Restart
@@ -29,13 +29,13 @@ class RestartPlace:
     height_mm: of the work's Z, to which the tool goes up first; None is as the program's own rapids go.
     """
 
-    where: Where
+    where: RequestedPlace
     overlap_mm: float = 0.0
     height_mm: float | None = None
 
 
 @dataclass(frozen=True)
-class RestartTold:
+class RestartText:
     """What became of it: the text of the restart, and sentences that say what it does, in its order."""
 
     program: str
@@ -54,7 +54,7 @@ def read_place(folder: Path) -> RestartPlace | None:
         return None
     content = json.loads((folder / PLACE).read_text("utf-8"))
     where = content["where"] | {"at_mm": tuple(content["where"]["at_mm"])}
-    return RestartPlace(Where(**where), content["overlap_mm"], content["height_mm"])
+    return RestartPlace(RequestedPlace(**where), content["overlap_mm"], content["height_mm"])
 
 
 def write_restart(folder: Path, restart: Restart) -> None:
@@ -65,9 +65,9 @@ def write_restart(folder: Path, restart: Restart) -> None:
     (folder / RESTART).write_text(json.dumps(told), encoding="utf-8")
 
 
-def read_restart(folder: Path) -> RestartTold | None:
+def read_restart(folder: Path) -> RestartText | None:
     """Return what `write_restart` wrote; None where the whole program was proven."""
     if not (folder / RESTART).exists():
         return None
     content = json.loads((folder / RESTART).read_text("utf-8"))
-    return RestartTold(content["program"], tuple(content["words"]))
+    return RestartText(content["program"], tuple(content["words"]))

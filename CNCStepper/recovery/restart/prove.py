@@ -20,7 +20,7 @@ from CNCStepper.job.certify import certificate_of
 from CNCStepper.job.make import is_split, make_parts, make_program
 from CNCStepper.job.model import Job
 from CNCStepper.job.prove import (
-    Before,
+    PriorPrograms,
     Proof,
     See,
     Share,
@@ -34,7 +34,7 @@ from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.recovery.restart.description import height_mm
 from CNCStepper.recovery.restart.options import Options
-from CNCStepper.recovery.restart.places import Where
+from CNCStepper.recovery.restart.places import RequestedPlace
 from CNCStepper.recovery.restart.restart_program import Restart, restart
 from CNCStepper.simulation.checks.stock_checks import JUDGE_ERROR_MM
 from CNCStepper.simulation.finding import Finding
@@ -44,7 +44,7 @@ from CNCStepper.state import Start
 
 
 @dataclass(frozen=True)
-class Entering:
+class EntryOptions:
     """How a person wants the path entered; see `Options`. height_mm: None is as the program's own rapids go."""
 
     overlap_mm: float = 0.0
@@ -62,8 +62,8 @@ class ProvenRestart:
 def restart_program(
     text: str,
     machine: Machine,
-    where: Where,
-    entering: Entering | None = None,
+    where: RequestedPlace,
+    entering: EntryOptions | None = None,
     *,
     file: str = "",
     dialect: str = "",
@@ -76,7 +76,7 @@ def restart_program(
     """Return the restart of a program at a place, proven as `prove` does; raises ProgramError where it cannot be."""
     language = dialect or machine.controller
     made = restart(text, where, language, start, file, _options(machine, tools, entering))
-    before = Before(made.cut, (digest_of_text(text),))
+    before = PriorPrograms(made.cut, (digest_of_text(text),))
     proof = prove(
         made.text,
         machine,
@@ -96,8 +96,8 @@ def restart_job(
     job: Job,
     machine: Machine,
     text: str,
-    where: Where,
-    entering: Entering | None = None,
+    where: RequestedPlace,
+    entering: EntryOptions | None = None,
     *,
     file: str = "",
     dialect: str = "",
@@ -110,7 +110,7 @@ def restart_job(
     """Return the restart of a job's program at a place, judged against the whole shapes that the job wants removed.
 
     earlier: the proofs of the programs that the job was split into and that were run before this one
-    (`earlier_proofs`). Raises ProgramError where it cannot be restarted there.
+    (`prior_proofs`). Raises ProgramError where it cannot be restarted there.
     """
     language = dialect or machine.controller
     tools = job.on(machine).tools
@@ -165,18 +165,18 @@ def restart_name(file: str) -> str:
     return f"{name}-restart.{suffix}" if dot else f"{file}-restart"
 
 
-def _options(machine: Machine, tools: dict[int, Tool] | Tool | None, entering: Entering | None) -> Options:
-    entering = entering or Entering()
+def _options(machine: Machine, tools: dict[int, Tool] | Tool | None, entering: EntryOptions | None) -> Options:
+    entering = entering or EntryOptions()
     spindle = machine.spindle
     return Options(entering.overlap_mm, entering.height_mm, spindle.spin_up_s, spindle.laser, tools)
 
 
-def _before(made: Restart, text: str, earlier: Sequence[Proof]) -> Before:
+def _before(made: Restart, text: str, earlier: Sequence[Proof]) -> PriorPrograms:
     """Return all that has cut the stock: the programs before this one, and this one up to the entrance."""
-    before, digest = Before.of(earlier), digest_of_text(text)
+    before, digest = PriorPrograms.of(earlier), digest_of_text(text)
     if before is None:
-        return Before(made.cut, (digest,))
-    return Before(followed(before.toolpath, made.cut), (*before.sha256, digest))
+        return PriorPrograms(made.cut, (digest,))
+    return PriorPrograms(followed(before.toolpath, made.cut), (*before.sha256, digest))
 
 
 def _incomplete(proof: Proof) -> list[Finding]:

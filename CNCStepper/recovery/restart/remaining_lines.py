@@ -14,7 +14,7 @@ from CNCStepper.gcode.dialects.codes import ALL_AXES, CYCLES, MOTION_NAMES, NO_M
 from CNCStepper.gcode.edit.line_tokens import Token, changed, first_place, tokens_of
 from CNCStepper.gcode.edit.number_format import MOST_DECIMALS, number_text
 from CNCStepper.gcode.interpreter.state.model import Model
-from CNCStepper.gcode.syntax.words import is_tape_mark, split_line
+from CNCStepper.gcode.syntax.words import is_percent_mark, split_line
 
 _MOVING = frozenset((*ALL_AXES, *"IJKR@^"))
 
@@ -33,7 +33,7 @@ def rest_of(lines: list[str], model: Model, dialect: Dialect) -> list[str]:
 def _first_bare_move(lines: list[str], dialect: Dialect) -> tuple[int, list[Token]] | None:
     """Return the first line that moves and its words, where no line up to it names a motion; else None."""
     for index, line in enumerate(lines):
-        if is_tape_mark(line) or (dialect.skips_deleted and split_line(line).deleted):
+        if is_percent_mark(line) or (dialect.skips_deleted and split_line(line).deleted):
             continue
         try:
             tokens = tokens_of(line)

@@ -16,12 +16,12 @@ from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.interpreter.state.model import Model
 from CNCStepper.gcode.interpreter.state.parameters import offset_number
 from CNCStepper.gcode.interpreter.state.stored_points import stored_point
-from CNCStepper.gcode.syntax.words import is_tape_mark
+from CNCStepper.gcode.syntax.words import is_percent_mark
 from CNCStepper.recovery.restart.approach import Approach, approach_to
-from CNCStepper.recovery.restart.entry_point import Entrance, entrance_of
+from CNCStepper.recovery.restart.entry_point import EntryPoint, entry_point_of
 from CNCStepper.recovery.restart.equivalence import require_same_rest
 from CNCStepper.recovery.restart.options import Options
-from CNCStepper.recovery.restart.places import Where, place_of
+from CNCStepper.recovery.restart.places import RequestedPlace, place_of
 from CNCStepper.recovery.restart.preamble import EntryWriter
 from CNCStepper.recovery.restart.prior_moves import cut_before
 from CNCStepper.recovery.restart.program import Program, read_program
@@ -44,13 +44,13 @@ class Restart:
     file_lines: np.ndarray
     cut: Toolpath
     program: Program
-    entrance: Entrance
+    entrance: EntryPoint
     approach: Approach
 
 
 def restart(
     text: str,
-    where: Where,
+    where: RequestedPlace,
     dialect: str | Dialect = "grbl",
     start: Start | None = None,
     file: str = "",
@@ -60,15 +60,15 @@ def restart(
     return restart_of(read_program(text, dialect, start, file), where, options)
 
 
-def restart_of(program: Program, where: Where, options: Options | None = None) -> Restart:
+def restart_of(program: Program, where: RequestedPlace, options: Options | None = None) -> Restart:
     """Return the restart of a program that is read already, as `restart` does."""
     options = options or Options()
-    entrance = entrance_of(program, place_of(program, where), options.overlap_mm)
+    entrance = entry_point_of(program, place_of(program, where), options.overlap_mm)
     model = program.model_before(entrance.first_line)
     _check_model(program, entrance, model)
     approach = approach_to(program, entrance, model, options)
     rest = rest_of(program.lines[entrance.first_line - 1 :], model, program.dialect)
-    marks = ["%"] * any(map(is_tape_mark, rest))
+    marks = ["%"] * any(map(is_percent_mark, rest))
     lines = marks + EntryWriter(program, entrance, approach, model).lines(len(marks)) + rest
     text, begin = "".join(f"{line}\n" for line in lines), _start(program, model)
     own = len(lines) - len(rest)
@@ -77,7 +77,7 @@ def restart_of(program: Program, where: Where, options: Options | None = None) -
     return Restart(text, begin, file_lines, cut_before(program, entrance, approach), program, entrance, approach)
 
 
-def _read(text: str, begin: Start, program: Program, entrance: Entrance) -> Toolpath:
+def _read(text: str, begin: Start, program: Program, entrance: EntryPoint) -> Toolpath:
     """Return the moves of the restart program; raises ProgramError where it cannot stand alone."""
     try:
         return interpret(text, begin, program.dialect)
@@ -96,7 +96,7 @@ def _start(program: Program, model: Model) -> Start:
     return replace(old, position_mm=nowhere, work_offsets_mm=offsets, g92_mm=ZERO3, tool=0, spindle_rpm=0.0)
 
 
-def _check_model(program: Program, entrance: Entrance, model: Model) -> None:
+def _check_model(program: Program, entrance: EntryPoint, model: Model) -> None:
     """Refuse states that no entry can bring back."""
     if model.diameter or model.state.surface_m_min or model.state.feed_mode == "per_turn":
         what = "turning (G7, G95, G96) is in force here: no entry is written for a lathe"

@@ -13,7 +13,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
 from CNCStepper.gcode.wire.monotonic_split import Piece, arc_pieces
-from CNCStepper.machine.backlash import Motors, Play
+from CNCStepper.machine.backlash import Backlash, Motors
 from CNCStepper.recovery.retract.move_curve import Move, Point
 from CNCStepper.recovery.retract.path_section import Part
 from CNCStepper.toolpath import LINE, RAPID
@@ -36,14 +36,14 @@ def taken_up(moves: Iterable[tuple[Move, Part]], motors: Motors) -> Iterator[tup
             share = part[2]
 
 
-def crossing(stood_mm: Sequence[float], ready_mm: Sequence[float], move: Move, play: Play) -> Move:
+def crossing(stood_mm: Sequence[float], ready_mm: Sequence[float], move: Move, play: Backlash) -> Move:
     """Return the move of the motors alone beside a move of the tool: no faster, and without a beam."""
     if move.kind == RAPID or play.beam:
         return Move(RAPID, _point(stood_mm), _point(ready_mm))
     return Move(LINE, _point(stood_mm), _point(ready_mm), feed_mm_min=move.feed_mm_min)
 
 
-def _one_way(move: Move, play: Play) -> list[Piece]:
+def _one_way(move: Move, play: Backlash) -> list[Piece]:
     """Return a move cut where an axis turns back."""
     if not move.is_arc:
         return [Piece(move.begin, move.end, 1.0, 0)]

@@ -12,12 +12,12 @@ from CNCStepper.control.session.client import SessionClient
 from CNCStepper.control.session.status import SenderStatus
 from CNCStepper.control.stream.path_retract import STANDS
 from CNCStepper.errors import CNCStepperError, LinkError
-from CNCStepper.recovery.retract.client import WayBack
+from CNCStepper.recovery.retract.client import RetractClient
 
 LOOK_EVERY_S = 0.1
 
 
-class Leader(threading.Thread):
+class ButtonClient(threading.Thread):
     """A client of its own, until the session ends; tell: hears what could not be done, on this thread."""
 
     def __init__(self, session_file: Path, tell: Callable[[str], None]):
@@ -49,6 +49,6 @@ def lead(client: SessionClient, status: SenderStatus) -> None:
     """Begin the way that a status wants; raises what the proof or the session refuses."""
     if status.phase not in STANDS or (status.wanted_back_mm is None and not status.wanted_rest):
         return
-    back = WayBack(client)
+    back = RetractClient(client)
     held = back.held()
     back.go(held.rest() if status.wanted_back_mm is None else held.along(held.back_by(status.wanted_back_mm)))

@@ -10,24 +10,24 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from CNCStepper.control.service.connection_session import DeskSession
+from CNCStepper.control.service.connection_session import ConnectionSession
 from CNCStepper.control.session.client import SessionClient
 from CNCStepper.control.session.files import write_private
 from CNCStepper.control.session.status import SenderStatus
 from CNCStepper.control.stream.path_retract import STANDS
 from CNCStepper.errors import LinkError, MachineRefusal
 from CNCStepper.machine.profile import Machine
-from CNCStepper.recovery.retract.prove import Held, held
+from CNCStepper.recovery.retract.prove import HeldProgram, held_program
 
 LOOK_EVERY_S = 0.05
 DOOR = "door"
 ANSWER_LIMIT_S = 60.0  # a long program is told in seconds
 
 
-class WayBack:
+class RetractClient:
     """Speaks with one session or desk; what it refuses is raised as its error."""
 
-    def __init__(self, client: SessionClient | DeskSession, machine: Machine | None = None):
+    def __init__(self, client: SessionClient | ConnectionSession, machine: Machine | None = None):
         self._client = client
         self._machine = machine
         self._client.status()  # past the events of before
@@ -44,23 +44,23 @@ class WayBack:
             raise MachineRefusal("door-open", "the safety door is open", advice="close it and resume, then go back")
         return status
 
-    def held(self) -> Held:
+    def held(self) -> HeldProgram:
         """Return where on its way the tool is; raises ProgramError or JobError where no way leads back."""
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "place.json"
             self._client.ask("tell_place", file=str(file))
             self._await("tell_place", "place", str(file))
-            return held(json.loads(file.read_text("utf-8")), self._machine)
+            return held_program(json.loads(file.read_text("utf-8")), self._machine)
 
     def go(self, leg: dict[str, Any]) -> None:
-        """Let the session begin a leg, as `Held` makes it."""
+        """Let the session begin a leg, as `HeldProgram` makes it."""
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "leg.json"
             write_private(file, leg)
             self._client.ask("retrace", file=str(file))
             self._await("retrace", "phase", "running")
 
-    def arrive(self) -> SenderStatus:
+    def wait_for_leg(self) -> SenderStatus:
         """Wait for the end of the leg, or until somebody holds on the way, and return the status."""
         return self._until(lambda status: status.phase in STANDS)
 

@@ -8,12 +8,12 @@ from typing import Any
 
 from CNCStepper.control.stream.path_retract import REST
 from CNCStepper.job.start_state_file import start_from
-from CNCStepper.recovery.retract.held_session import Ground, read_lines
-from CNCStepper.recovery.retract.path import Place, Way
-from CNCStepper.recovery.retract.path_search import Found, Seen, find
+from CNCStepper.recovery.retract.held_session import SessionContext, read_lines
+from CNCStepper.recovery.retract.path import Place, RetractPath
+from CNCStepper.recovery.retract.path_search import PositionReport, PossiblePlaces, find
 
 
-def acknowledged(leg: Mapping[str, Any] | None, reports: Sequence[Seen]) -> int:
+def acknowledged(leg: Mapping[str, Any] | None, reports: Sequence[PositionReport]) -> int:
     """Return how many of the program's own lines the controller has acknowledged, in this leg or before."""
     now = reports[-1].acknowledged if reports else 0
     if leg is None:
@@ -22,7 +22,9 @@ def acknowledged(leg: Mapping[str, Any] | None, reports: Sequence[Seen]) -> int:
     return max(int(leg["reached"]), again)
 
 
-def found_of(ground: Ground, way: Way, told: Mapping[str, Any], reports: Sequence[Seen]) -> tuple[Found, bool]:
+def found_of(
+    ground: SessionContext, way: RetractPath, told: Mapping[str, Any], reports: Sequence[PositionReport]
+) -> tuple[PossiblePlaces, bool]:
     """Return where on the program's way the tool is, and whether it was jogged from there and is not surely back.
 
     way: of the motors, whose places are reported. Raises ProgramError where the machine does not stand on it.
@@ -32,12 +34,12 @@ def found_of(ground: Ground, way: Way, told: Mapping[str, Any], reports: Sequenc
         return find(way, reports, ground.controller), told["jogged"]
     if told["stands"]:
         end = Place(*leg["end"])
-        return Found(end, end), told["jogged"]
+        return PossiblePlaces(end, end), told["jogged"]
     start = start_from(leg["certificate"]["start"]["state"])
-    leg_way = Way(read_lines(told["leg_lines"], start, ground.dialect).toolpath())
+    leg_way = RetractPath(read_lines(told["leg_lines"], start, ground.dialect).toolpath())
     on_leg = find(leg_way, reports, ground.controller)
     places = [_on_program(place, leg_way, way, leg) for place in on_leg]
-    return Found(min(places), max(places)), any(_is_beside(place, leg_way, leg) for place in on_leg)
+    return PossiblePlaces(min(places), max(places)), any(_is_beside(place, leg_way, leg) for place in on_leg)
 
 
 def _own(leg: Mapping[str, Any]) -> int:
@@ -45,18 +47,18 @@ def _own(leg: Mapping[str, Any]) -> int:
     return int(leg["heads"]) + len(leg["parts"]) + (leg["kind"] == REST)
 
 
-def _part(place: Place, leg_way: Way, leg: Mapping[str, Any]) -> int:
+def _part(place: Place, leg_way: RetractPath, leg: Mapping[str, Any]) -> int:
     """Return the number of the line that moves along a place of a leg, from 0 behind its head."""
     return int(leg_way.lines[place.row]) - 1 - int(leg["heads"])
 
 
-def _is_beside(place: Place, leg_way: Way, leg: Mapping[str, Any]) -> bool:
+def _is_beside(place: Place, leg_way: RetractPath, leg: Mapping[str, Any]) -> bool:
     """Return whether a place of a leg is on its way back from where somebody jogged to."""
     part = _part(place, leg_way, leg)
     return part < len(leg["parts"]) and leg["parts"][part] is None
 
 
-def _on_program(place: Place, leg_way: Way, way: Way, leg: Mapping[str, Any]) -> Place:
+def _on_program(place: Place, leg_way: RetractPath, way: RetractPath, leg: Mapping[str, Any]) -> Place:
     """Return the place of the program that a place of a leg is, or leads to."""
     if _is_beside(place, leg_way, leg):
         return Place(*leg["begin"])

@@ -15,16 +15,16 @@ from CNCStepper.errors import JobError
 from CNCStepper.gcode.interpreter.flow.program_flow import run_whole
 from CNCStepper.gcode.interpreter.flow.subprogram_files import Library
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
-from CNCStepper.gcode.wire.backlash_compensation import play_of
+from CNCStepper.gcode.wire.backlash_compensation import backlash_of
 from CNCStepper.job.start_state_file import start_from
-from CNCStepper.machine.backlash import Play
+from CNCStepper.machine.backlash import Backlash
 from CNCStepper.machine.profile import Machine
 from CNCStepper.recovery.retract.path_search import Controller
 from CNCStepper.state import ZERO3, Start
 
 
 @dataclass(frozen=True)
-class Ground:
+class SessionContext:
     """What does not change while a program is held: its lines, where it began, on which machine.
 
     zero_known: whether the program was proven at its place on the table; else its travel is judged by its size alone.
@@ -37,10 +37,10 @@ class Ground:
     machine: Machine
     dialect: str
     controller: Controller
-    play: Play | None = None
+    play: Backlash | None = None
 
     @classmethod
-    def of(cls, told: Mapping[str, Any], machine: Machine | None) -> Ground:
+    def of(cls, told: Mapping[str, Any], machine: Machine | None) -> SessionContext:
         """Return it from what a session told; machine: where the session was started without one.
 
         Raises JobError where there is none.
@@ -57,7 +57,7 @@ class Ground:
             machine,
             dialect,
             _controller(told, machine),
-            play_of(machine, dialect),
+            backlash_of(machine, dialect),
         )
 
     @property

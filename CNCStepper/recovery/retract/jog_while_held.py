@@ -15,7 +15,7 @@ from CNCStepper.control.session.client import SessionClient
 from CNCStepper.control.session.status import SenderStatus
 from CNCStepper.control.stream.path_retract import STANDS
 from CNCStepper.errors import MachineRefusal
-from CNCStepper.recovery.retract.client import WayBack
+from CNCStepper.recovery.retract.client import RetractClient
 
 LOOK_EVERY_S = 0.05
 AT_REST = ("Idle", TOOL)
@@ -29,9 +29,9 @@ def step_aside(client: SessionClient) -> None:
         what = "a job runs, and the machine does not stand"
         raise MachineRefusal("not-held", what, value=status.phase, advice="hold it first: Ctrl-C at `cncstepper send`")
     if status.machine_state.startswith("Hold"):
-        back = WayBack(client)
+        back = RetractClient(client)
         back.go(back.held().aside())
-        back.arrive()
+        back.wait_for_leg()
 
 
 def jog(client: SessionClient, way: dict[str, float]) -> SenderStatus:

@@ -31,7 +31,7 @@ class Place(NamedTuple):
     share: float
 
 
-class Way:
+class RetractPath:
     """The rows of a table of moves as curves; made when they are asked for, so that long programs cost nothing."""
 
     def __init__(self, toolpath: Toolpath):

@@ -20,7 +20,7 @@ import numpy as np
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.recovery.retract.move_curve import chords_of
-from CNCStepper.recovery.retract.path import Place, Way
+from CNCStepper.recovery.retract.path import Place, RetractPath
 
 ROUNDING_MM = 0.002  # of what is reported
 LATE_S, FASTER = 0.02, 1.02  # by which a report may be late, and clocks may differ
@@ -28,15 +28,15 @@ SAME_PLACE = 4.0  # tolerances along the way
 AHEAD_S = 0.12  # of motion at most that a step generator has taken out of the planner: six segments of 10 ms, or twelve
 
 
-class Seen(NamedTuple):
+class PositionReport(NamedTuple):
     """One report of the machine.
 
-    asked_s, heard_s: between which it was taken. sent, acknowledged: lines of the text by then. blocks: which the
+    asked_s, last_line_s: between which it was taken. sent, acknowledged: lines of the text by then. blocks: which the
     planner held, or -1. feed_percent: the override.
     """
 
     asked_s: float
-    heard_s: float
+    last_line_s: float
     sent: int
     acknowledged: int
     position_mm: tuple[float, float, float]
@@ -64,14 +64,14 @@ class Controller:
         return x, y, z
 
 
-class Found(NamedTuple):
+class PossiblePlaces(NamedTuple):
     """early: where to go on from. late: how far the machine may have come; the same place nearly always."""
 
     early: Place
     late: Place
 
 
-def find(way: Way, reports: Sequence[Seen], controller: Controller) -> Found:
+def find(way: RetractPath, reports: Sequence[PositionReport], controller: Controller) -> PossiblePlaces:
     """Return where the machine stands by the last of its reports; raises ProgramError where that is not on its way."""
     if not len(way):
         what = "nothing has been cut yet, so there is no way back"
@@ -90,17 +90,17 @@ def find(way: Way, reports: Sequence[Seen], controller: Controller) -> Found:
         places = search.of_blocks(places, last) or places
     if len(places) > 1:
         places = search.of_reports(reports, places)
-    return Found(min(places), max(places))
+    return PossiblePlaces(min(places), max(places))
 
 
 class _Search:
     """Looks for places on a way."""
 
-    def __init__(self, way: Way, controller: Controller):
+    def __init__(self, way: RetractPath, controller: Controller):
         self._way = way
         self._controller = controller
 
-    def places(self, seen: Seen) -> list[Place]:
+    def places(self, seen: PositionReport) -> list[Place]:
         """Return the places, in their order, at which a report's position lies on the rows that may be cut."""
         first, last = self._window(seen)
         along_mm, found = 0.0, []
@@ -114,14 +114,14 @@ class _Search:
                 along_mm += move.length_mm
         return list(self._apart(sorted(found)))
 
-    def of_blocks(self, places: Iterable[Place], seen: Seen, ahead_s: float = 0.0) -> list[Place]:
+    def of_blocks(self, places: Iterable[Place], seen: PositionReport, ahead_s: float = 0.0) -> list[Place]:
         """Return the places that agree with the number of blocks that the planner holds.
 
         ahead_s: of the motion to come, which the planner may have given away already; nothing where the machine stands.
         """
         return [place for place in places if seen.blocks < 0 or self._agrees(place, seen, ahead_s)]
 
-    def of_reports(self, reports: Sequence[Seen], places: list[Place]) -> list[Place]:
+    def of_reports(self, reports: Sequence[PositionReport], places: list[Place]) -> list[Place]:
         """Return the places to which the machine can have come by way of all reports."""
         first = min(self._window(seen)[0] for seen in reports)
         times_s = self._way.times_s(first, self._window(reports[-1])[1], self._controller.rapid_mm_min)
@@ -138,14 +138,19 @@ class _Search:
         return before
 
     def _reached(
-        self, before: Sequence[Place], places: list[Place], pair: Sequence[Seen], times_s: np.ndarray, first: int
+        self,
+        before: Sequence[Place],
+        places: list[Place],
+        pair: Sequence[PositionReport],
+        times_s: np.ndarray,
+        first: int,
     ) -> list[Place]:
         """Return the places to which the machine can have come from one of `before` between a pair of reports."""
         if not before:
             return places
         return [one for one in places if any(self._reaches(a, one, pair, times_s, first) for a in before)]
 
-    def _window(self, seen: Seen) -> tuple[int, int]:
+    def _window(self, seen: PositionReport) -> tuple[int, int]:
         """Return the rows [first, last) of which none is certainly finished, and all may have been begun."""
         lines = self._way.lines
         acknowledged = int(np.searchsorted(lines, seen.acknowledged, side="right"))
@@ -157,7 +162,7 @@ class _Search:
             blocks += self._blocks_of(first)
         return first, max(last, 1)  # before the first move the machine stands at its begin
 
-    def _near(self, row: int, seen: Seen) -> list[tuple[float, float]]:
+    def _near(self, row: int, seen: PositionReport) -> list[tuple[float, float]]:
         near = self._way.move(row).nearest(seen.position_mm)
         return [(share, far) for share, far in near if far <= self._controller.tolerance_mm]
 
@@ -172,7 +177,7 @@ class _Search:
         if group:
             yield _nearest(group)
 
-    def _agrees(self, place: Place, seen: Seen, ahead_s: float) -> bool:
+    def _agrees(self, place: Place, seen: PositionReport, ahead_s: float) -> bool:
         lines = self._way.lines
         acknowledged = int(np.searchsorted(lines, seen.acknowledged, side="right"))
         _, most = self._left(place)
@@ -214,10 +219,12 @@ class _Search:
             return chords_of(move, self._controller.arc_tolerance_mm)
         return int(not move.is_known or self._controller.on_step(move.begin) != self._controller.on_step(move.end))
 
-    def _reaches(self, begin: Place, end: Place, reports: Sequence[Seen], times_s: np.ndarray, first: int) -> bool:
+    def _reaches(
+        self, begin: Place, end: Place, reports: Sequence[PositionReport], times_s: np.ndarray, first: int
+    ) -> bool:
         """Whether the machine can have come from one place to another between two reports."""
         before, after = reports
-        most_s = (after.heard_s - before.asked_s) * FASTER + LATE_S
+        most_s = (after.last_line_s - before.asked_s) * FASTER + LATE_S
         percent = max(before.feed_percent, after.feed_percent, 100.0)
         needed_s = _time_s(end, times_s, first) - _time_s(begin, times_s, first)
         return -LATE_S <= needed_s <= most_s * percent / 100.0

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from math import ceil, tau
 
 from CNCStepper.recovery.retract.move_curve import Move
-from CNCStepper.recovery.retract.path import Place, Way
+from CNCStepper.recovery.retract.path import Place, RetractPath
 from CNCStepper.toolpath import LINE, RAPID
 
 SHORT_MM = 0.01  # shorter arcs become lines: their rounded ends would say another angle
@@ -16,7 +16,7 @@ MOST_SWEEP_RAD = 0.75 * tau  # of one move: beyond it rounded ends could make a 
 Part = tuple[int, float, float]  # row, from share, to share
 
 
-def stretch_moves(way: Way, begin: Place, end: Place) -> Iterator[tuple[Move, Part]]:
+def stretch_moves(way: RetractPath, begin: Place, end: Place) -> Iterator[tuple[Move, Part]]:
     """Yield the moves from one place to another, the first from where the machine stands, less than a step, to there.
 
     Rows that lead nowhere are left out.

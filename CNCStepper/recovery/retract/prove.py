@@ -15,7 +15,7 @@ from math import dist, hypot
 from typing import Any
 
 from CNCStepper.control.stream.path_retract import REST
-from CNCStepper.control.stream.return_path import Axes, landed_mm, over, over_gaps
+from CNCStepper.control.stream.return_path import Axes, landed_mm, over, over_backlash
 from CNCStepper.errors import JobError, ProgramError
 from CNCStepper.gcode.dialects import dialect_named
 from CNCStepper.gcode.dialects.codes import MOTION_NAMES
@@ -31,10 +31,10 @@ from CNCStepper.machine.profile import Machine
 from CNCStepper.motion.planner.backlash import tool_moves
 from CNCStepper.recovery.retract.backlash_compensation import crossing, taken_up
 from CNCStepper.recovery.retract.held_position import acknowledged, found_of
-from CNCStepper.recovery.retract.held_session import Ground
+from CNCStepper.recovery.retract.held_session import SessionContext
 from CNCStepper.recovery.retract.move_curve import Move, Point
-from CNCStepper.recovery.retract.path import Place, Way
-from CNCStepper.recovery.retract.path_search import Found, Seen
+from CNCStepper.recovery.retract.path import Place, RetractPath
+from CNCStepper.recovery.retract.path_search import PositionReport, PossiblePlaces
 from CNCStepper.recovery.retract.path_section import Part, stretch_moves
 from CNCStepper.recovery.retract.wire_writer import head_lines, modes_line, output_lines, over_lines, way_lines
 from CNCStepper.state import WORK_SYSTEMS, ZERO3, State
@@ -43,7 +43,7 @@ BACK, FORWARD, ASIDE = "back", "forward", "aside"
 
 
 @dataclass(frozen=True)
-class Held:
+class HeldProgram:
     """A held program: its way, where on it the tool is, and how far it was cut.
 
     way: of the tool. motors: theirs, the same rows; another one where play is taken up. found.early: where to go on
@@ -52,10 +52,10 @@ class Held:
     force after them.
     """
 
-    ground: Ground
-    way: Way
-    motors: Way
-    found: Found
+    ground: SessionContext
+    way: RetractPath
+    motors: RetractPath
+    found: PossiblePlaces
     is_beside: bool
     farthest: Place
     position_mm: tuple[float, float, float]
@@ -186,7 +186,7 @@ class Held:
         if not self._is_off:
             return ()
         if self.ground.play:
-            return over_gaps(self.position_mm, self._there_mm, self.way.top_mm, self.ground.play)
+            return over_backlash(self.position_mm, self._there_mm, self.way.top_mm, self.ground.play)
         return over(self.position_mm, self._there_mm, self.way.top_mm)
 
     @property
@@ -234,20 +234,22 @@ class Held:
         }
 
 
-def held(told: Mapping[str, Any], machine: Machine | None = None) -> Held:
+def held_program(told: Mapping[str, Any], machine: Machine | None = None) -> HeldProgram:
     """Return the held program of what a session told; raises ProgramError or JobError where no way leads back."""
-    ground = Ground.of(told, machine)
-    reports = [Seen(*report)._replace(position_mm=ground.controller.on_step(report[4])) for report in told["reports"]]
+    ground = SessionContext.of(told, machine)
+    reports = [
+        PositionReport(*report)._replace(position_mm=ground.controller.on_step(report[4])) for report in told["reports"]
+    ]
     leg = told["leg"]
     reached = acknowledged(leg, reports)
     reader = ground.read(ground.program.lines[: reached + 1])
     path, model = reader.toolpath(), ground.read(ground.program.lines[:reached]).model
-    motors = Way(path)
-    way = Way(tool_moves(path, ground.play)) if ground.play else motors
+    motors = RetractPath(path)
+    way = RetractPath(tool_moves(path, ground.play)) if ground.play else motors
     found, is_beside = found_of(ground, motors, told, reports)
     farthest = max(Place(*leg["farthest"]), found.late) if leg else found.late
     position_mm = ground.controller.on_step(told["position_mm"])
-    return Held(ground, way, motors, found, is_beside, farthest, position_mm, reached, model)
+    return HeldProgram(ground, way, motors, found, is_beside, farthest, position_mm, reached, model)
 
 
 def _with_motion(lines: Sequence[str], model: Model, dialect: str) -> list[str]:

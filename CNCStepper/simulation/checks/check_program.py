@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from CNCStepper.machine.profile import Machine
-from CNCStepper.simulation.check_context import PartCheck, Subject
+from CNCStepper.simulation.check_context import CheckContext, PartCheck
 from CNCStepper.simulation.checks import corner_checks, machine_checks, motor_checks
 from CNCStepper.simulation.finding import Finding, Findings
 from CNCStepper.toolpath import Toolpath
@@ -19,11 +19,11 @@ if TYPE_CHECKING:  # what looks at the stock is loaded where there is one: a sho
     from CNCStepper.simulation.checks.stock_checks import StillSpindle
     from CNCStepper.simulation.cutter_solid import Tools
     from CNCStepper.simulation.exact.beams import Beams
-    from CNCStepper.simulation.exact.stored_cuts import KeptCuts
+    from CNCStepper.simulation.exact.stored_cuts import StoredCuts
     from CNCStepper.simulation.exact.swept_area import Judgement
     from CNCStepper.simulation.stock import Stock
 
-ROW_CHECKS: tuple[Callable[[Subject], Iterator[Finding]], ...] = (
+ROW_CHECKS: tuple[Callable[[CheckContext], Iterator[Finding]], ...] = (
     machine_checks.rates,
     motor_checks.motors,
 )  # each row alone
@@ -61,9 +61,9 @@ def check(
     what is wrong with these, on no line, is not told again. motors: the same rows as the motors go them, where their
     axes have play: travel, rates and torque are theirs.
     """
-    of_tool = Subject.of(toolpath, machine, file)
-    of_motors = of_tool if motors is None or motors is toolpath else Subject.of(motors, machine, file)
-    of_cut = of_tool if cut is None or cut is toolpath else Subject.of(cut, machine, file)
+    of_tool = CheckContext.of(toolpath, machine, file)
+    of_motors = of_tool if motors is None or motors is toolpath else CheckContext.of(motors, machine, file)
+    of_cut = of_tool if cut is None or cut is toolpath else CheckContext.of(cut, machine, file)
     checks = Checks(stock, tools, keep_out, edge_mm)
     checks.see(of_motors, of_tool, of_cut)
     if judgement is None and tools is not None and removals:
@@ -85,7 +85,7 @@ class Checks:
         tools: Tools | None = None,
         keep_out: Sequence[Clamp] = (),
         edge_mm: float | None = None,
-        kept: KeptCuts | None = None,
+        kept: StoredCuts | None = None,
     ):
         """kept: where the cutting paths of parts before stay; None: there is one part only."""
         self._stock, self._tools, self._keep_out, self._edge_mm = stock, tools, keep_out, edge_mm
@@ -96,9 +96,9 @@ class Checks:
         self._still_spindle: StillSpindle | None = None
         self._kept = kept
         self._tools_seen: set[int] = set()
-        self._last: tuple[Subject, Subject] | None = None  # as the motors and as the tool go it
+        self._last: tuple[CheckContext, CheckContext] | None = None  # as the motors and as the tool go it
 
-    def see(self, of_motors: Subject, of_tool: Subject, of_cut: Subject | None = None) -> None:
+    def see(self, of_motors: CheckContext, of_tool: CheckContext, of_cut: CheckContext | None = None) -> None:
         """Check the next part: as the motors go it, as the tool does, and after the programs before on this stock."""
         of_cut = of_cut or of_tool
         self._last = of_motors, of_cut
@@ -129,7 +129,7 @@ class Checks:
             self._findings.add(finding for finding in found if finding.place.line)
         return self._findings.all()
 
-    def _in_stock(self, subject: Subject) -> Iterator[Finding]:
+    def _in_stock(self, subject: CheckContext) -> Iterator[Finding]:
         if self._tools is None:
             return
         from CNCStepper.simulation.checks.clamps import sheet_edge
@@ -141,13 +141,13 @@ class Checks:
             if self._edge_mm is not None:
                 yield from sheet_edge(subject, self._tools, self._stock, self._edge_mm)
 
-    def _at_stock(self, subject: Subject, stock: Stock, tools: Tools) -> Iterator[Finding]:
+    def _at_stock(self, subject: CheckContext, stock: Stock, tools: Tools) -> Iterator[Finding]:
         from CNCStepper.simulation.checks import load_checks, stock_checks, tool_checks
         from CNCStepper.simulation.exact import beams
 
         self._beams = self._beams or beams.Beams(stock, tools)
         self._still_spindle = self._still_spindle or stock_checks.StillSpindle()
-        yield from stock_checks.blind(subject, stock)
+        yield from stock_checks.unknown_place_cuts(subject, stock)
         yield from self._beams(subject)
         checks = stock_checks.StockChecks(subject, stock, tools, self._kept or ())
         yield from checks.rapids()

@@ -11,7 +11,7 @@ import shapely
 
 from CNCStepper.errors import JobError
 from CNCStepper.machine.tools.tool import Tool
-from CNCStepper.simulation.check_context import Subject
+from CNCStepper.simulation.check_context import CheckContext
 from CNCStepper.simulation.cutter_profile import Form, form_of
 from CNCStepper.simulation.cutter_solid import BEAM, POINT, Cutter, Tools, tool_numbered
 from CNCStepper.simulation.exact.beams import beam_cuts, through
@@ -61,7 +61,7 @@ class _Body:
     lift_mm: float
 
 
-def clamps(subject: Subject, tools: Tools | None, keep_out: Sequence[Clamp]) -> Iterator[Finding]:
+def clamps(subject: CheckContext, tools: Tools | None, keep_out: Sequence[Clamp]) -> Iterator[Finding]:
     """Yield for each clamp the first move on which the tool or its holder touches it; rapids count too.
 
     A tool that is not known counts as its axis alone.
@@ -73,7 +73,7 @@ def clamps(subject: Subject, tools: Tools | None, keep_out: Sequence[Clamp]) -> 
                 yield from _touched(subject, part[1], body, clamp, number, group)
 
 
-def sheet_edge(subject: Subject, tools: Tools, stock: Stock, edge_mm: float) -> Iterator[Finding]:
+def sheet_edge(subject: CheckContext, tools: Tools, stock: Stock, edge_mm: float) -> Iterator[Finding]:
     """Yield the cut that comes nearest to the sheet's edge, where it comes nearer than `edge_mm`."""
     rim = stock.outline.boundary
     for number, tool, pieces in _cuts(subject, tools, stock):
@@ -102,7 +102,7 @@ def sheet_edge(subject: Subject, tools: Tools, stock: Stock, edge_mm: float) -> 
             )
 
 
-def _cuts(subject: Subject, tools: Tools, stock: Stock) -> Iterator[tuple[int, Tool, Segments]]:
+def _cuts(subject: CheckContext, tools: Tools, stock: Stock) -> Iterator[tuple[int, Tool, Segments]]:
     """Yield each known tool's number, the tool and its feeds below the stock's top; a beam's are those with it on."""
     cut_by_beam = beam_cuts(subject.toolpath, tools)
     for number, path in _by_tool(subject, known=False):
@@ -115,7 +115,7 @@ def _cuts(subject: Subject, tools: Tools, stock: Stock) -> Iterator[tuple[int, T
             yield number, tool, pieces
 
 
-def _by_tool(subject: Subject, known: bool = True) -> list[tuple[int, Segments]]:
+def _by_tool(subject: CheckContext, known: bool = True) -> list[tuple[int, Segments]]:
     """Return the path of each tool number, all of it or what is known."""
     path = segments(subject.toolpath, FLATTEN_MM)
     path = path.known() if known else path
@@ -133,7 +133,9 @@ def _bodies(tool: Tool | None) -> list[_Body]:
     return found
 
 
-def _touched(subject: Subject, path: Segments, body: _Body, clamp: Clamp, number: int, group: str) -> Iterator[Finding]:
+def _touched(
+    subject: CheckContext, path: Segments, body: _Body, clamp: Clamp, number: int, group: str
+) -> Iterator[Finding]:
     low = split_ramps(clipped_below(path, clamp.top_mm - body.lift_mm - TOUCH_MM), RAMP_STEP_MM)
     if not len(low):
         return

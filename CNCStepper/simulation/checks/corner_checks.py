@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from CNCStepper.simulation.check_context import PartCheck, Subject
+from CNCStepper.simulation.check_context import CheckContext, PartCheck
 from CNCStepper.simulation.finding import Finding
 from CNCStepper.toolpath import LINE
 
@@ -21,7 +21,7 @@ class Blended(PartCheck):
         self._allowed_mm = -1.0  # on the last row before
         self._last: Finding | None = None  # a finding without text at that row
 
-    def __call__(self, subject: Subject) -> Iterator[Finding]:
+    def __call__(self, subject: CheckContext) -> Iterator[Finding]:
         states, table = subject.toolpath.states, subject.table
         of_state = np.array([state.blend_mm if state.path_mode == "blend" else -1.0 for state in states])
         allowed = np.append(self._allowed_mm, np.where(table.kind == LINE, of_state[table.state], -1.0))
@@ -51,7 +51,7 @@ class Blended(PartCheck):
             self._last = subject.finding(len(table) - 1, "warning", "corners-cut", "")
 
     def _behind(
-        self, subject: Subject, row: int, text: str, advice: str, count: int, widest_mm: float | None = None
+        self, subject: CheckContext, row: int, text: str, advice: str, count: int, widest_mm: float | None = None
     ) -> Finding:
         """Return the finding at the corner behind a row; -1 is the last row of the part before."""
         at = self._last if row < 0 and self._last else subject.finding(row, "warning", "corners-cut", "")

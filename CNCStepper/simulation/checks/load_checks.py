@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from CNCStepper.machine.tools.tool import Tool
-from CNCStepper.simulation.check_context import PartCheck, Subject
+from CNCStepper.simulation.check_context import CheckContext, PartCheck
 from CNCStepper.simulation.cutter_solid import Tools, tool_numbered
 from CNCStepper.simulation.finding import Finding, Severity
 from CNCStepper.simulation.stock import Stock
@@ -34,12 +34,12 @@ class Loads(PartCheck):
         self._area: Area | None = None
         self._rows = 0
         if _any_says_something([tools] if isinstance(tools, Tool) else tools.values()):
-            from CNCStepper.simulation.checks.tip_path_store import KeptPath
+            from CNCStepper.simulation.checks.tip_path_store import TipPathStore
             from CNCStepper.simulation.removal.engagement import Area
 
-            self._area, self._path = Area(stock, tools), KeptPath()
+            self._area, self._path = Area(stock, tools), TipPathStore()
 
-    def __call__(self, subject: Subject) -> Iterator[Finding]:
+    def __call__(self, subject: CheckContext) -> Iterator[Finding]:
         numbers = subject.tool_numbers
         for number in np.unique(numbers).tolist():
             tool = tool_numbered(self._tools, number)
@@ -48,13 +48,13 @@ class Loads(PartCheck):
         if self._area:
             self._keep(subject, self._area)
 
-    def end(self, last: Subject) -> Iterator[Finding]:
+    def end(self, last: CheckContext) -> Iterator[Finding]:
         if self._area and self._area.used:
             yield from self._above_limits(last, self._area)
         if self._area:
             self._path.close()
 
-    def _keep(self, subject: Subject, area: Area) -> None:
+    def _keep(self, subject: CheckContext, area: Area) -> None:
         """Keep the path of a part of the program."""
         from CNCStepper.simulation.checks.tip_path_store import RECORD
         from CNCStepper.simulation.removal.engagement import path_of
@@ -72,7 +72,7 @@ class Loads(PartCheck):
         self._path.add(records)
         self._rows += len(subject.table)
 
-    def _above_limits(self, last: Subject, area: Area) -> Iterator[Finding]:
+    def _above_limits(self, last: CheckContext, area: Area) -> Iterator[Finding]:
         """Yield what the tools met along the path that is more than they may."""
         from CNCStepper.simulation.checks.tip_path_store import path_of_records
 
@@ -128,7 +128,7 @@ class _Load:
         chip = of_place["chip_mm"] * np.sin(np.radians(np.minimum(np.nan_to_num(met.angle_deg), 90)))
         self._chip.add(met, of_place, feed, chip)
 
-    def findings(self, subject: Subject) -> Iterator[Finding]:
+    def findings(self, subject: CheckContext) -> Iterator[Finding]:
         """Yield what was more than the tool may meet."""
         tool = self._tool
         text = f"the {tool.words} tool cuts deeper than its flutes are long"
@@ -179,7 +179,7 @@ class _Most:
             self._place_mm = tuple(met.place_mm[k].tolist())
 
     def finding(
-        self, subject: Subject, severity: Severity, code: str, text: str, advice: str, unit: str
+        self, subject: CheckContext, severity: Severity, code: str, text: str, advice: str, unit: str
     ) -> Iterator[Finding]:
         """Yield the finding, where there is one."""
         if self.count:
@@ -189,7 +189,7 @@ class _Most:
             )
 
 
-def _thin_chips(subject: Subject, number: int, tool: Tool, mine: np.ndarray, stock: Stock) -> Iterator[Finding]:
+def _thin_chips(subject: CheckContext, number: int, tool: Tool, mine: np.ndarray, stock: Stock) -> Iterator[Finding]:
     """Yield the cut that asks less of each tooth than it needs to cut instead of rub."""
     if not tool.chip_load_min_mm:
         return
@@ -215,7 +215,7 @@ def _thin_chips(subject: Subject, number: int, tool: Tool, mine: np.ndarray, sto
         )
 
 
-def _chip_load_mm(subject: Subject, tool: Tool) -> np.ndarray:
+def _chip_load_mm(subject: CheckContext, tool: Tool) -> np.ndarray:
     """Return how far the tool goes on with each tooth on every row, 0 where nothing turns."""
     rpm = np.array([state.spindle_rpm if state.spindle_turns else 0.0 for state in subject.toolpath.states])
     teeth = rpm[subject.table.state] * tool.flutes

@@ -11,7 +11,7 @@ import numpy as np
 
 from CNCStepper.machine.profile import AXIS_NAMES
 from CNCStepper.simulation.arc_chords import extremes
-from CNCStepper.simulation.check_context import PartCheck, Subject
+from CNCStepper.simulation.check_context import CheckContext, PartCheck
 from CNCStepper.simulation.finding import Finding, Severity
 from CNCStepper.simulation.tip_segments import segments_of_chunks
 
@@ -32,7 +32,7 @@ class Travel(PartCheck):
         self._low, self._high = np.full(3, np.nan), np.full(3, np.nan)
         self._highest: list[Finding | None] = [None] * 3  # a finding without numbers at the highest place of each axis
 
-    def __call__(self, subject: Subject) -> Iterator[Finding]:
+    def __call__(self, subject: CheckContext) -> Iterator[Finding]:
         low, high = extremes(subject.table, subject.toolpath.begins()[:, :3])
         self._parts += 1
         if subject.toolpath.start.zero_known:
@@ -52,7 +52,7 @@ class Travel(PartCheck):
         for axis, name in enumerate(AXIS_NAMES):
             self._extend(subject, axis, name, low[:, axis], high[:, axis])
 
-    def _extend(self, subject: Subject, axis: int, name: str, low: np.ndarray, high: np.ndarray) -> None:
+    def _extend(self, subject: CheckContext, axis: int, name: str, low: np.ndarray, high: np.ndarray) -> None:
         """Let the program's extent in one axis grow by the rows of a part."""
         if not np.isfinite(low).any():
             return
@@ -68,14 +68,14 @@ class Travel(PartCheck):
                 unit="mm",
             )
 
-    def end(self, last: Subject) -> Iterator[Finding]:
+    def end(self, last: CheckContext) -> Iterator[Finding]:
         for size_mm, axis, found in zip(self._high - self._low, last.machine.axes, self._highest, strict=True):
             travel_mm = axis.travel_max_mm - axis.travel_min_mm
             if found is not None and size_mm > travel_mm + ROUNDING_MM:
                 yield replace(found, value=float(size_mm), limit=travel_mm)
 
 
-def _beyond(subject: Subject, name: str, low, high, min_mm: float, max_mm: float) -> Iterator[Finding]:
+def _beyond(subject: CheckContext, name: str, low, high, min_mm: float, max_mm: float) -> Iterator[Finding]:
     for reach, limit, sign in ((low, min_mm, -1.0), (high, max_mm, 1.0)):
         over = sign * (reach - limit)
         rows = np.flatnonzero(over > ROUNDING_MM)
@@ -97,7 +97,7 @@ def _beyond(subject: Subject, name: str, low, high, min_mm: float, max_mm: float
             )
 
 
-def rates(subject: Subject) -> Iterator[Finding]:
+def rates(subject: CheckContext) -> Iterator[Finding]:
     """Yield each axis that a feed asks to go faster than it can; the controller will slow the move down."""
     fastest = _fastest_mm_min(subject)
     for axis, (name, profile) in enumerate(zip(AXIS_NAMES, subject.machine.axes, strict=True)):
@@ -118,7 +118,7 @@ def rates(subject: Subject) -> Iterator[Finding]:
             )
 
 
-def _fastest_mm_min(subject: Subject) -> np.ndarray:
+def _fastest_mm_min(subject: CheckContext) -> np.ndarray:
     """Return how fast the feed asks each axis to go on every row, float64[n, 3]; 0 on rapids."""
     fastest = np.zeros((len(subject.table), 3))
     for chords in segments_of_chunks(subject.toolpath, DIRECTION_TOLERANCE_MM):
@@ -138,7 +138,7 @@ class Starts(PartCheck):
         self._moves = self._has_height = False
         self._sideways: list[Finding] = []  # which count only where some row names a height: a table may have no Z
 
-    def __call__(self, subject: Subject) -> Iterator[Finding]:
+    def __call__(self, subject: CheckContext) -> Iterator[Finding]:
         self._moves |= len(subject.toolpath) > 0
         self._has_height |= bool(np.isfinite(subject.end[:, 2]).any())
         feeds = subject.is_feed
@@ -158,7 +158,7 @@ class Starts(PartCheck):
             "begin the program with a rapid to a safe Z",
         )  # fmt: skip
 
-    def end(self, last: Subject) -> Iterator[Finding]:
+    def end(self, last: CheckContext) -> Iterator[Finding]:
         if not self._moves:
             text, advice = "the program moves nothing", "see whether it is whole"
             yield last.finding(-1, "error", "no-motion", text, advice=advice)
@@ -167,7 +167,7 @@ class Starts(PartCheck):
 
 
 def _first_of(
-    subject: Subject, where: np.ndarray, severity: Severity, code: str, text: str, advice: str
+    subject: CheckContext, where: np.ndarray, severity: Severity, code: str, text: str, advice: str
 ) -> Iterator[Finding]:
     """Yield one finding for all rows of bool[n], at the first."""
     rows = np.flatnonzero(where)
@@ -184,7 +184,7 @@ class Outputs(PartCheck):
     def __init__(self) -> None:
         self._seen: set[tuple] = set()
 
-    def __call__(self, subject: Subject) -> Iterator[Finding]:
+    def __call__(self, subject: CheckContext) -> Iterator[Finding]:
         spindle, coolant, seen = subject.machine.spindle, subject.machine.outputs.coolant, self._seen
         min_rpm = 0.0 if spindle.laser else spindle.min_rpm
         for index, row in subject.first_rows_of_states():
@@ -216,7 +216,7 @@ class SpinUp(PartCheck):
         self._waited_s: float | None = None  # since the spindle was started, before its first cut; None: not waiting
         self._turns = False  # at the end of the part before
 
-    def __call__(self, subject: Subject) -> Iterator[Finding]:
+    def __call__(self, subject: CheckContext) -> Iterator[Finding]:
         needed_s, laser = subject.machine.spindle.spin_up_s, subject.machine.spindle.laser
         if needed_s <= 0 or laser or not len(subject.table):
             return
@@ -231,7 +231,7 @@ class SpinUp(PartCheck):
         self._turns = bool(turns[-1])
 
     def _wait(
-        self, subject: Subject, first: int, last: int, dwells: list[tuple[int, float]], needed_s: float
+        self, subject: CheckContext, first: int, last: int, dwells: list[tuple[int, float]], needed_s: float
     ) -> Iterator[Finding]:
         """Count the dwells of rows [first, last), on which the spindle turns, up to the first cut."""
         assert self._waited_s is not None
@@ -252,7 +252,7 @@ class SpinUp(PartCheck):
             )
 
 
-def _dwells_while_turning(subject: Subject) -> list[tuple[int, float]]:
+def _dwells_while_turning(subject: CheckContext) -> list[tuple[int, float]]:
     """Return before which row each dwell stands during which the spindle is on, and its time in s."""
     states = subject.toolpath.states
     return [
@@ -268,7 +268,7 @@ class ToolChanges(PartCheck):
     def __init__(self) -> None:
         self._tool = 0  # of the last row before
 
-    def __call__(self, subject: Subject) -> Iterator[Finding]:
+    def __call__(self, subject: CheckContext) -> Iterator[Finding]:
         events, states = subject.toolpath.events, subject.toolpath.states
         stops = {event.index for event in events if event.kind in ("pause", "tool_change")}
         numbers = np.append(self._tool, subject.tool_numbers)

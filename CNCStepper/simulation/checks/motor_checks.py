@@ -8,7 +8,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from CNCStepper.machine.profile import AXIS_NAMES, Motor
-from CNCStepper.simulation.check_context import Subject
+from CNCStepper.simulation.check_context import CheckContext
 from CNCStepper.simulation.finding import Finding
 from CNCStepper.toolpath import LINE, RAPID
 
@@ -16,7 +16,7 @@ SPEED_STEP_MM_S = 0.1  # speeds this close are looked up once
 SMALL_MM_S = 1e-6
 
 
-def motors(subject: Subject) -> Iterator[Finding]:
+def motors(subject: CheckContext) -> Iterator[Finding]:
     """Yield for each axis the move at which its motor lacks most torque; without an encoder it would lose steps."""
     if not len(subject.toolpath) or not any(axis.motor for axis in subject.machine.axes):
         return
@@ -26,7 +26,7 @@ def motors(subject: Subject) -> Iterator[Finding]:
             yield from _lacking(subject, name, profile.motor, speeds[:, axis], accelerations[:, axis])
 
 
-def _lacking(subject: Subject, name: str, motor: Motor, speed: np.ndarray, acceleration: np.ndarray):
+def _lacking(subject: CheckContext, name: str, motor: Motor, speed: np.ndarray, acceleration: np.ndarray):
     needed, given = np.zeros(len(speed)), np.full(len(speed), np.inf)
     moving = np.flatnonzero(speed > SMALL_MM_S)
     load = np.column_stack([np.ceil(speed[moving] / SPEED_STEP_MM_S) * SPEED_STEP_MM_S, acceleration[moving]])
@@ -54,7 +54,7 @@ def _lacking(subject: Subject, name: str, motor: Motor, speed: np.ndarray, accel
         )
 
 
-def _accelerations(subject: Subject) -> np.ndarray:
+def _accelerations(subject: CheckContext) -> np.ndarray:
     """Return with how much each axis speeds up on every row, float64[n, 3]; on an arc each with its own greatest."""
     most = np.array([axis.acceleration_mm_s2 for axis in subject.machine.axes])
     way = np.abs(np.nan_to_num(subject.end - subject.begin))

@@ -11,7 +11,7 @@ import shapely
 
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.machine.tools.tool_shapes import OWN_KEYS
-from CNCStepper.simulation.check_context import Subject
+from CNCStepper.simulation.check_context import CheckContext
 from CNCStepper.simulation.cutter_profile import form_of
 from CNCStepper.simulation.cutter_solid import BEAM, Cutter, Tools, tool_numbered
 from CNCStepper.simulation.exact.edge_tree import flat_edges
@@ -28,7 +28,7 @@ LineOf = Callable[[int], int]
 SPOIL_MM = 5.0  # a spoil board is cut no deeper on purpose; below lies the table
 
 
-def tools_known(subject: Subject, tools: Tools, seen: set[int]) -> Iterator[Finding]:
+def tools_known(subject: CheckContext, tools: Tools, seen: set[int]) -> Iterator[Finding]:
     """Yield each tool number that cuts and is not known, and each shape that is simulated as another.
 
     seen: the numbers that were looked at before; those of this part are added.
@@ -49,7 +49,7 @@ def tools_known(subject: Subject, tools: Tools, seen: set[int]) -> Iterator[Find
             yield subject.finding(row, "warning", "tool-shape", text, advice=advice)
 
 
-def blind(subject: Subject, stock: Stock) -> Iterator[Finding]:
+def unknown_place_cuts(subject: CheckContext, stock: Stock) -> Iterator[Finding]:
     """Yield moves below the stock's top whose place in X or Y is not known: nobody can say what they cut."""
     unknown = np.isnan(subject.end[:, :2]).any(axis=1) | np.isnan(subject.begin[:, :2]).any(axis=1)
     rows = np.flatnonzero(unknown & (subject.low_mm < stock.top_mm - RUB_MM))
@@ -66,7 +66,7 @@ class StockChecks:
     before: the cutting paths of the parts before.
     """
 
-    def __init__(self, subject: Subject, stock: Stock, tools: Tools, before: Cuts = ()):
+    def __init__(self, subject: CheckContext, stock: Stock, tools: Tools, before: Cuts = ()):
         self.subject = subject
         self.stock = stock
         self.path = segments(subject.toolpath, FLATTEN_MM).known()
@@ -166,7 +166,7 @@ class StillSpindle:
         self._still, self._reported = bool(still[-1]), int(stretch[-1]) in reported
 
 
-def verdict(subject: Subject, judgement: Judgement, line: LineOf | None = None) -> Iterator[Finding]:
+def verdict(subject: CheckContext, judgement: Judgement, line: LineOf | None = None) -> Iterator[Finding]:
     """Yield the deepest gouge and the thickest material left where they exceed the removals' tolerances.
 
     line: gives the file's line of a row that was judged; those of `subject` where left out.
@@ -191,7 +191,7 @@ def verdict(subject: Subject, judgement: Judgement, line: LineOf | None = None) 
 
 
 def _excess(
-    subject: Subject, line: LineOf, worst: Worst, tolerance_mm: float, code: str, text: str, advice: str
+    subject: CheckContext, line: LineOf, worst: Worst, tolerance_mm: float, code: str, text: str, advice: str
 ) -> Iterator[Finding]:
     if worst.depth_mm > tolerance_mm + JUDGE_ERROR_MM:
         numbers = {"value": worst.depth_mm, "limit": tolerance_mm, "unit": "mm"}

@@ -24,7 +24,7 @@ RECORD = np.dtype(
 )
 
 
-class KeptPath:
+class TipPathStore:
     """Records of segments in the order in which they are run; iterating reads them, so many at once as a block holds.
 
     The file has no name, so that nothing is left of a check that is killed.

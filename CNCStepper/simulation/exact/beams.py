@@ -8,7 +8,7 @@ from collections.abc import Iterator
 import numpy as np
 import shapely
 
-from CNCStepper.simulation.check_context import PartCheck, Subject
+from CNCStepper.simulation.check_context import CheckContext, PartCheck
 from CNCStepper.simulation.cutter_solid import BEAM, Tools, tool_numbered
 from CNCStepper.simulation.exact.edge_tree import flat_edges
 from CNCStepper.simulation.finding import Finding
@@ -51,7 +51,7 @@ class Beams(PartCheck):
         self._ever_on = False  # on a feed over the stock
         self._dark: list[Finding] = []  # feeds over the stock with the beam off
 
-    def __call__(self, subject: Subject) -> Iterator[Finding]:
+    def __call__(self, subject: CheckContext) -> Iterator[Finding]:
         is_beam, on = beam_rows(subject.toolpath, self._tools)
         over = self._over_stock(subject)
         burning = np.flatnonzero(on & ~subject.is_feed & over)
@@ -66,13 +66,13 @@ class Beams(PartCheck):
             row, code = int(feeds[0]), "spindle-off"
             self._dark.append(subject.finding(row, "error", code, text, advice=advice, count=len(feeds), group="beam"))
 
-    def _over_stock(self, subject: Subject) -> np.ndarray:
+    def _over_stock(self, subject: CheckContext) -> np.ndarray:
         """Return which rows cross the stock seen from above, bool[n]."""
         path = through(segments(subject.toolpath, FLATTEN_MM), self._stock.bottom_mm).known()
         over = np.zeros(len(subject.table), bool)
         over[path.row[shapely.intersects(shapely.linestrings(flat_edges(path)), self._stock.outline)]] = True
         return over
 
-    def end(self, last: Subject) -> Iterator[Finding]:
+    def end(self, last: CheckContext) -> Iterator[Finding]:
         if not self._ever_on:
             yield from self._dark

@@ -10,7 +10,7 @@ import numpy as np
 
 from CNCStepper.cycles.cycle import Removal
 from CNCStepper.simulation.cutter_solid import Tools
-from CNCStepper.simulation.exact.stored_cuts import KeptCuts
+from CNCStepper.simulation.exact.stored_cuts import StoredCuts
 from CNCStepper.simulation.exact.swept_area import Judgement, cutting_path, judge_cuts
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.toolpath import Toolpath
@@ -26,7 +26,7 @@ class JudgedPath:
 
     def __init__(self, tools: Tools, stock: Stock):
         self._tools, self._stock = tools, stock
-        self._cuts, self._rows = KeptCuts(), 0
+        self._cuts, self._rows = StoredCuts(), 0
         self._lines = tempfile.TemporaryFile(prefix="cncstepper-lines-")  # noqa: SIM115  closed by close()
 
     def see(self, toolpath: Toolpath) -> None:

@@ -19,7 +19,7 @@ import shapely
 from shapely.geometry.base import BaseGeometry
 
 from CNCStepper import kernels
-from CNCStepper.geometry.box_tree import DEEPEST, LEAF, grown, lay_below
+from CNCStepper.geometry.box_tree import DEEPEST, LEAF, grown, push_children
 from CNCStepper.kernels import njit
 from CNCStepper.simulation.tip_segments import Segments
 
@@ -107,7 +107,7 @@ def _nearest(edges, tree, other, guess, stack, least):
                     best, found = away, edge
             continue
         left, right = _least(tree, 2 * node, other), _least(tree, 2 * node + 1, other)
-        height = lay_below(stack, least, height, node, left, right, best)
+        height = push_children(stack, least, height, node, left, right, best)
     return found, best
 
 

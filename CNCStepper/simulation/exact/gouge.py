@@ -47,7 +47,7 @@ class Worst:
 
 
 @dataclass(frozen=True)
-class Kept:
+class ProtectedMaterial:
     """What is to stay: U(b) by falling bottom b, between the stock's bottom and top, or under a field's heights."""
 
     bottoms_mm: tuple[float, ...]
@@ -88,7 +88,7 @@ class Entries:
         return Entries(self.cutter, self.pieces[which], *(column[which] for column in columns))
 
 
-def entries(cutter: Cutter, pieces: Segments, kept: Kept) -> Entries:
+def entries(cutter: Cutter, pieces: Segments, kept: ProtectedMaterial) -> Entries:
     """Return the pieces (ramps in short parts) with the bound of their gouge."""
     pieces = split_ramps(pieces, RAMP_STEP_MM)
     if kept.field is not None:
@@ -122,7 +122,7 @@ def _hull(heights: np.ndarray, radii: np.ndarray) -> tuple[np.ndarray, np.ndarra
     return heights[some[: max(len(some) - 1, 1)]], radii[some[min(len(some) - 1, 1) :]]
 
 
-def _bound(inside, tip, tops, kept: Kept, heights, radii) -> tuple[np.ndarray, np.ndarray]:
+def _bound(inside, tip, tops, kept: ProtectedMaterial, heights, radii) -> tuple[np.ndarray, np.ndarray]:
     """Return for each piece the deepest entry of its discs, and which disc that is."""
     z = tip[:, None] + heights
     depth = tops[:, None] - z
@@ -133,7 +133,7 @@ def _bound(inside, tip, tops, kept: Kept, heights, radii) -> tuple[np.ndarray, n
     return np.maximum(depth[np.arange(len(depth)), disc], 0.0), disc
 
 
-def deepest(found: Entries, kept: Kept) -> Worst:
+def deepest(found: Entries, kept: ProtectedMaterial) -> Worst:
     """Return the exact deepest gouge.
 
     Pieces are looked at by falling bound, until no bound is deeper than what was found: slivers between removals that
@@ -149,7 +149,7 @@ def deepest(found: Entries, kept: Kept) -> Worst:
     return best
 
 
-def _deepest_of(worst: Entries, found: Entries, kept: Kept) -> Worst:
+def _deepest_of(worst: Entries, found: Entries, kept: ProtectedMaterial) -> Worst:
     """Return the deepest gouge of some pieces, of all those found."""
     centres, index = _centres(worst.pieces, kept)
     centres, index = _promising(centres, index, worst, kept)
@@ -165,7 +165,9 @@ def _deepest_of(worst: Entries, found: Entries, kept: Kept) -> Worst:
     return Worst(depth, place, _first_row(place, found, kept, int(worst.pieces.row[best.piece])))
 
 
-def _promising(centres: np.ndarray, index: np.ndarray, worst: Entries, kept: Kept) -> tuple[np.ndarray, np.ndarray]:
+def _promising(
+    centres: np.ndarray, index: np.ndarray, worst: Entries, kept: ProtectedMaterial
+) -> tuple[np.ndarray, np.ndarray]:
     """Return the centres of those pieces that can enter deeper than the first few do, by more than nothing."""
     few = index < FEW_PIECES
     angles = np.tile(ROUND_RAD, (int(few.sum()), 1))
@@ -175,7 +177,7 @@ def _promising(centres: np.ndarray, index: np.ndarray, worst: Entries, kept: Kep
     return centres[rest], index[rest]
 
 
-def _first_row(place: tuple[float, ...], found: Entries, kept: Kept, row: int) -> int:
+def _first_row(place: tuple[float, ...], found: Entries, kept: ProtectedMaterial, row: int) -> int:
     """Return the row that cuts the place first: not the one that leaves a hole, but the one that makes it."""
     earlier = found.pieces[(found.bound_mm > SMALL_MM) & (found.pieces.row < row)]
     rise = place[2] - np.maximum(earlier.low_mm, kept.stock_bottom_mm)
@@ -184,7 +186,7 @@ def _first_row(place: tuple[float, ...], found: Entries, kept: Kept, row: int) -
     return int(earlier.row[cuts].min(initial=row))
 
 
-def _climbed_inside(best: _Best, worst: Entries, kept: Kept) -> tuple[float, ...]:
+def _climbed_inside(best: _Best, worst: Entries, kept: ProtectedMaterial) -> tuple[float, ...]:
     """Return the place moved to where it is deepest within the discs of those pieces that go as low."""
     z_mm = best.place[2]
     tip = np.maximum(worst.pieces.low_mm, kept.stock_bottom_mm)
@@ -200,7 +202,9 @@ def _climbed_inside(best: _Best, worst: Entries, kept: Kept) -> tuple[float, ...
     return climbed_place if depth(found[None, :])[0] > best.depth else best.place
 
 
-def _on_face(best: _Best, centres: np.ndarray, index: np.ndarray, worst: Entries, kept: Kept) -> tuple[float, ...]:
+def _on_face(
+    best: _Best, centres: np.ndarray, index: np.ndarray, worst: Entries, kept: ProtectedMaterial
+) -> tuple[float, ...]:
     """Return the deepest place on the lower face of a cutter that is not flat.
 
     At any place seen from above the tool enters deepest where it is lowest, so that only x and y are looked for:
@@ -240,7 +244,7 @@ class _Best:
     angle: float
 
 
-def _best_on_discs(centres, tip, index, worst: Entries, kept: Kept, angles: np.ndarray, shares) -> _Best:
+def _best_on_discs(centres, tip, index, worst: Entries, kept: ProtectedMaterial, angles: np.ndarray, shares) -> _Best:
     """Return the deepest of points on the discs about the centres, at these angles and shares of the radius."""
     arms = np.stack([np.cos(angles), np.sin(angles)], axis=2)
     reach = worst.radius_mm[index][:, None] * np.asarray(shares)
@@ -253,7 +257,7 @@ def _best_on_discs(centres, tip, index, worst: Entries, kept: Kept, angles: np.n
     return _Best(float(depth[k]), place, int(centre), int(index[centre]), float(angles[centre, angle]))
 
 
-def _centres(pieces: Segments, kept: Kept) -> tuple[np.ndarray, np.ndarray]:
+def _centres(pieces: Segments, kept: ProtectedMaterial) -> tuple[np.ndarray, np.ndarray]:
     """Return both ends of the pieces and their points nearest to each wall, with the index of the piece."""
     points = [pieces.begin, pieces.end]
     flat = flat_edges(pieces)

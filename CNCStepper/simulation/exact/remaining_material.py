@@ -52,7 +52,7 @@ class Island:
 
 
 @dataclass(frozen=True)
-class Left:
+class Leftover:
     """What a removal leaves: the thickest material, and the islands thicker than the removal's tolerance."""
 
     tolerance_mm: float
@@ -88,7 +88,7 @@ class _Cover:
         return clearance
 
 
-def left_over(removal: Removal, cuts: Cuts, stock: Stock | None = None) -> Left:
+def left_over(removal: Removal, cuts: Cuts, stock: Stock | None = None) -> Leftover:
     """Return the thickest material left of one removal, and its islands thicker than its tolerance.
 
     stock: where its top lies lower than the removal's, no more can be left than there was.
@@ -274,15 +274,15 @@ def _runs(chain: np.ndarray) -> list[np.ndarray]:
     return [chain[k : k + RUN_POINTS] for k in range(0, len(chain) - 1, RUN_POINTS - 1)]
 
 
-def _answer(removal: Removal, wall: _Candidates, middles: _Candidates, covers: list[_Cover]) -> Left:
+def _answer(removal: Removal, wall: _Candidates, middles: _Candidates, covers: list[_Cover]) -> Leftover:
     points = np.vstack([wall.points, middles.points])
     thickness = np.r_[wall.thickness, middles.thickness]
     k = int(thickness.argmax()) if len(points) else 0
     if not len(points) or thickness[k] <= SAME_LEVEL_MM:
-        return Left(removal.tolerance_mm)
+        return Leftover(removal.tolerance_mm)
     place = (*points[k].tolist(), removal.bottom_mm)
     islands = _islands(removal, middles)
-    return Left(removal.tolerance_mm, Worst(float(thickness[k]), place, _nearest_row(points[k], covers)), islands)
+    return Leftover(removal.tolerance_mm, Worst(float(thickness[k]), place, _nearest_row(points[k], covers)), islands)
 
 
 def _islands(removal: Removal, middles: _Candidates) -> list[Island]:

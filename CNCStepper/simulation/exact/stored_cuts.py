@@ -22,7 +22,7 @@ BLOCK = 65_536  # segments that are read at once
 COLUMNS = 7
 
 
-class KeptCuts:
+class StoredCuts:
     """The tip's path below the stock's top, by cutter, of all parts that were added; iterating reads it.
 
     Its rows are those of the whole program.

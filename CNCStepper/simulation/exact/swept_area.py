@@ -19,8 +19,8 @@ from CNCStepper.simulation.cutter_profile import form_of
 from CNCStepper.simulation.cutter_solid import BEAM, POINT, Cutter, Tools, tool_numbered
 from CNCStepper.simulation.exact.beams import beam_cuts, through
 from CNCStepper.simulation.exact.edge_tree import EdgeTree, flat_edges
-from CNCStepper.simulation.exact.gouge import SMALL_MM, Entries, Kept, Worst, deepest, entries
-from CNCStepper.simulation.exact.remaining_material import SAME_LEVEL_MM, Cuts, Island, Left, left_over
+from CNCStepper.simulation.exact.gouge import SMALL_MM, Entries, ProtectedMaterial, Worst, deepest, entries
+from CNCStepper.simulation.exact.remaining_material import SAME_LEVEL_MM, Cuts, Island, Leftover, left_over
 from CNCStepper.simulation.exact.wall_distance import Region
 from CNCStepper.simulation.stock import HeightField, Stock
 from CNCStepper.simulation.tip_segments import Segments, clipped_below, segments
@@ -53,7 +53,7 @@ class Judgement:
     gouge_tolerance_mm: float
     left_over: Worst
     islands: list[Island]
-    removals: list[Left]
+    removals: list[Leftover]
     levels: list[Level]
 
     @property
@@ -157,7 +157,7 @@ def _areas_and_lines(removals: Sequence[Removal]) -> tuple[list[Removal], list[R
     return areas, lines
 
 
-def _kept(areas: list[Removal], stock: Stock | None) -> Kept:
+def _kept(areas: list[Removal], stock: Stock | None) -> ProtectedMaterial:
     """Return what is to stay: by falling bottom the union of removals and air at or below it."""
     beside = []
     if stock is not None:
@@ -169,7 +169,7 @@ def _kept(areas: list[Removal], stock: Stock | None) -> Kept:
         bottoms, unions = [*bottoms, stock_bottom_mm], [*unions, beside]
     regions = tuple(Region(shapely.union_all(union)) for union in unions)
     field = stock if isinstance(stock, HeightField) else None
-    return Kept(tuple(bottoms), regions, 0.0, stock_bottom_mm, field)
+    return ProtectedMaterial(tuple(bottoms), regions, 0.0, stock_bottom_mm, field)
 
 
 def _split_engraving(found: list[Entries], lines: list[Removal], alone: bool) -> tuple[list[Entries], Cuts]:

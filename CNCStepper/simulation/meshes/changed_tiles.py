@@ -17,7 +17,7 @@ from CNCStepper.simulation.removal.tile_kernels import TILE
 from CNCStepper.simulation.removal.tiles import Grid, Part, Tile
 
 
-class Relief:
+class ChangedTiles:
     """The heights of a part, of every `step`-th cell (a power of 2, at most TILE); uncut until it takes a part."""
 
     def __init__(self, grid: Grid, step: int = 1):

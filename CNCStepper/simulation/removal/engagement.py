@@ -72,7 +72,7 @@ def engagement(toolpath: Toolpath, tools: Tools, stock: Stock) -> Engagement:
     area = Area(stock, tools)
     area.see(path, numbers)
     if not area.used:
-        return nothing_met()
+        return no_engagement()
     (met,) = area.followed([(path, numbers)])
     return met
 
@@ -83,7 +83,7 @@ def path_of(toolpath: Toolpath) -> tuple[Segments, np.ndarray]:
     return path, np.array([state.tool for state in toolpath.states], int)[toolpath.table().state[path.row]]
 
 
-def nothing_met() -> Engagement:
+def no_engagement() -> Engagement:
     """Return the engagement of no place."""
     return Engagement(np.zeros(0, np.int64), np.zeros((0, 3)), *(np.zeros(0),) * 4, 0.0)
 

@@ -35,7 +35,7 @@ MOST_BYTES = 512_000_000  # of all check-points; where they need more every seco
 
 
 @dataclass(frozen=True)
-class Moment:
+class TimelinePosition:
     """Where a program stands at a time: the row that is run (-1 before the first) and how much of it is done."""
 
     time_s: float
@@ -75,15 +75,15 @@ class Timeline:
         """The time of the whole program."""
         return float(self.ends_s[-1]) if len(self.ends_s) else 0.0
 
-    def moment(self, time_s: float) -> Moment:
+    def moment(self, time_s: float) -> TimelinePosition:
         """Return where the program stands at a time; times outside it are its begin and its end."""
         time_s = min(max(float(time_s), 0.0), self.duration_s)
         row = int(np.searchsorted(self.ends_s, time_s, side="left"))
         if not len(self.ends_s) or time_s == 0.0:
-            return Moment(time_s, -1, 1.0, 0)
+            return TimelinePosition(time_s, -1, 1.0, 0)
         begin_s = float(self.ends_s[row - 1]) if row else 0.0
         share = (time_s - begin_s) / (float(self.ends_s[row]) - begin_s)
-        return Moment(time_s, row, share, int(self.lines[row]))
+        return TimelinePosition(time_s, row, share, int(self.lines[row]))
 
     def at(self, time_s: float) -> HeightMap:
         """Return the part at a time."""

@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from CNCStepper.simulation.removal.heightmap import HeightMap
-from CNCStepper.simulation.removal.timeline import Moment
+from CNCStepper.simulation.removal.timeline import TimelinePosition
 from CNCStepper.simulation.views import isometric_view
 from CNCStepper.simulation.views.flat_views import draw_depths
 from CNCStepper.simulation.views.path_lines import DrawnPath
@@ -50,7 +50,7 @@ def save_picture(file: Path, scene: Scene, title: str = "", facts: list[str] | N
     save_figure(figure, file)
 
 
-def facts_of(scene: Scene, tools: str, time_s: float, moment: Moment | None = None) -> list[str]:
+def facts_of(scene: Scene, tools: str, time_s: float, moment: TimelinePosition | None = None) -> list[str]:
     """Return what a picture's head tells: tools, time, moves, stock, volume. tools: in words, "flat 6 mm"."""
     size, whole = scene.part.stock.size_mm, duration_text(time_s)
     at = moment and TEXTS["moment"].format(text=duration_text(moment.time_s), whole=whole, line=moment.line)

@@ -12,7 +12,7 @@ from CNCStepper.machine.profile import Machine
 from CNCStepper.simulation.cutter_solid import Tools, tool_numbered
 from CNCStepper.simulation.meshes.tool_outline import outlines_mm
 from CNCStepper.simulation.removal.heightmap import HeightMap
-from CNCStepper.simulation.removal.timeline import Moment
+from CNCStepper.simulation.removal.timeline import TimelinePosition
 from CNCStepper.simulation.tip_segments import frame_mm
 from CNCStepper.simulation.tip_track import TipTrack
 from CNCStepper.simulation.views.path_lines import DrawnPath, Until, drawn_path
@@ -66,7 +66,7 @@ def scene_at(
     ends_s: np.ndarray,
     part: HeightMap,
     tools: Tools,
-    moment: Moment | None = None,
+    moment: TimelinePosition | None = None,
     machine: Machine | None = None,
 ) -> Scene:
     """Return the scene of a moment, or of the program's end; `part` is the stock at that moment.

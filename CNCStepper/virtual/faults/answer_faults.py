@@ -11,7 +11,7 @@ LINE_END = b"\r\n"
 ANSWER = b"ok" + LINE_END
 
 
-class FaultyWords:
+class FaultyAnswers:
     """Whole lines of the controller; `fired` is told of a fault as it first does something."""
 
     def __init__(self, fired: Callable[[Fault], None]):

@@ -10,7 +10,7 @@ from random import Random
 from CNCStepper.virtual.faults.plan import Fault
 
 
-class FaultyWay:
+class FaultyDirection:
     """The faults of one way; `passed` counts the bytes that came to it.
 
     fired: told of a fault as it begins. damaged: bytes that did not arrive as they were sent.

@@ -12,7 +12,7 @@ from collections.abc import Callable, Generator
 
 from CNCStepper.machine.profile import Machine
 from CNCStepper.virtual.grbl.axes import Axes
-from CNCStepper.virtual.grbl.eeprom import Memory
+from CNCStepper.virtual.grbl.eeprom import Eeprom
 from CNCStepper.virtual.grbl.error_codes import ALARM_HARD_LIMIT, ALARM_SOFT_LIMIT
 from CNCStepper.virtual.grbl.firmware import Firmware
 from CNCStepper.virtual.grbl.gcode.block import Parser
@@ -24,7 +24,7 @@ from CNCStepper.virtual.grbl.serial_buffer import LineReader, RxRing
 from CNCStepper.virtual.grbl.settings import HARD_LIMITS, HOMING, SOFT_LIMITS, Settings
 from CNCStepper.virtual.grbl.spindle_control import Spindle
 from CNCStepper.virtual.grbl.states import State
-from CNCStepper.virtual.grbl.suspend_state import Suspension
+from CNCStepper.virtual.grbl.suspend_state import SuspendState
 from CNCStepper.virtual.grbl.tool_change import ToolChange
 
 Waiting = Generator[None, None, None]
@@ -37,7 +37,7 @@ class Board(ABC):
 
     def __init__(self, machine: Machine, homing: bool, probe_height_mm: float | None, firmware: Firmware):
         self.firmware: Firmware = firmware
-        self.memory: Memory = Memory(Settings(machine, homing, firmware), firmware)
+        self.memory: Eeprom = Eeprom(Settings(machine, homing, firmware), firmware)
         self.ring = RxRing(firmware.receive_bytes)
         self.reader = LineReader(firmware)
         self.axes = Axes(self.memory.settings)
@@ -55,7 +55,7 @@ class Board(ABC):
         self.parser = Parser(system_offset=list(self.memory.places[54]))
         self.overrides = Overrides()
         self.spindle = Spindle(self.memory.settings, self.overrides)
-        self.suspension = Suspension()
+        self.suspension = SuspendState()
         self.tool_change = ToolChange()
         self.status = OccasionalFields()
         self.probe.begin()

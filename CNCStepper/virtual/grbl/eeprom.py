@@ -20,7 +20,7 @@ def no_places(firmware: Firmware = GRBL) -> dict[int, list[float]]:
 
 
 @dataclass
-class Memory:
+class Eeprom:
     """The board's EEPROM; `places` are G54 to G59 (G59.1 is 60), G28 and G30 by number, mm in machine coordinates."""
 
     settings: Settings

@@ -85,7 +85,7 @@ class Grbl(Board):
     def quiet(self) -> bool:
         """Whether the board only waits for bytes: nothing moves, no line is in hand."""
         at_rest = self.state in AT_REST or (self.suspension.stopped and self.suspension.restoring_s is None)
-        busy = self.starts_up or self._obeying or self._afterwards
+        busy = self.starts_up or self._executing or self._afterwards
         return at_rest and not busy and self.ring.empty
 
     # -- what happens to it --------------------------------------------------------------------------
@@ -117,7 +117,7 @@ class Grbl(Board):
         self.stop_at_once()
         if code:
             self.alarm(code)
-        if self._obeying:
+        if self._executing:
             self.send("ok")  # the firmware leaves the line it was at as if it were done
         self._begin()
 
@@ -155,7 +155,7 @@ class Grbl(Board):
     def _begin(self, starts_up_s: float = 0.0) -> None:
         """Begin as after power-up or a reset."""
         self.forget()
-        self._obeying = False
+        self._executing = False
         self._running = self._program(starts_up_s)
         next(self._running)
 
@@ -181,18 +181,18 @@ class Grbl(Board):
     def run_startup_lines(self) -> Waiting:
         """Run the stored start-up lines and print how they went."""
         for line in filter(None, self.memory.startup_lines):
-            answer = yield from self._obey(line)
+            answer = yield from self._execute_command(line)
             self.send(f">{line}:{answer}")
 
     def _answer(self, line: str) -> Waiting:
-        self._obeying = True
-        answer = yield from self._obey(line)
-        self._obeying = False
+        self._executing = True
+        answer = yield from self._execute_command(line)
+        self._executing = False
         self.send(answer)
         if self._afterwards:
             yield
 
-    def _obey(self, line: str) -> Generator[None, None, str]:
+    def _execute_command(self, line: str) -> Generator[None, None, str]:
         try:
             yield from self._carry_out(line)
         except MachineRefusal as refusal:

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 from CNCStepper.units import inch_from_mm
 from CNCStepper.virtual.grbl.board import Board
-from CNCStepper.virtual.grbl.eeprom import Memory
+from CNCStepper.virtual.grbl.eeprom import Eeprom
 from CNCStepper.virtual.grbl.firmware import GRBL, Firmware
 from CNCStepper.virtual.grbl.gcode.block import LAST_SYSTEM, PROBE_TOWARD, Modal, Parser, Z
 from CNCStepper.virtual.grbl.gcode.words import f32
@@ -85,7 +85,7 @@ def parameters(machine: Board) -> list[str]:
     return lines
 
 
-def build_info(memory: Memory, firmware: Firmware = GRBL) -> list[str]:
+def build_info(memory: Eeprom, firmware: Firmware = GRBL) -> list[str]:
     """Return the answer to `$I`."""
     blocks = memory.settings.machine.planner.look_ahead_blocks
     return [line.format(memory.build_text, blocks) for line in firmware.build]

@@ -13,7 +13,7 @@ from CNCStepper.virtual.grbl.input_pins import DOOR
 from CNCStepper.virtual.grbl.settings import LASER
 from CNCStepper.virtual.grbl.spindle_control import OFF
 from CNCStepper.virtual.grbl.states import State
-from CNCStepper.virtual.grbl.suspend_state import Suspension
+from CNCStepper.virtual.grbl.suspend_state import SuspendState
 
 SPINDLE_RETURNS_S, COOLANT_RETURNS_S = 4.0, 1.0  # waits after the outputs are on again
 
@@ -128,7 +128,7 @@ def _switch_on(machine: Board) -> float:
 
 
 def _go_on(machine: Board) -> None:
-    machine.suspension = Suspension()
+    machine.suspension = SuspendState()
     machine.state = machine.state_at_rest
     machine.override_motion()
     machine.axes.resume()

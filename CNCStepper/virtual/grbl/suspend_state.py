@@ -9,7 +9,7 @@ DOOR_READY, DOOR_AJAR, DOOR_STOPPING, DOOR_RESTORING = 0, 1, 2, 3
 
 
 @dataclass
-class Suspension:
+class SuspendState:
     """The program stands still while `active`; the axes still slow down until `stopped`."""
 
     active: bool = False

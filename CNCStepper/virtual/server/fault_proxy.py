@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The fault proxy: a board at the end of a serial line on which a plan of faults is carried out.
 
-sender ── FaultyWay "in"  ──────────────────► Link ──► board      reset, power, alarm
-       ◄─ FaultyWay "out" ◄── FaultyWords ◄──
+sender ── FaultyDirection "in"  ──────────────────► Link ──► board      reset, power, alarm
+       ◄─ FaultyDirection "out" ◄── FaultyAnswers ◄──
 close: `take_cut`       kill, disk: `outside`
 """
 
@@ -12,8 +12,8 @@ from collections import Counter
 from collections.abc import Callable
 from random import Random
 
-from CNCStepper.virtual.faults.answer_faults import FaultyWords
-from CNCStepper.virtual.faults.byte_faults import FaultyWay, is_due
+from CNCStepper.virtual.faults.answer_faults import FaultyAnswers
+from CNCStepper.virtual.faults.byte_faults import FaultyDirection, is_due
 from CNCStepper.virtual.faults.plan import BOARD_KINDS, IN, OUT, SENDER_KINDS, WIRE_KINDS, Fault, FaultPlan
 from CNCStepper.virtual.grbl.machine import Grbl
 from CNCStepper.virtual.grbl.states import MOVING
@@ -50,10 +50,10 @@ class FaultyLink:
         random = Random(plan.seed)
         wire = [fault for fault in plan.fault if fault.kind in WIRE_KINDS]
         self.ways = {
-            way: FaultyWay([fault for fault in wire if fault.way == way], Random(random.random()), self._fire)
+            way: FaultyDirection([fault for fault in wire if fault.way == way], Random(random.random()), self._fire)
             for way in (IN, OUT)
         }
-        self.words = FaultyWords(self._fire)
+        self.words = FaultyAnswers(self._fire)
         self._others = [fault for fault in plan.fault if fault.kind not in WIRE_KINDS]
 
     @property
@@ -111,14 +111,14 @@ class FaultyLink:
             for way in self.ways.values():
                 way.cut()
         else:
-            spoil(self.board, fault)
+            inject_fault(self.board, fault)
 
     def _fire(self, fault: Fault) -> None:
         self.fired[fault.kind] += 1
         self._told(fault, self.board.time_s)
 
 
-def spoil(board: Grbl, fault: Fault) -> None:
+def inject_fault(board: Grbl, fault: Fault) -> None:
     """Do to a board what its reset button, its supply or a switch does."""
     if fault.kind == "reset":
         board.reset()

@@ -25,7 +25,7 @@ KEYS = {"pin", "at_s", "for_s"}
 ADVICE = f"write [[press]] with pin (one of {', '.join(PINS)}), at_s and, if not {TAP_S:g}, for_s"
 
 
-class Hand:
+class PinPresses:
     """What is still to be pressed and let go at one board, by the board's clock.
 
     tell: hears what a typed line did, or why it did nothing.
@@ -41,7 +41,7 @@ class Hand:
         for pin, at_s, for_s in _presses(path):
             self._press(pin, at_s, for_s)
 
-    def hear(self, line: str) -> None:
+    def on_message(self, line: str) -> None:
         """Do what a typed line says, now."""
         *verb, pin = line.upper().split() or [""]
         if pin not in tuple(PINS) or verb not in ([], ["PRESS"], ["RELEASE"]):

@@ -19,7 +19,7 @@ from CNCStepper.errors import CNCStepperError, MissingPackage
 from CNCStepper.workbench.calculation import result_cache
 from CNCStepper.workbench.services import jit_guard
 from CNCStepper.workbench.services.messages import guarded
-from CNCStepper.workbench.services.request_queue import Questioner
+from CNCStepper.workbench.services.request_queue import RequestQueue
 from CNCStepper.workbench.services.translation import later
 
 WORKER = "CNCStepper.workers.cycle_cutting"
@@ -32,7 +32,7 @@ Parts = dict[str, dict[str, Any]]  # questions by their keys
 
 
 @dataclass(frozen=True)
-class Asked:
+class CutRequest:
     """The question of one who asks, and what he is told by: each stage's English words, and the end."""
 
     parts: Parts
@@ -46,10 +46,10 @@ class CutProcess(QtCore.QObject):
     def __init__(self, parent: Any = None):
         super().__init__(parent)
         self.unavailable = False  # there is no Python for it: objects are cut in the window, for a while at most
-        self._questioner = Questioner(WORKER, LOST, parent=self)
-        self._questioner.answered.connect(guarded(self._hear))
+        self._questioner = RequestQueue(WORKER, LOST, parent=self)
+        self._questioner.answered.connect(guarded(self._on_message))
         self._questioner.failed.connect(guarded(self._lost))
-        self._asked: dict[Any, Asked] = {}
+        self._asked: dict[Any, CutRequest] = {}
         self._current: Any = None  # who asked what the process works on
         self._mark = 0
         self._heard = False  # whether the process has told anything yet
@@ -63,7 +63,7 @@ class CutProcess(QtCore.QObject):
         if not self._questioner.begun:
             self._questioner.ask({"mark": 0, "parts": {}, "compiled": not jit_guard.compiling_elsewhere})
 
-    def ask(self, who: Any, asked: Asked) -> None:
+    def ask(self, who: Any, asked: CutRequest) -> None:
         """Ask for `who`, in place of what he asked before."""
         same = who in self._asked and self._asked[who].parts.keys() == asked.parts.keys()
         self._asked[who] = asked
@@ -95,7 +95,7 @@ class CutProcess(QtCore.QObject):
         if begun and self._heard:  # it may still be loading what it needs, which is no reason to end it
             self._turns.start()
 
-    def _hear(self, told: dict[str, Any]) -> None:
+    def _on_message(self, told: dict[str, Any]) -> None:
         self._heard = True
         if "key" in told:
             result_cache.take(told["key"], told["answer"])

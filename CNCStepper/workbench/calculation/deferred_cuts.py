@@ -7,7 +7,7 @@ from typing import Any
 
 from PySide import QtCore
 
-from CNCStepper.workbench.calculation.cut_process import Asked, process
+from CNCStepper.workbench.calculation.cut_process import CutRequest, process
 from CNCStepper.workbench.calculation.precalculation import look_at
 from CNCStepper.workbench.calculation.recompute import remake
 from CNCStepper.workbench.features.base import proxy_type
@@ -48,7 +48,7 @@ def _ask() -> None:
         if keys and keys != _asked.get(document.Name):  # asked once: what is not known then never will be
             _asked[document.Name] = keys
             name = document.Name
-            asked = Asked(look.unknown, lambda words: note(tr(words)), guarded(lambda name=name: _make(name)))
+            asked = CutRequest(look.unknown, lambda words: note(tr(words)), guarded(lambda name=name: _make(name)))
             process().ask(f"document {name}", asked)
 
 

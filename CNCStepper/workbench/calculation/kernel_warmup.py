@@ -15,7 +15,7 @@ from typing import Any
 from PySide import QtCore
 
 from CNCStepper.control.processes.bootstrap import python_version
-from CNCStepper.control.processes.python_finder import PROOF, command, seek_python
+from CNCStepper.control.processes.python_finder import PROOF, command, find_python_in_background
 from CNCStepper.dependencies import FAST
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.workbench import packages
@@ -28,10 +28,10 @@ WORKER = "CNCStepper.workers.kernel_warm_up"
 NEEDS = (*PROOF, FAST)
 LOOK_EVERY_MS = 50
 
-_run: Warming | None = None
+_run: KernelWarmup | None = None
 
 
-class Warming(QtCore.QObject):
+class KernelWarmup(QtCore.QObject):
     """One run of the process that compiles; `ended` tells that nothing has to wait for it any more."""
 
     ended = QtCore.Signal()
@@ -40,7 +40,7 @@ class Warming(QtCore.QObject):
         super().__init__(parent)
         jit_guard.compiling_elsewhere = True
         self._process: Worker | None = None
-        self._python: Future[str] = seek_python(NEEDS, python_version())
+        self._python: Future[str] = find_python_in_background(NEEDS, python_version())
         self._timer = QtCore.QTimer(self)
         self._timer.setInterval(LOOK_EVERY_MS)
         self._timer.timeout.connect(self._look)
@@ -81,15 +81,15 @@ class Warming(QtCore.QObject):
         self.ended.emit()
 
 
-def begin() -> Warming | None:
+def begin() -> KernelWarmup | None:
     """Start to compile what is not compiled yet; returns what runs, None where nothing need be."""
     global _run
     if _run is None and QtCore.QCoreApplication.instance() is not None and _cold():
-        _run = Warming(QtCore.QCoreApplication.instance())
+        _run = KernelWarmup(QtCore.QCoreApplication.instance())
     return running()
 
 
-def running() -> Warming | None:
+def running() -> KernelWarmup | None:
     """Return what `begin` has started, None when that has ended."""
     return _run if jit_guard.compiling_elsewhere else None
 

@@ -29,7 +29,7 @@ def when_fitted(kind: type[Operation], job: Any, pairs: Sequence[Pair], go_on: C
     It is not called any more when the job or a drawing is gone by then, or another panel is open. Where the process
     could not fit something, `go_on` is called all the same.
     """
-    from CNCStepper.workbench.calculation.cut_process import Asked, process
+    from CNCStepper.workbench.calculation.cut_process import CutRequest, process
 
     parts = {} if process().unavailable else _unknown(kind, pairs)
     if not parts:
@@ -41,7 +41,7 @@ def when_fitted(kind: type[Operation], job: Any, pairs: Sequence[Pair], go_on: C
         if there() and not targets.why_no_panel():
             when_fitted(kind, job, pairs, go_on)
 
-    process().ask(WHO, Asked(parts, lambda words: note(tr(words)), guarded(answered)))
+    process().ask(WHO, CutRequest(parts, lambda words: note(tr(words)), guarded(answered)))
 
 
 def _unknown(kind: type[Operation], pairs: Sequence[Pair]) -> dict[str, dict[str, Any]]:

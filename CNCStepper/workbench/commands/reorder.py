@@ -12,7 +12,7 @@ from CNCStepper.workbench.services.command import Command
 from CNCStepper.workbench.services.translation import QT_TRANSLATE_NOOP, later, tr
 
 
-def beside_selected(operation: Any) -> list[Any]:
+def selected_operations(operation: Any) -> list[Any]:
     """Return all selected operations of a job where an operation of it is one of them, else that one alone."""
     meant = [obj for obj in targets.selected() if is_operation(obj) and job_of(obj) is job_of(operation)]
     return meant if operation in meant else [operation]

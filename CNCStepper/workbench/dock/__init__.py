@@ -31,14 +31,14 @@ def start_here() -> Any:
     return opened.start_here() if opened else None
 
 
-def greet() -> None:
+def open_if_connected() -> None:
     """Open the dock where a machine was left connected by a window before this one; else do nothing."""
     import importlib.util
 
-    from CNCStepper.control.session.files import running_desks
+    from CNCStepper.control.session.files import running_services
 
     # Where platformdirs is missing nothing was ever connected; what is missing is said elsewhere.
-    if importlib.util.find_spec("platformdirs") and running_desks():
+    if importlib.util.find_spec("platformdirs") and running_services():
         from CNCStepper.workbench.dock.window import open_unless_connected
 
         open_unless_connected()

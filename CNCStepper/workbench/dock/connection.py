@@ -9,11 +9,11 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from CNCStepper.control.service.connection_client import DeskClient
+from CNCStepper.control.service.connection_client import ConnectionClient
 from CNCStepper.control.service.work_zero import start_of
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.state import Start
-from CNCStepper.workbench.dock.model.controller_state import Moment, sentences
+from CNCStepper.workbench.dock.model.controller_state import ControllerSnapshot, sentences
 from CNCStepper.workbench.dock.model.port_choices import VIRTUAL
 from CNCStepper.workbench.dock.virtual_controller import VirtualMachine
 from CNCStepper.workbench.services.message_translation import translated
@@ -26,7 +26,7 @@ class Link:
     """
 
     def __init__(self) -> None:
-        self.client: DeskClient | None = None
+        self.client: ConnectionClient | None = None
         self.port = ""
         self._virtual: VirtualMachine | None = None
         self._baud = 0
@@ -42,12 +42,12 @@ class Link:
         if port == VIRTUAL:
             self._virtual = VirtualMachine(speed)
         else:
-            self.client = DeskClient.launch(port, baud)
+            self.client = ConnectionClient.launch(port, baud)
 
     def attach(self, session_file: Path) -> None:
         """Take up a controller's process that runs already."""
         self._forget()
-        self.client = DeskClient.attach(session_file)
+        self.client = ConnectionClient.attach(session_file)
         self.port = self.client.port
 
     def leave(self) -> None:
@@ -107,16 +107,16 @@ class Link:
         return start_of(self.status)
 
     @property
-    def moment(self) -> Moment:
+    def moment(self) -> ControllerSnapshot:
         """What the dock is to show now."""
         if self._trouble:
-            return Moment("gone" if self._reached else "unreached", message=told(self._trouble))
+            return ControllerSnapshot("gone" if self._reached else "unreached", message=error_text(self._trouble))
         if not self.client:
-            return Moment("starting") if self._virtual else Moment()
+            return ControllerSnapshot("starting") if self._virtual else ControllerSnapshot()
         if self.client.phase != "connected":
-            return Moment(self.client.phase)
+            return ControllerSnapshot(self.client.phase)
         status = self.client.status
-        return Moment(
+        return ControllerSnapshot(
             status.phase,
             status.machine_state,
             translated(status.message),
@@ -130,11 +130,11 @@ class Link:
             address = virtual.address()
             if address:
                 self._virtual = None
-                self.client = DeskClient.launch(address, self._baud)
+                self.client = ConnectionClient.launch(address, self._baud)
         except CNCStepperError as trouble:
             self._virtual, self._trouble = None, trouble
 
 
-def told(trouble: CNCStepperError) -> str:
+def error_text(trouble: CNCStepperError) -> str:
     """Return what an error says to people, without its code."""
     return sentences(translated(trouble.what), translated(trouble.advice))

@@ -6,7 +6,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from CNCStepper.workbench.dock.model.controller_state import Moment
+from CNCStepper.workbench.dock.model.controller_state import ControllerSnapshot
 from CNCStepper.workbench.dock.model.unfinished_job import why_not_now
 from CNCStepper.workbench.dock.views import widgets
 from CNCStepper.workbench.services import messages, missing_packages
@@ -21,7 +21,7 @@ class FileSending:
     def __init__(self) -> None:
         self.button = widgets.button("SendFile", tr("Send a G-code file…"), self._send)
 
-    def lock(self, moment: Moment) -> None:
+    def lock(self, moment: ControllerSnapshot) -> None:
         """Enable the button while nothing is cut."""
         widgets.lock(self.button, why_not_now(moment), DOES)
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from CNCStepper.errors import CNCStepperError, JobError
 from CNCStepper.state import Start
-from CNCStepper.workbench.dock.connection import Link, told
+from CNCStepper.workbench.dock.connection import Link, error_text
 from CNCStepper.workbench.dock.model.controller_state import sentences
 from CNCStepper.workbench.dock.model.send_steps import Flow
 from CNCStepper.workbench.proving.latest_proof import LatestProof
@@ -68,7 +68,7 @@ class Sending:
         """Know nothing of the job that is being cut, when another window began it."""
         self.program_lines = ()
 
-    def onward(self) -> None:
+    def confirm_step(self) -> None:
         """Answer the question of the present step with yes."""
         if self._result is not None:
             self._keep_up()
@@ -172,7 +172,7 @@ class Sending:
 
     def _ended(self, outcome: Any) -> None:
         if outcome.error is not None and outcome.error.code == "settings-differ" and not self.flow.anyway:
-            self.flow.happen("differences", told(outcome.error))
+            self.flow.happen("differences", error_text(outcome.error))
         else:
             self.flow.end(outcome.kind, sentences(translated(outcome.text)))
         self._changed()

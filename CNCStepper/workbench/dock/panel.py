@@ -10,23 +10,23 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from CNCStepper.errors import CNCStepperError
-from CNCStepper.workbench.dock.connection import Link, told
+from CNCStepper.workbench.dock.connection import Link, error_text
 from CNCStepper.workbench.dock.file_sending import FileSending
 from CNCStepper.workbench.dock.job_sending import Sending
 from CNCStepper.workbench.dock.model import settings
 from CNCStepper.workbench.dock.model.controller_state import RULES, face, why_not
-from CNCStepper.workbench.dock.model.send_steps import why_not_onward
-from CNCStepper.workbench.dock.restart_offer import Recovery
-from CNCStepper.workbench.dock.retract_client import COMMANDS, Backing
+from CNCStepper.workbench.dock.model.send_steps import why_not_confirm
+from CNCStepper.workbench.dock.restart_offer import RestartOffer
+from CNCStepper.workbench.dock.retract_client import COMMANDS, RetractRun
 from CNCStepper.workbench.dock.views import widgets
 from CNCStepper.workbench.dock.views.connection_view import ConnectionView
 from CNCStepper.workbench.dock.views.console_view import ConsoleView
-from CNCStepper.workbench.dock.views.job_view import HaltView, JobView
+from CNCStepper.workbench.dock.views.job_view import JobView, PauseView
 from CNCStepper.workbench.dock.views.jog_view import JogView
 from CNCStepper.workbench.dock.views.keyboard import KeyboardArea
 from CNCStepper.workbench.dock.views.log_view import LogView
 from CNCStepper.workbench.dock.views.override_view import OverrideView
-from CNCStepper.workbench.dock.views.retract_view import BackView
+from CNCStepper.workbench.dock.views.retract_view import RetractView
 from CNCStepper.workbench.dock.views.send_steps_view import FlowView
 from CNCStepper.workbench.dock.views.state_view import PositionView, StateView
 from CNCStepper.workbench.services import messages
@@ -52,12 +52,12 @@ class Panel(KeyboardArea):
         self.sending = Sending(self, self.link, self.findings.show, self.connect_chosen, self.refresh)
         self.connection = ConnectionView(self.connect_chosen, self._leave, self._ports)
         self.state = StateView()
-        self.flow = FlowView(self.findings, self.sending.onward, self.sending.away)
-        self.file_sending, self.recovery = FileSending(), Recovery(self.link)
+        self.flow = FlowView(self.findings, self.sending.confirm_step, self.sending.away)
+        self.file_sending, self.recovery = FileSending(), RestartOffer(self.link)
         self.position = PositionView(lengths, point, lambda axes: self.link.command("set_zero", axes))
-        self.backing = Backing(self, self.link, self.log.say, self.refresh)
-        self.back = BackView(lengths, point, self.backing.go)
-        self.halt, self.job = HaltView(self.backing.command), JobView()
+        self.backing = RetractRun(self, self.link, self.log.say, self.refresh)
+        self.back = RetractView(lengths, point, self.backing.go)
+        self.halt, self.job = PauseView(self.backing.command), JobView()
         self.jog = JogView(lengths, point, self.link.command)
         self.overrides = OverrideView(lambda kind, step: self.link.command("override", kind, step))
         self.home = widgets.button("Home", tr("Home"), lambda: self.link.command("home"), icon="Home")
@@ -110,7 +110,7 @@ class Panel(KeyboardArea):
         for name, button in (("home", self.home), ("unlock", self.unlock)):
             widgets.lock(button, why_not(name, moment), RULES[name].does)
         self.back.show_back(self.backing.flow, moment)
-        self.flow.show_flow(flow, why_not_onward(flow, moment))
+        self.flow.show_flow(flow, why_not_confirm(flow, moment))
         self._show_status(self.link.status, moment.job_runs)
 
     # --- inside ----------------------------------------------------------------------------------
@@ -118,7 +118,7 @@ class Panel(KeyboardArea):
     def _tick(self) -> None:
         events = self.link.poll()
         for event in events:
-            self._hear(event)
+            self._on_message(event)
             self.sending.take(event)
         self.sending.advance()
         self.backing.advance()
@@ -130,12 +130,14 @@ class Panel(KeyboardArea):
             self._mark = mark
             self.refresh()
 
-    def _hear(self, event: dict[str, Any]) -> None:
+    def _on_message(self, event: dict[str, Any]) -> None:
         """Let the console say what belongs to a typed line, and the log what concerns all."""
         if event["event"] in ("console", "answer") or event.get("command") == "line":
-            self.console.hear(translated(event["text"]))
+            self.console.on_message(translated(event["text"]))
         elif event["event"] in ("message", "warning", "refused") and event.get("command") not in COMMANDS:
-            self.log.say(event["event"], told(event["error"]) if event.get("error") else translated(event["text"]))
+            self.log.say(
+                event["event"], error_text(event["error"]) if event.get("error") else translated(event["text"])
+            )
 
     def _show_status(self, status: Any, job_runs: bool) -> None:
         self.position.show_status(status)
@@ -156,7 +158,7 @@ class Panel(KeyboardArea):
         try:
             return [(choice.name, choice.text) for choice in port_list()]
         except CNCStepperError as error:
-            self.log.say("warning", told(error))
+            self.log.say("warning", error_text(error))
             return []
 
     def _arrange(self) -> None:

@@ -11,31 +11,31 @@ from CNCStepper.control.journal.store import unfinished_at
 from CNCStepper.control.session.status import error_from_json
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.workbench.dock.model.unfinished_job import NAMES, Reading, program_of
-from CNCStepper.workbench.dock.views.restart_view import RecoveryView
+from CNCStepper.workbench.dock.views.restart_view import RestartOfferView
 from CNCStepper.workbench.document import program_file
 from CNCStepper.workbench.features.base import JOB, proxy_type
 from CNCStepper.workbench.features.program import Program
 from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.services.message_translation import translated
-from CNCStepper.workbench.services.request_queue import Questioner
+from CNCStepper.workbench.services.request_queue import RequestQueue
 from CNCStepper.workbench.services.translation import tr
 
 if TYPE_CHECKING:
-    from CNCStepper.control.journal.replay import Story
+    from CNCStepper.control.journal.replay import JobReplay
     from CNCStepper.workbench.dock.connection import Link
 
 WORKER = "CNCStepper.workers.unfinished_job"
 
 
-class Recovery:
+class RestartOffer:
     """What the view's two buttons do; the offer is looked for whenever a controller was met."""
 
     def __init__(self, link: Link):
         self._link, self._reading = link, Reading()
         self._met = False
-        self.view = RecoveryView(self._restart, self._ask)
+        self.view = RestartOfferView(self._restart, self._ask)
         lost = CNCStepperError("unfinished-lost", "the process that reads the last job has ended", advice="try again")
-        self._questions = Questioner(WORKER, lost, parent=self.view)
+        self._questions = RequestQueue(WORKER, lost, parent=self.view)
         self._questions.answered.connect(messages.guarded(self._answered))
         self._questions.failed.connect(messages.guarded(self._failed))
 
@@ -71,7 +71,7 @@ class Recovery:
         port, programs = self._link.address if self._met else "", [obj.Program for obj in _programs() if obj.Program]
         self._questions.ask({"port": port, "programs": programs})
 
-    def _offer(self, story: Story | None) -> None:
+    def _offer(self, story: JobReplay | None) -> None:
         if story is not None:
             text = tr(
                 "The last job of this machine, {0}, was not cut to its end. Unfinished job… says how far it came."

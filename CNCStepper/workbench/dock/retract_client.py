@@ -8,26 +8,26 @@ from typing import Any
 
 from CNCStepper.control.session.status import error_from_json
 from CNCStepper.errors import CNCStepperError
-from CNCStepper.workbench.dock.connection import Link, told
+from CNCStepper.workbench.dock.connection import Link, error_text
 from CNCStepper.workbench.dock.model.controller_state import RETREATED, STANDING, sentences
-from CNCStepper.workbench.dock.model.retract_state import FIND, RESUME, BackFlow, why_not_back, wish_of
+from CNCStepper.workbench.dock.model.retract_state import FIND, RESUME, RetractFlow, request_of, why_not_back
 from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.services.message_translation import translated
-from CNCStepper.workbench.services.request_queue import Questioner
+from CNCStepper.workbench.services.request_queue import RequestQueue
 from CNCStepper.workbench.services.translation import tr
 
 WORKER = "CNCStepper.workers.path_retract"
 COMMANDS = ("tell_place", "retrace")  # of the process; it is told itself why the desk refuses them
 
 
-class Backing:
+class RetractRun:
     """The way back of one job at a time; say: adds a sentence to the messages. changed: something is to be shown."""
 
     def __init__(self, parent: Any, link: Link, say: Callable[[str, str], None], changed: Callable[[], None]):
-        self.flow = BackFlow()
+        self.flow = RetractFlow()
         self._link, self._say, self._changed = link, say, changed
         lost = CNCStepperError("back-lost", "the process that finds the way back has ended", advice="try again")
-        self._questions = Questioner(WORKER, lost, parent=parent)
+        self._questions = RequestQueue(WORKER, lost, parent=parent)
         self._questions.answered.connect(self._answered)
         self._questions.failed.connect(self._failed)
 
@@ -57,7 +57,7 @@ class Backing:
             self.end()
         elif self.flow.follow(moment):
             self._ask(FIND, True)
-        if wish := self.flow.wish_of_machine(wish_of(self._link.status), moment):
+        if wish := self.flow.request_of_machine(request_of(self._link.status), moment):
             self.go(*wish)
 
     def end(self) -> None:
@@ -88,6 +88,6 @@ class Backing:
 
     def _failed(self, error: CNCStepperError) -> None:
         self.flow.forget()
-        self.flow.refuse(told(error))
+        self.flow.refuse(error_text(error))
         self._say("warning", self.flow.trouble)
         self._changed()

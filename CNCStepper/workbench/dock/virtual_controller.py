@@ -10,8 +10,8 @@ import subprocess
 from pathlib import Path
 from typing import Any
 
-from CNCStepper.control.processes.python_finder import PROOF, command, environment, seek_python
-from CNCStepper.control.service.position_trust_file import BeliefFile
+from CNCStepper.control.processes.python_finder import PROOF, command, environment, find_python_in_background
+from CNCStepper.control.service.position_trust_file import PositionTrustFile
 from CNCStepper.control.session.files import LOG, session_folder
 from CNCStepper.control.stream.position_trust import LOST
 from CNCStepper.dependencies import MACHINE, modules
@@ -26,7 +26,7 @@ class VirtualMachine:
 
     def __init__(self, speed: float):
         self._speed = speed
-        self._python = seek_python(NEEDS)
+        self._python = find_python_in_background(NEEDS)
         self._process: subprocess.Popen | None = None
         self._told = session_folder() / f"virtual-{secrets.token_hex(4)}{LOG}"
 
@@ -41,7 +41,9 @@ class VirtualMachine:
             return ""
         found = ADDRESS.search(self._told.read_text("utf-8", "replace"))
         if found:
-            BeliefFile.of_port(session_folder(), found[1]).keep(LOST)  # as of any machine that was just switched on
+            PositionTrustFile.of_port(session_folder(), found[1]).keep(
+                LOST
+            )  # as of any machine that was just switched on
             return found[1]
         if self._process.poll() is not None:
             raise LinkError("virtual-start", "the virtual grbl ended at once", advice=f"see {self._told}")

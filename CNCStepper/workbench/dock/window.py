@@ -8,7 +8,7 @@ from typing import Any
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from CNCStepper.control.service.connection_client import running_desks
+from CNCStepper.control.service.connection_client import running_services
 from CNCStepper.state import Start
 from CNCStepper.workbench import packages
 from CNCStepper.workbench.dock.close_guard import ClosingGuard
@@ -69,7 +69,7 @@ def attach_running(shown: Panel) -> None:
     """Take up the newest process that still has a controller, when this window has none."""
     if shown.link.moment.connected or shown.link.moment.busy:
         return
-    for session_file in reversed(running_desks()):
+    for session_file in reversed(running_services()):
         shown.attach(session_file)
         messages.note(tr("The controller's panel is attached again to a machine that was left connected."))
         return

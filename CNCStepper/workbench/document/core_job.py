@@ -10,7 +10,7 @@ from CNCStepper.cycles.cycle import Setup
 from CNCStepper.job import cut_transfer
 from CNCStepper.job.cut_transfer import content_of, machine_content, program_texts
 from CNCStepper.job.deferred_fitting import once
-from CNCStepper.job.model import Job, StockForm, looks_at_others
+from CNCStepper.job.model import Job, StockForm, depends_on_contours
 from CNCStepper.job.question_key import Content
 from CNCStepper.machine.profile import validated
 from CNCStepper.toolpath import Toolpath
@@ -59,7 +59,7 @@ def program_question(obj: Any) -> dict[str, Any]:
 
 def cut_question(obj: Any, operation: Any, cycle: Any) -> dict[str, Any]:
     """Return what the cut process is asked for the cut of an operation of a job object, whose cycle is given."""
-    seen = once("contours", obj, lambda: _contour_contents(obj)) if looks_at_others(cycle) else []
+    seen = once("contours", obj, lambda: _contour_contents(obj)) if depends_on_contours(cycle) else []
     others = [content for name, content in seen if name != operation.Name]
     given = once("given", obj, lambda: content_of(_bare(obj), []))
     own = {"tool": [tool_content(operation.Tool)], "operation": [*_contents(obj, [operation]), *others]}
@@ -107,7 +107,7 @@ def setup_of(obj: Any, operation: Any, cycle: Any) -> Setup:
 
 def _setting(obj: Any, operation: Any, cycle: Any) -> Job:
     """Return a job of one operation and of what else counts for it."""
-    seen = [each for each in _contours(obj) if each is not operation] if looks_at_others(cycle) else []
+    seen = [each for each in _contours(obj) if each is not operation] if depends_on_contours(cycle) else []
     contours = [each.Proxy.cycle(each, tuple(obj.WorkOrigin)) for each in seen]
     return _bare(obj).model_copy(update={"tool": (model_of(operation.Tool),), "operation": (cycle, *contours)})
 

@@ -20,7 +20,7 @@ import numpy as np
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.job.spline_fitting import Line, require
 from CNCStepper.workbench.drawings.curves import SHORTEST_MM, Piece, curve_of_chain, pieces_of, require_tolerance
-from CNCStepper.workbench.drawings.shapes import FLAT_MM, Seen, line_groups, refuse_unflat, sorted_chains
+from CNCStepper.workbench.drawings.shapes import FLAT_MM, DrawingSnapshot, line_groups, refuse_unflat, sorted_chains
 
 SAME_MM = 1e-3  # two curves that are nearer than this everywhere are one that is drawn twice
 CELL_MM = 0.01  # of the grid in which ends that meet are looked for
@@ -87,12 +87,12 @@ class _Chain:
     height_mm: float
 
 
-_chains: OrderedDict[tuple[Any, ...], tuple[Seen, list[_Chain]]] = OrderedDict()  # of the last drawings
+_chains: OrderedDict[tuple[Any, ...], tuple[DrawingSnapshot, list[_Chain]]] = OrderedDict()  # of the last drawings
 
 
 def _chains_of(drawing: Any, names: tuple[str, ...]) -> list[_Chain]:
     """Return the chains of a drawing, or of what is picked of it, looked for anew where it has changed."""
-    key, seen = (drawing.Document.Name, drawing.Name, names), Seen.of(drawing)
+    key, seen = (drawing.Document.Name, drawing.Name, names), DrawingSnapshot.of(drawing)
     if key not in _chains or not seen.same(_chains[key][0]):
         _chains[key] = seen, _looked_for(drawing, names)
         while len(_chains) > MOST_DRAWINGS:

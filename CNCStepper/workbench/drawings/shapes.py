@@ -18,7 +18,7 @@ FLAT_MM = 1e-4  # a drawing whose heights differ by less is flat
 
 
 @dataclass(frozen=True)
-class Seen:
+class DrawingSnapshot:
     """A drawing as it was seen: its shape, which lives as long as this, where that lies, and its label."""
 
     shape: Any
@@ -26,21 +26,21 @@ class Seen:
     label: str
 
     @classmethod
-    def of(cls, drawing: Any) -> Seen:
+    def of(cls, drawing: Any) -> DrawingSnapshot:
         """Return how a drawing is now."""
         placed = drawing.getGlobalPlacement() if hasattr(drawing, "getGlobalPlacement") else None
         return cls(getattr(drawing, "Shape", None), placed, str(drawing.Label))
 
-    def same(self, other: Seen) -> bool:
+    def same(self, other: DrawingSnapshot) -> bool:
         """Return whether two drawings are the same one, unchanged."""
         if self.shape is None or other.shape is None or (self.label, self.placement) != (other.label, other.placement):
             return False
         return bool(self.shape.isSame(other.shape))
 
 
-def all_same(some: Sequence[Seen], others: Sequence[Seen]) -> bool:
+def all_same(some: Sequence[DrawingSnapshot], others: Sequence[DrawingSnapshot]) -> bool:
     """Return whether several drawings are the same ones, unchanged."""
-    return len(some) == len(others) and all(map(Seen.same, some, others))
+    return len(some) == len(others) and all(map(DrawingSnapshot.same, some, others))
 
 
 def edges_of(drawing: Any, picked: Sequence[str] = ()) -> list[Any]:

@@ -18,7 +18,7 @@ from CNCStepper.workbench.services import messages
 TREE = "Gui::TreeWidget"
 
 
-class Front:
+class ActiveEditor:
     """Follows the keyboard's focus; changed: called when another editor, or the tree, is in front."""
 
     def __init__(self, changed: Callable[[], None]) -> None:

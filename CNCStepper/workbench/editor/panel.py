@@ -23,7 +23,7 @@ from CNCStepper.workbench.editor.toolbar import EditorBar
 from CNCStepper.workbench.editor.view_session import EditorStage
 from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.services.message_translation import translated
-from CNCStepper.workbench.services.program_observer import ProgramWatch
+from CNCStepper.workbench.services.program_observer import ProgramObserver
 from CNCStepper.workbench.services.translation import tr
 
 if TYPE_CHECKING:
@@ -54,7 +54,7 @@ class EditorPanel(QtGui.QWidget):
         self._sender.setSingleShot(True)
         self._sender.setInterval(SEND_AFTER_MS)
         changed, closing = messages.guarded(self._source_changed), messages.guarded(self._document_closing)
-        self._watch = ProgramWatch(None, changed, lambda: None, closing)
+        self._watch = ProgramObserver(None, changed, lambda: None, closing)
         self._arrange()
         self._connect()
         self._open(text)

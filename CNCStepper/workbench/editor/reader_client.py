@@ -17,7 +17,7 @@ from PySide import QtCore
 
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.workbench.services.messages import guarded
-from CNCStepper.workbench.services.request_queue import Questioner
+from CNCStepper.workbench.services.request_queue import RequestQueue
 
 if TYPE_CHECKING:
     from CNCStepper.machine.profile import Machine
@@ -65,8 +65,8 @@ class ProgramReader(QtCore.QObject):
         self.mark = 0
         what, advice = "the process that reads the program has ended", "change the text to start it again"
         lost = CNCStepperError("editor-lost", what, advice=advice)
-        self._questions = Questioner(WORKER, lost, str(self.folder), parent=self)
-        self._questions.answered.connect(guarded(self._hear))
+        self._questions = RequestQueue(WORKER, lost, str(self.folder), parent=self)
+        self._questions.answered.connect(guarded(self._on_message))
         self._questions.failed.connect(self.failed)
 
     def begin(self, language: Language) -> None:
@@ -111,7 +111,7 @@ class ProgramReader(QtCore.QObject):
         self._questions.ask({"as": {"dialect": language.dialect, "file": language.file, "machine": machine}})
         self._questions.ask({"text": TEXT, "mark": self.mark})
 
-    def _hear(self, answer: dict[str, Any]) -> None:
+    def _on_message(self, answer: dict[str, Any]) -> None:
         """Hand on what is said of the newest text."""
         if all(answer.get(kind, self.mark) == self.mark for kind in OF_A_TEXT):
             self._hand_out(answer)

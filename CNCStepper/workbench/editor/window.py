@@ -8,7 +8,7 @@ from typing import Any
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from CNCStepper.workbench.editor.active_editor import Front
+from CNCStepper.workbench.editor.active_editor import ActiveEditor
 from CNCStepper.workbench.editor.panel import EditorPanel
 from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.services.command import look_again
@@ -79,7 +79,7 @@ class ClosingGuard(QtCore.QObject):
 
 
 _guard: list[ClosingGuard] = []
-_front: list[Front] = []
+_front: list[ActiveEditor] = []
 
 
 def docks() -> list[EditorDock]:
@@ -98,7 +98,7 @@ def open_source(source: Any) -> EditorDock:
     window = FreeCADGui.getMainWindow()
     if not _guard:
         _guard.append(ClosingGuard(window))
-        _front.append(Front(lambda: look_again(*TAKE_THE_FRONT)))
+        _front.append(ActiveEditor(lambda: look_again(*TAKE_THE_FRONT)))
     others = docks()
     dock = next((dock for dock in others if dock.panel.source.key == source.key), None)
     if dock is None:

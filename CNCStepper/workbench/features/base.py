@@ -15,7 +15,7 @@ from typing import Any
 
 from CNCStepper.errors import CNCStepperError, JobError
 from CNCStepper.units import mm_min_from_mm_s, mm_s_from_mm_min
-from CNCStepper.workbench.services.jit_guard import patience
+from CNCStepper.workbench.services.jit_guard import without_compiling
 from CNCStepper.workbench.services.translation import later
 
 JOB = "CNCStepper_Job"
@@ -136,7 +136,7 @@ class Feature:
     def execute(self, obj: Any) -> None:
         """Make `obj`, as FreeCAD asks; a refusal shows on it and takes back the programs that stand on it."""
         try:
-            with patience():
+            with without_compiling():
                 self.make(obj)
         except CNCStepperError as error:
             self._refuse(obj, error)

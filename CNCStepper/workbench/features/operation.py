@@ -12,7 +12,7 @@ from CNCStepper.errors import CNCStepperError, CycleError
 from CNCStepper.job.question_key import Content
 from CNCStepper.workbench import packages
 from CNCStepper.workbench.document.input_limits import require_within_reach
-from CNCStepper.workbench.drawings.shapes import Seen, all_same, containers_of, edges_of, require_closed
+from CNCStepper.workbench.drawings.shapes import DrawingSnapshot, all_same, containers_of, edges_of, require_closed
 from CNCStepper.workbench.features.base import (
     BOOL,
     CONTAINERS,
@@ -56,7 +56,7 @@ def drawn(group: str, text: str, only: tuple[str, tuple[str, ...]] | tuple[()] =
 
 
 @dataclass(frozen=True)
-class Kept:
+class CachedCycle:
     """The cycle that an operation was made into with that tool's number and that work zero, and the remarks on it.
 
     measures: those of the operation's values by key that stock and machine limit.
@@ -85,7 +85,7 @@ class Lines:
     """The curves of an operation's drawings, and of what they were made."""
 
     made_of: tuple[Any, ...]
-    drawings: Sequence[Seen]
+    drawings: Sequence[DrawingSnapshot]
     curves: list[Any]
     remarks: tuple[str, ...]
 
@@ -115,9 +115,9 @@ class Operation(Feature):
     NO_DRAWING = later("none yet")
     WHY_FIXED = later("The drawing gives this value")
     removed_label = ""
-    last_cut: Any = None  # a CutOnce
-    kept: Kept | None = None  # until the object or what it stands on changes
-    drawn: Sequence[Seen] = ()  # its drawings when it was made
+    last_cut: Any = None  # a CycleCache
+    kept: CachedCycle | None = None  # until the object or what it stands on changes
+    drawn: Sequence[DrawingSnapshot] = ()  # its drawings when it was made
     lines: Lines | None = None  # of its drawings when it was made
     warnings: tuple[str, ...] = ()  # what the last cut says that a person should know
     remarks: tuple[str, ...] = ()  # what there is to know of the drawings
@@ -177,19 +177,19 @@ class Operation(Feature):
         """Return the cycle of `obj` as plain data; raises what `cycle` raises."""
         return self._keep(obj, origin_mm).content
 
-    def _keep(self, obj: Any, origin_mm: tuple[float, ...]) -> Kept:
+    def _keep(self, obj: Any, origin_mm: tuple[float, ...]) -> CachedCycle:
         """Return what the object was made into, made anew where anything has changed: its job asks after each edit."""
         packages.require()
         made_with = (_tool(obj).Number, tuple(origin_mm))
         if self.kept is None or self.kept.made_with != made_with:
             self.remarks = ()
-            self.kept = Kept(made_with, self._checked(obj, *made_with), self.remarks, self._measures(obj))
+            self.kept = CachedCycle(made_with, self._checked(obj, *made_with), self.remarks, self._measures(obj))
         self.remarks = self.kept.remarks
         return self.kept
 
     def _look_at_drawings(self, obj: Any) -> None:
         """Keep the cycle only where the drawings are as they were when it was made."""
-        drawn = [Seen.of(drawing) for drawing, _ in drawings_of(obj)]
+        drawn = [DrawingSnapshot.of(drawing) for drawing, _ in drawings_of(obj)]
         if not all_same(drawn, self.drawn):
             self.kept = None
         self.drawn = drawn
@@ -208,10 +208,10 @@ class Operation(Feature):
 
     def cut_once(self, cycle: Any, setup: Any) -> Any:
         """Return the cycle with its cut, which is kept for the next who asks for the same; raises CycleError."""
-        from CNCStepper.job.cycle_cache import CutOnce
+        from CNCStepper.job.cycle_cache import CycleCache
 
         if self.last_cut is None or not self.last_cut.fits(cycle, setup):
-            self.last_cut = CutOnce(cycle, setup)
+            self.last_cut = CycleCache(cycle, setup)
         return self.last_cut
 
     def make(self, obj: Any) -> None:
@@ -322,7 +322,7 @@ def drawn_lines(obj: Any, origin_mm: tuple[float, ...], wanted: str) -> Lines:
     if not pairs:
         raise CycleError("drawing-missing", f"{obj.Label} has no drawing", advice=wanted)
     proxy, made_of = obj.Proxy, (pairs, float(obj.Tolerance), tuple(origin_mm))
-    seen = [Seen.of(drawing) for drawing, _ in pairs]
+    seen = [DrawingSnapshot.of(drawing) for drawing, _ in pairs]
     if proxy.lines is None or proxy.lines.made_of != made_of or not all_same(seen, proxy.lines.drawings):
         proxy.lines = _lines(made_of, seen)
     lines: Lines = proxy.lines
@@ -330,7 +330,7 @@ def drawn_lines(obj: Any, origin_mm: tuple[float, ...], wanted: str) -> Lines:
     return lines
 
 
-def _lines(made_of: tuple[Any, ...], seen: Sequence[Seen]) -> Lines:
+def _lines(made_of: tuple[Any, ...], seen: Sequence[DrawingSnapshot]) -> Lines:
     from CNCStepper.workbench.drawings.joined_curves import drawn_of
 
     pairs, tolerance_mm, (x_mm, y_mm, _) = made_of

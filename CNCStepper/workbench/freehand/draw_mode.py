@@ -7,7 +7,7 @@ from typing import Any
 
 from CNCStepper.errors import JobError
 from CNCStepper.workbench import api, packages
-from CNCStepper.workbench.freehand.drawing_plane import Sight, working_plane
+from CNCStepper.workbench.freehand.drawing_plane import PlaneView, working_plane
 from CNCStepper.workbench.freehand.mode import Mode, say, undo_step
 from CNCStepper.workbench.freehand.stroke import Point, Stroke
 from CNCStepper.workbench.services.translation import tr
@@ -31,7 +31,7 @@ class Drawing(Mode):
         import FreeCAD
 
         super().__init__(view, FreeCAD.ActiveDocument)
-        self._sight = Sight(view, working_plane(self.document))
+        self._sight = PlaneView(view, working_plane(self.document))
         self._stroke: Stroke | None = None
         self.wire.place(self._sight.placement)
 

@@ -31,7 +31,7 @@ def _job(document: Any) -> Any:
     return next(iter([*chosen, *(obj for obj in document.Objects if proxy_type(obj) == JOB)]), None)
 
 
-class Sight:
+class PlaneView:
     """A plane as a 3D view sees it; pixels count from the lower left corner, as OpenGL's do."""
 
     def __init__(self, view: Any, placement: Any):

@@ -10,7 +10,7 @@ from typing import Any
 from CNCStepper.errors import GeometryError
 from CNCStepper.workbench import api, packages
 from CNCStepper.workbench.freehand.draw_mode import active_view
-from CNCStepper.workbench.freehand.drawing_plane import Sight
+from CNCStepper.workbench.freehand.drawing_plane import PlaneView
 from CNCStepper.workbench.freehand.mode import Mode, say, undo_step
 from CNCStepper.workbench.freehand.stroke import Point
 from CNCStepper.workbench.services.translation import tr
@@ -46,7 +46,7 @@ class Handles(Mode):
         self._points = [(float(x), float(y)) for x, y in (kept[:-1] if line.Closed else kept)]
         self._before = list(self._points)
         height = FreeCAD.Placement(FreeCAD.Vector(0, 0, self._height_mm), FreeCAD.Rotation())
-        self._sight = Sight(self.view, line.getGlobalPlacement() * height)
+        self._sight = PlaneView(self.view, line.getGlobalPlacement() * height)
         self.wire.place(self._sight.placement)
         self._show()
 

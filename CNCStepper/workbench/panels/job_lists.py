@@ -84,7 +84,7 @@ class ObjectList(QtGui.QWidget):
             if problem_of(obj):
                 item.setForeground(QtGui.QColor(ERROR_COLOUR))
                 item.setToolTip(translated(problem_of(obj)))
-            self.dress(item, obj)
+            self.show_details(item, obj)
             self.list.addItem(item)
         self.list.setCurrentRow(min(row, self.list.count() - 1))
         self.list.blockSignals(False)
@@ -100,7 +100,7 @@ class ObjectList(QtGui.QWidget):
         """Return the icon that stands before an object."""
         return icon(proxy_type(obj))
 
-    def dress(self, item: Any, obj: Any) -> None:
+    def show_details(self, item: Any, obj: Any) -> None:
         """Give an entry what else it shows."""
 
 
@@ -119,7 +119,7 @@ class OperationList(ObjectList):
         """Return the job's operations."""
         return list(self.job.Operations)
 
-    def dress(self, item: Any, obj: Any) -> None:
+    def show_details(self, item: Any, obj: Any) -> None:
         """Let an entry be checked."""
         item.setFlags(item.flags() | QtCore.Qt.ItemFlag.ItemIsUserCheckable)
         item.setCheckState(CHECKED if obj.Active else UNCHECKED)

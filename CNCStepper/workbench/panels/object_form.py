@@ -19,7 +19,7 @@ from PySide import QtCore, QtGui
 
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.workbench.calculation import deferred_drawing, kernel_warmup
-from CNCStepper.workbench.calculation.cut_process import Asked, process
+from CNCStepper.workbench.calculation.cut_process import CutRequest, process
 from CNCStepper.workbench.calculation.precalculation import Look, look_at
 from CNCStepper.workbench.calculation.recompute import remake, steps
 from CNCStepper.workbench.features.base import FAILED, edit, named, problem_of, values
@@ -153,7 +153,7 @@ class Editor(QtGui.QWidget):
         for field in self.form.fields.values():
             field.show_work(self.waiting and field.entry.key in tried)
         if self.waiting:
-            process().ask(self, Asked(look.unknown, self._show_stage, guarded(self._take_answer)))
+            process().ask(self, CutRequest(look.unknown, self._show_stage, guarded(self._take_answer)))
         else:
             process().forget(self)
 

@@ -26,7 +26,7 @@ from typing import TYPE_CHECKING, Any
 from PySide import QtCore
 
 from CNCStepper.control.processes.background_thread import in_background
-from CNCStepper.control.processes.python_finder import PROOF, command, seek_python
+from CNCStepper.control.processes.python_finder import PROOF, command, find_python_in_background
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.workbench import api, packages
 from CNCStepper.workbench.features.program import job_behind
@@ -185,7 +185,7 @@ class ProofRun(QtCore.QObject):
             self.finished.emit(ProofRun._last[1])
             return
         self.progress.emit(tr(STAGES["start"]))
-        self._await(seek_python(PROOF), self._spawn)
+        self._await(find_python_in_background(PROOF), self._spawn)
 
     def _await(self, future: Future[Any], then: Callable[[Any], None]) -> None:
         self._awaited = (future, then)
@@ -208,9 +208,9 @@ class ProofRun(QtCore.QObject):
     def _spawn(self, python: str) -> None:
         assert self._folder is not None
         words = command(python, WORKER, self._folder.name, self._job.Label)
-        self._process = start_worker(self, words, self._hear, self._ended)
+        self._process = start_worker(self, words, self._on_message, self._ended)
 
-    def _hear(self) -> None:
+    def _on_message(self) -> None:
         if self._process is None:
             return
         told = [line.decode("ascii", "replace").strip() for line in iter(self._process.line, b"")]

@@ -14,7 +14,7 @@ LONGEST_MM = 1000.0
 PROPOSED_HEIGHT_MM = 5.0  # of who gives one: what most programs cross at
 
 
-class EnteringFields(QtCore.QObject):
+class EntryFields(QtCore.QObject):
     """The rows of a form; `changed` is sent when a value of theirs is another one."""
 
     changed = QtCore.Signal()

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from PySide import QtCore, QtGui
 
-from CNCStepper.workbench.restart.entry_fields import NAME, EnteringFields
+from CNCStepper.workbench.restart.entry_fields import NAME, EntryFields
 from CNCStepper.workbench.restart.place_table import PlaceList
 from CNCStepper.workbench.restart.places import Row, chosen, line_of, row_of
 from CNCStepper.workbench.services.findings_list import FindingsList
@@ -18,7 +18,7 @@ from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.translation import tr
 
 if TYPE_CHECKING:
-    from CNCStepper.recovery.restart.places import Where
+    from CNCStepper.recovery.restart.places import RequestedPlace
     from CNCStepper.workbench.proving.proof_process import ProofResult
 
 MOST_RUNS = 9999
@@ -68,7 +68,7 @@ class RestartPanel(QtGui.QWidget):
         )
         self._more.setVisible(bool(more))
 
-    def show_choice(self, where: Where) -> None:
+    def show_choice(self, where: RequestedPlace) -> None:
         """Say which place is chosen, and mark it where it stands in the list."""
         text, values = chosen(where, self.places.rows)
         self._choice.setText(tr(text).format(*values))
@@ -119,7 +119,7 @@ class RestartPanel(QtGui.QWidget):
         form.addRow(tr("Line"), self.line)
         self._time_label = QtGui.QLabel(tr("Time that it is run"))
         form.addRow(self._time_label, self.time)
-        self.entering = EnteringFields(form, self)
+        self.entering = EntryFields(form, self)
         self.entering.changed.connect(self.entering_chosen)
         self.ask_time(False)
         return form

@@ -9,7 +9,7 @@ from heapq import merge
 from operator import attrgetter
 from typing import Any
 
-from CNCStepper.recovery.restart.places import Where
+from CNCStepper.recovery.restart.places import RequestedPlace
 from CNCStepper.workbench.services.translation import later
 
 OPERATION, CONTOUR = "operation", "contour"
@@ -34,9 +34,11 @@ class Row:
     length_mm: float = 0.0
 
     @property
-    def where(self) -> Where:
+    def where(self) -> RequestedPlace:
         """The place that it names."""
-        return Where(contour=self.number) if self.kind == CONTOUR else Where(operation=str(self.number))
+        return (
+            RequestedPlace(contour=self.number) if self.kind == CONTOUR else RequestedPlace(operation=str(self.number))
+        )
 
 
 def rows_of(told: Mapping[str, Any]) -> list[Row]:
@@ -46,7 +48,7 @@ def rows_of(told: Mapping[str, Any]) -> list[Row]:
     return list(merge(operations, contours, key=attrgetter("line")))
 
 
-def chosen(where: Where, rows: Sequence[Row]) -> tuple[str, tuple[object, ...]]:
+def chosen(where: RequestedPlace, rows: Sequence[Row]) -> tuple[str, tuple[object, ...]]:
     """Return the sentence, still to be translated, that says which place is chosen, and its values."""
     if where.at_mm:
         return CHOSEN["point"], (" ".join(f"{axis}{mm:.3f}" for axis, mm in zip("XYZ", where.at_mm, strict=False)),)
@@ -60,12 +62,12 @@ def chosen(where: Where, rows: Sequence[Row]) -> tuple[str, tuple[object, ...]]:
     return CHOSEN["line"], (where.line,)
 
 
-def row_of(where: Where, rows: Sequence[Row]) -> int | None:
+def row_of(where: RequestedPlace, rows: Sequence[Row]) -> int | None:
     """Return which row of the list a place is; None for a line or a point."""
     return next((index for index, row in enumerate(rows) if row.where == where), None)
 
 
-def line_of(where: Where, rows: Sequence[Row]) -> int:
+def line_of(where: RequestedPlace, rows: Sequence[Row]) -> int:
     """Return the line of the file whose way shows a place; 0 where that is a point."""
     index = row_of(where, rows)
     return rows[index].line if index is not None else where.line

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from PySide import QtCore
 
 from CNCStepper.control.session.status import error_from_json
-from CNCStepper.recovery.restart.places import Where
+from CNCStepper.recovery.restart.places import RequestedPlace
 from CNCStepper.recovery.restart.proof_folder import RestartPlace
 from CNCStepper.workbench import dock
 from CNCStepper.workbench.dock.model.controller_state import sentences
@@ -28,7 +28,7 @@ from CNCStepper.workbench.restart.panel import RestartPanel
 from CNCStepper.workbench.restart.places import Row, line_of, rows_of
 from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.services.message_translation import translated
-from CNCStepper.workbench.services.program_observer import ProgramWatch
+from CNCStepper.workbench.services.program_observer import ProgramObserver
 from CNCStepper.workbench.services.translation import tr
 from CNCStepper.workbench.simulation.view_session import Stage, view_of
 
@@ -46,12 +46,12 @@ class RestartTask(ViewTask):
         self.form = RestartPanel(program.Label, said)
         self._program, self._document_name = program, program.Document.Name
         self._source = ObjectSource(program)
-        self._where = Where(line=line) if line else None
+        self._where = RequestedPlace(line=line) if line else None
         self._proof = LatestProof(self.form.show_result, self._refuse, lambda text: self.form.say(text, busy=True))
         self._stage: Stage | None = None
         self._path = EditorStage(self._clicked)
         self._reader = ProgramReader(lambda: program_file.load(program))
-        self._watch = ProgramWatch(program, self._changed, self._close_soon, self._document_closing)
+        self._watch = ProgramObserver(program, self._changed, self._close_soon, self._document_closing)
         self._settled = QtCore.QTimer()
         self._settled.setSingleShot(True)
         self._settled.setInterval(SETTLED_MS)
@@ -116,7 +116,7 @@ class RestartTask(ViewTask):
     def _pick(self, answer: dict[str, Any]) -> None:
         """Choose the place that was clicked; a click beside the cuts means nothing."""
         if answer["place"] is not None:
-            self._choose(Where(at_mm=tuple(answer["place"])))
+            self._choose(RequestedPlace(at_mm=tuple(answer["place"])))
             self._path.show_line([[answer["place"], answer["place"]]])
 
     # ---- the choice ----
@@ -128,9 +128,9 @@ class RestartTask(ViewTask):
         self._choose(row.where)
 
     def _choose_line(self, line: int, time: int) -> None:
-        self._choose(Where(line=line, time=time))
+        self._choose(RequestedPlace(line=line, time=time))
 
-    def _choose(self, where: Where) -> None:
+    def _choose(self, where: RequestedPlace) -> None:
         self._where = where
         self.form.show_choice(where)
         self.form.ask_time(bool(where.time))

@@ -48,7 +48,7 @@ class Worker(QtCore.QObject):
         self._process = _started(words, self._complaints)
         queued = QtCore.Qt.ConnectionType.QueuedConnection
         self._arrived.connect(self._take, queued)
-        self._over.connect(self._tell_end, queued)
+        self._over.connect(self._notify_end, queued)
         self.destroyed.connect(self._process.kill)
         self._stopped = False
         works = (self._read_on, self._write_on)
@@ -103,7 +103,7 @@ class Worker(QtCore.QObject):
             self.told.emit()
 
     @QtCore.Slot()
-    def _tell_end(self) -> None:
+    def _notify_end(self) -> None:
         for thread in self._threads:  # they have told their last, and are about to end
             thread.join(KILLED_WITHIN_S)
         if self._stopped:

@@ -31,7 +31,7 @@ long_refused: Callable[[], None] | None = None  # called where something was lef
 
 
 @contextmanager
-def patience() -> Iterator[None]:
+def without_compiling() -> Iterator[None]:
     """Compile nothing within while that is done elsewhere, and in a window calculate for a short time only.
 
     Raises CNCStepperError where it then takes too long. A script without a window waits for all.

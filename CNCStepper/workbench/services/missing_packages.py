@@ -33,7 +33,7 @@ def lacking_packages() -> list[str]:
 
 
 @functools.cache
-def tell_once() -> None:
+def report_once() -> None:
     """Say what is missing and how to get it; only the first time, for it stays so until somebody installs it."""
     lacking = lacking_packages()
     if lacking:

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import Any
 
 
-class ProgramWatch:
+class ProgramObserver:
     """Calls `changed` when the program of `obj` changes, `deleted` before it goes, `closing` before a document goes.
 
     obj: what is watched, None for nothing; it may be another one later.

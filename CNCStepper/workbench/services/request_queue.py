@@ -9,7 +9,7 @@ from typing import Any
 
 from PySide import QtCore
 
-from CNCStepper.control.processes.python_finder import PROOF, command, seek_python
+from CNCStepper.control.processes.python_finder import PROOF, command, find_python_in_background
 from CNCStepper.control.session.status import error_from_json
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.workbench.services import messages
@@ -18,7 +18,7 @@ from CNCStepper.workbench.services.background_process import Worker, start_worke
 LOOK_EVERY_MS = 20
 
 
-class Questioner(QtCore.QObject):
+class RequestQueue(QtCore.QObject):
     """The process is started with the first question, and again with the first after its end.
 
     worker: the module. arguments: for it. lost: the error for a process that ends by itself. answered: sent with each
@@ -50,7 +50,7 @@ class Questioner(QtCore.QObject):
         if self._process is not None:
             self._send()
         elif self._python is None:
-            self._python = seek_python(PROOF)
+            self._python = find_python_in_background(PROOF)
             self._timer.start()
 
     def end(self) -> None:
@@ -70,7 +70,7 @@ class Questioner(QtCore.QObject):
         python, self._python = self._python, None
         try:
             words = command(python.result(), *self._words)
-            heard, lost = messages.guarded(self._hear), messages.guarded(self._lost)
+            heard, lost = messages.guarded(self._on_message), messages.guarded(self._lost)
             self._process = start_worker(self, words, heard, lost)
         except CNCStepperError as error:
             self._fail(error)
@@ -83,7 +83,7 @@ class Questioner(QtCore.QObject):
             self._process.write(json.dumps(question).encode("ascii") + b"\n")
         self._waiting.clear()
 
-    def _hear(self) -> None:
+    def _on_message(self) -> None:
         """Hand on the answers whose lines are whole."""
         while self._process is not None and (line := self._process.line()):
             answer = json.loads(line)

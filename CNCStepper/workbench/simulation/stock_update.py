@@ -14,7 +14,7 @@ from PySide import QtCore
 
 from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.simulation.player import Player
-from CNCStepper.workbench.simulation.timeline_client import Moments, Tiles
+from CNCStepper.workbench.simulation.timeline_client import Tiles, TimelineClient
 
 if TYPE_CHECKING:
     from CNCStepper.workbench.proving.proof_process import ProofResult
@@ -31,7 +31,7 @@ class Material(QtCore.QObject):
     def __init__(self, player: Player, scene: Scene, result: ProofResult, parent: Any = None):
         super().__init__(parent)
         self._player, self._scene = player, scene
-        self.moments = Moments(result, self)
+        self.moments = TimelineClient(result, self)
         self.moments.tiles.connect(messages.guarded(self._take))
         self.moments.pulse.connect(messages.guarded(self._go_to_pulse))
         self.moments.failed.connect(messages.guarded(self._fall_back))

@@ -17,7 +17,7 @@ from CNCStepper.workbench.panels.view_task_panel import ViewTask
 from CNCStepper.workbench.proving.proof_process import ProofResult, ProofRun
 from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.services.message_translation import translated
-from CNCStepper.workbench.services.program_observer import ProgramWatch
+from CNCStepper.workbench.services.program_observer import ProgramObserver
 from CNCStepper.workbench.services.translation import tr
 from CNCStepper.workbench.simulation.mesh_object import keep_mesh
 from CNCStepper.workbench.simulation.panel import SimulationPanel
@@ -44,7 +44,7 @@ class SimulationTask(ViewTask):
         self.form.destroyed.connect(self._leave)  # however FreeCAD closes the panel
         self._job = job
         self._document_name = job.Document.Name
-        self._watch = ProgramWatch(job, self._changed, self._deleted, self._document_closing)
+        self._watch = ProgramObserver(job, self._changed, self._deleted, self._document_closing)
         self._run: ProofRun | None = None
         self._result: ProofResult | None = None
         self._player: Player | None = None
@@ -63,7 +63,7 @@ class SimulationTask(ViewTask):
         self._leave_result()
         self.form.clear()
         self._run = ProofRun(self._job, begins=dock.start_here())
-        self._run.progress.connect(self._tell_stage)
+        self._run.progress.connect(self._show_stage)
         self._run.part.connect(messages.guarded(self._show_part))
         self._run.finished.connect(messages.guarded(self._show))
         self._run.failed.connect(messages.guarded(self._refuse))
@@ -103,7 +103,7 @@ class SimulationTask(ViewTask):
             self._stage = None
         self._result = None
 
-    def _tell_stage(self, text: str) -> None:
+    def _show_stage(self, text: str) -> None:
         self.form.say(text, busy=True)
 
     def _refuse(self, error: CNCStepperError) -> None:
@@ -149,7 +149,7 @@ class SimulationTask(ViewTask):
         yield
         yield from scene.load_result(result)
         self._material = Material(player, scene, result)
-        self._material.moments.failed.connect(messages.guarded(self._tell_material))
+        self._material.moments.failed.connect(messages.guarded(self._show_material))
         self._material.moments.mesh.connect(messages.guarded(self._keep_mesh))
         player.moved.connect(messages.guarded(self._follow))
         player.seek(player.moves.duration_s)
@@ -167,7 +167,7 @@ class SimulationTask(ViewTask):
         scene.show_tool(int(result.moves.tool[player.row]), player.tip_mm())
         self.form.program.follow(player.line)
 
-    def _tell_material(self, error: CNCStepperError) -> None:
+    def _show_material(self, error: CNCStepperError) -> None:
         """Say why the material does not follow; the tool does."""
         self.form.set_keeping(False)
         self.form.say(_words(error))

@@ -13,7 +13,7 @@ from PySide import QtCore
 
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.workbench.services.messages import guarded
-from CNCStepper.workbench.services.request_queue import Questioner
+from CNCStepper.workbench.services.request_queue import RequestQueue
 
 if TYPE_CHECKING:
     import numpy as np
@@ -25,7 +25,7 @@ WORKER = "CNCStepper.workers.simulation_timeline"
 Tiles = dict[int, tuple["np.ndarray", "np.ndarray"]]  # corners and colours of the faces of tiles, by number
 
 
-class Moments(QtCore.QObject):
+class TimelineClient(QtCore.QObject):
     """The part of a proven program by time. An answer is taken back with `go_on`, and only then the next one is asked.
 
     tiles: sent with the Tiles that changed since they were sent last, the first time all. pulse: with the time and
@@ -45,8 +45,8 @@ class Moments(QtCore.QObject):
         self._asked = self._answered = self._given_up = False
         what, advice = "the process that knows the part at every moment has ended", "move the slider to start it again"
         lost = CNCStepperError("timeline-lost", what, advice=advice)
-        self._questions = Questioner(WORKER, lost, result.folder.name, parent=self)
-        self._questions.answered.connect(guarded(self._hear))
+        self._questions = RequestQueue(WORKER, lost, result.folder.name, parent=self)
+        self._questions.answered.connect(guarded(self._on_message))
         self._questions.failed.connect(guarded(self._fail))
 
     @property
@@ -89,7 +89,7 @@ class Moments(QtCore.QObject):
             self._asked = True
             self._questions.ask(self._wanted.pop(0))
 
-    def _hear(self, answer: dict[str, Any]) -> None:
+    def _on_message(self, answer: dict[str, Any]) -> None:
         self._answered = True
         if "tiles" in answer:
             self.tiles.emit(dict(self._read(answer["tiles"])))

@@ -25,9 +25,9 @@ class Operation(ViewProvider):
 
     def _ordering(self) -> list[Entry]:
         """Return the entries that duplicate and move it, or all operations that are selected with it."""
-        from CNCStepper.workbench.commands.reorder import COMMANDS, beside_selected
+        from CNCStepper.workbench.commands.reorder import COMMANDS, selected_operations
 
-        meant = beside_selected(self.obj)
+        meant = selected_operations(self.obj)
         commands = [kind() for kind in COMMANDS]
         return [Entry(each.text(), each.name, partial(each.act, meant), each.why_not_of(meant)) for each in commands]
 

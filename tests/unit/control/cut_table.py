@@ -20,13 +20,13 @@ from CNCStepper.control.session.command import Command
 from CNCStepper.control.session.status import Outcome
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.gcode.interpreter.interpret import interpret
-from CNCStepper.gcode.wire.backlash_compensation import play_of
+from CNCStepper.gcode.wire.backlash_compensation import backlash_of
 from CNCStepper.gcode.wire.encoder import prepare
 from CNCStepper.job.certify import send_job
 from CNCStepper.machine.profile import Machine, load_machine
 from CNCStepper.motion.planner.arc_segments import arc_points
-from CNCStepper.recovery.retract.path import Place, Way
-from CNCStepper.recovery.retract.prove import Held, held
+from CNCStepper.recovery.retract.path import Place, RetractPath
+from CNCStepper.recovery.retract.prove import HeldProgram, held_program
 from CNCStepper.state import Start
 from CNCStepper.toolpath import ARC_CW, Toolpath
 
@@ -78,13 +78,13 @@ class Cut:
         self._trace: list[tuple[float, ...]] = [(0.0, 0.0, 0.0)]
         tool = Tool(self.machine)
         self.table.board.on_step = lambda board: self._trace.append(tool.follow(board.axes.position_mm))
-        wire = prepare(program, "grbl", "part ç.nc", Start.at_zero(), play_of(self.machine, "grbl"))
+        wire = prepare(program, "grbl", "part ç.nc", Start.at_zero(), backlash_of(self.machine, "grbl"))
         self.job = send_job(wire, self.machine, "part ç.nc", None, "grbl")
         self.sender = Sender(
             replace(self.job, port="table", zero_confirmed=True, by_line=by_line),
             opener=lambda name, baud: self.table,
             clock=self.table.clock,
-            tell=self._hear,
+            tell=self._on_message,
             refuse=lambda command, error: self.refused.append(error),
         )
 
@@ -131,12 +131,12 @@ class Cut:
             self.sender.ask(Command("hold"))
             yield lambda: self.phase in (*STANDS, "done")
 
-    def find(self, found: list[Held]) -> Person:
+    def find(self, found: list[HeldProgram]) -> Person:
         """Put into `found` what a client finds."""
         file = self._folder / f"{next(self._numbers)}.json"
         self.sender.ask(Command("tell_place", {"file": str(file)}))
         yield file.exists
-        found.append(held(json.loads(file.read_text("utf-8"))))
+        found.append(held_program(json.loads(file.read_text("utf-8"))))
 
     def go(self, leg: dict[str, Any]) -> Person:
         """Begin a leg."""
@@ -149,13 +149,13 @@ class Cut:
     def arrived(self) -> bool:
         return self.phase in (*STANDS, "done")
 
-    def _hear(self, kind: str, text: str) -> None:
+    def _on_message(self, kind: str, text: str) -> None:
         self.told.append((kind, text))
         if kind == "phase":
             self.phase = text.partition(":")[0]
 
 
-def along_mm(way: Way, place: Place) -> float:
+def along_mm(way: RetractPath, place: Place) -> float:
     """Return how far a place lies from the begin of the way."""
     before = sum(way.move(row).length_mm for row in range(place.row))
     return before + way.move(place.row).length_mm * place.share

@@ -14,8 +14,8 @@ from fault_disk import AtOnce
 from CNCStepper.control.journal import writer
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.protocol.grbl.timeouts import Timing
-from CNCStepper.control.service.connection_service import Desk
-from CNCStepper.control.service.position_trust_file import BeliefFile
+from CNCStepper.control.service.connection_service import ConnectionService
+from CNCStepper.control.service.position_trust_file import PositionTrustFile
 from CNCStepper.control.session.command import Command
 from CNCStepper.control.session.status import Outcome
 from CNCStepper.errors import CNCStepperError, LinkError
@@ -113,7 +113,7 @@ class Visit:
         *,
         timing: Timing | None = None,
         journals: Path | None = None,
-        kept: BeliefFile | None = None,
+        kept: PositionTrustFile | None = None,
         **table,
     ):
         self.table = Table(**table)
@@ -122,7 +122,7 @@ class Visit:
         self.outcomes: list[Outcome] = []
         self.alone_s = 0.0
         self._file = tmp_path / "a job ç.json"
-        self.desk = Desk(
+        self.desk = ConnectionService(
             "table",
             spool=tmp_path / "desk ç.wire",
             opener=lambda name, baud: self.table,

@@ -16,7 +16,7 @@ from CNCStepper.control.journal.writer import MENDED, Journal
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.protocol.grbl.readiness import expected_settings
 from CNCStepper.control.protocol.grbl.timeouts import Timing
-from CNCStepper.control.service.position_trust_file import BeliefFile
+from CNCStepper.control.service.position_trust_file import PositionTrustFile
 from CNCStepper.control.service.sender import Sender
 from CNCStepper.control.session.command import Command
 from CNCStepper.control.session.status import REFUSED, Outcome
@@ -75,7 +75,7 @@ class SimulatedLink:
             data = self.line.receive()
             if data:
                 self.heard.append((self.clock(), data))
-            self._hear_bell()
+            self._clear_wake_up()
             if data or self.woken or self.clock() >= end_s:
                 return data
 
@@ -85,7 +85,7 @@ class SimulatedLink:
         while not self.woken and self.clock() < end_s:
             self._check()
             self.pass_time()
-            self._hear_bell()
+            self._clear_wake_up()
 
     def waiting_bytes(self) -> int:
         return len(self._to_send)
@@ -101,7 +101,7 @@ class SimulatedLink:
     def wake(self) -> None:
         self._rung = True
 
-    def _hear_bell(self) -> None:
+    def _clear_wake_up(self) -> None:
         self.woken, self._rung = self._rung, False
 
     def close(self) -> None:
@@ -188,13 +188,13 @@ class FaultBench:
         self._resume_s = inf
         self.fired_standing = 0
         self.journal = Journal(folder, executor=AtOnce(), clock=self.link.clock) if folder else None
-        self.kept = BeliefFile.of_port(folder, self.link.name) if folder else BeliefFile(None)
+        self.kept = PositionTrustFile.of_port(folder, self.link.name) if folder else PositionTrustFile(None)
         self.sender = Sender(
             self.job,
             opener=lambda name, baud: self.link,
             timing=TIMING,
             clock=self.link.clock,
-            tell=self._hear,
+            tell=self._on_message,
             refuse=self._wait,
             journal=self.journal,
             kept=self.kept,
@@ -245,7 +245,7 @@ class FaultBench:
             if not self._stands:  # else it would be one's own resume that is taken back
                 self.sender.ask(Command("hold"))
 
-    def _hear(self, kind: str, text: str) -> None:
+    def _on_message(self, kind: str, text: str) -> None:
         self.told.append((kind, text))
         if kind == "phase":
             self._stands = text.startswith(STANDING)

@@ -11,13 +11,13 @@ from fault_bench import FILE, STEP_S, FaultBench, job_of
 from fault_judge import Claim, Row, Run
 from fault_restart import Interval
 
-from CNCStepper.control.journal.replay import Story, read_story
-from CNCStepper.control.journal.summary import told_of
+from CNCStepper.control.journal.replay import JobReplay, read_replay
+from CNCStepper.control.journal.summary import summary_of
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.errors import ProgramError
 from CNCStepper.job.certify import certificate_of
 from CNCStepper.machine.profile import load_machine
-from CNCStepper.recovery.restart.places import Where
+from CNCStepper.recovery.restart.places import RequestedPlace
 from CNCStepper.recovery.restart.prove import restart_program
 from CNCStepper.virtual.faults.plan import FaultPlan
 from CNCStepper.virtual.grbl.machine import Grbl
@@ -40,7 +40,7 @@ class SecondGo:
         story = story_of(bench)
         has_switches = bench.board.memory.settings.on(HOMING)
         self.homes = has_switches and not is_known(first)
-        self.is_well_advised = story is None or ("home it" in dict(told_of(story))["position"]) == has_switches
+        self.is_well_advised = story is None or ("home it" in dict(summary_of(story))["position"]) == has_switches
         lines = bench.lines
         self.said = Interval(story.finished, story.may_be_sent, story.finished) if story else Interval(0, 0, 0)
         self.rows: list[Row] = []
@@ -56,7 +56,7 @@ class SecondGo:
         """Return the job of the restart from the first line that is not certainly cut; None where nothing is left."""
         if self.said.first == len(lines):
             return None
-        text, where = "".join(f"{line}\n" for line in lines), Where(line=self.said.first + 1)
+        text, where = "".join(f"{line}\n" for line in lines), RequestedPlace(line=self.said.first + 1)
         try:
             proven = restart_program(text, load_machine("table-a"), where, file=FILE)
         except ProgramError as error:
@@ -73,12 +73,12 @@ class SecondGo:
         return replace(certificate.send_job(), port="simulated", zero_confirmed=True)
 
 
-def story_of(bench: FaultBench) -> Story | None:
+def story_of(bench: FaultBench) -> JobReplay | None:
     """Return what the journal tells once the sender's process has ended; None for a job that was refused."""
     journal = bench.journal
     if journal is None or journal.path is None or not journal.path.exists():
         return None
-    return read_story(Path(copyfile(journal.path, journal.path.with_suffix(".left"))))  # no process locks the copy
+    return read_replay(Path(copyfile(journal.path, journal.path.with_suffix(".left"))))  # no process locks the copy
 
 
 def is_known(first: Run) -> bool:

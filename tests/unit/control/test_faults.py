@@ -22,7 +22,7 @@ from fault_second_go import SecondGo
 from fault_switches import HOMED, LOCKED, OVER_S, plan_for, switches_of
 
 from CNCStepper.control.journal.writer import Journal
-from CNCStepper.control.service.position_trust_file import BeliefFile
+from CNCStepper.control.service.position_trust_file import PositionTrustFile
 from CNCStepper.control.stream.path_watch import PathWatch
 from CNCStepper.control.stream.position_trust import LOST
 from CNCStepper.virtual.faults.plan import KINDS, Fault, FaultPlan
@@ -64,7 +64,7 @@ def forgets(bench: FaultBench, run: Run) -> str:
     """Return what is wrong with what the next connection finds of the position after a job, "" where nothing is."""
     if bench.folder is None or bench.journal.path is None or run.claim.refused:
         return ""
-    belief = BeliefFile.of_port(bench.folder, bench.link.name).belief
+    belief = PositionTrustFile.of_port(bench.folder, bench.link.name).belief
     return f"kept is {belief}, told {run.claim}" if (belief == LOST) == run.claim.position_known else ""
 
 

@@ -15,7 +15,7 @@ from fault_judge import covers, follows
 from trace_file import rows_at, rows_of_file
 
 from CNCStepper.control.journal.replay import KILLED, RUNNING
-from CNCStepper.control.journal.store import latest_unfinished, stories
+from CNCStepper.control.journal.store import latest_unfinished, replays
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.session.client import SessionClient
 from CNCStepper.control.session.files import read_private
@@ -75,7 +75,7 @@ def test_killed_client_leaves_its_sender_to_cut_the_part_exactly(tmp_path):
             client.communicate(job.to_json())
         assert client.returncode != 0 and "kill at byte 3000" in machine.stdout.readline()
         end_s = time.monotonic() + LIMIT_S
-        while (story := next(stories(tmp_path))).end == RUNNING:
+        while (story := next(replays(tmp_path))).end == RUNNING:
             assert time.monotonic() < end_s, story
             time.sleep(0.1)
     assert story.is_done and story.finished == len(LINES), story

@@ -27,7 +27,7 @@ from CNCStepper.control.session.files import write_private
 from CNCStepper.control.session.status import FAILED, REFUSED, STOPPED, Outcome
 from CNCStepper.errors import LinkError
 from CNCStepper.machine.profile import load_machine
-from CNCStepper.recovery.retract.client import WayBack
+from CNCStepper.recovery.retract.client import RetractClient
 
 TOLD_S, OBEYED_S = 2.0, 5.0
 LIMIT_S = 20.0
@@ -61,12 +61,12 @@ def outcome_of(client: SessionClient, limit_s: float) -> tuple[Outcome, float | 
     """Return how it ended, and after how long the first words of it came."""
     begin_s, told_s = time.monotonic(), []
 
-    def hear(kind: str, text: str) -> None:
+    def on_message(kind: str, text: str) -> None:
         assert text.isprintable()
         if kind in ("warning", "message") or text.startswith(("stopping", "failed")):
             told_s.append(time.monotonic() - begin_s)
 
-    outcome = client.wait(on_event=hear, limit_s=limit_s)
+    outcome = client.wait(on_event=on_message, limit_s=limit_s)
     return outcome, told_s[0] if told_s else time.monotonic() - begin_s
 
 
@@ -175,7 +175,7 @@ def retracting(controller: HostileController, client: SessionClient) -> None:
 
 
 def ask_way_back(client: SessionClient) -> None:
-    place = WayBack(client, load_machine("table-a")).held()
+    place = RetractClient(client, load_machine("table-a")).held()
     leg = client.session_file.with_name("leg.json")
     write_private(leg, place.along(place.back_by(BACK_MM)))
     client.ask("retrace", file=str(leg))

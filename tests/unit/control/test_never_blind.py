@@ -11,7 +11,7 @@ from desk_table import Person, Table, Visit
 
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.protocol.grbl.driver import RESET, RESUME
-from CNCStepper.control.service.position_trust_file import BeliefFile
+from CNCStepper.control.service.position_trust_file import PositionTrustFile
 from CNCStepper.control.service.sender import Sender
 from CNCStepper.control.session import files
 from CNCStepper.control.session.status import DONE, FAILED, REFUSED, STOPPED, Outcome
@@ -36,9 +36,9 @@ class Workshop:
         self.board = Grbl(load_machine("table-a"), homing=homing)
 
     @property
-    def kept(self) -> BeliefFile:
+    def kept(self) -> PositionTrustFile:
         """What the next one finds."""
-        return BeliefFile.of_port(self.folder, "table")
+        return PositionTrustFile.of_port(self.folder, "table")
 
     def visit(self, person: Callable[[Visit], Person]) -> Visit:
         """Let a person come to a desk of their own."""
@@ -164,7 +164,7 @@ def test_after_its_desk_was_killed_in_a_job_a_machine_takes_none(shop):
 
     with pytest.raises(Killed):
         shop.visit(person)
-    assert BeliefFile.of_port(shop.folder, "table").belief == LOST
+    assert PositionTrustFile.of_port(shop.folder, "table").belief == LOST
 
 
 def test_a_locked_machine_is_unknown_also_when_it_was_unlocked_by_those_before(tmp_path):

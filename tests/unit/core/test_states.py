@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from CNCStepper.gcode.interpreter.fast_path.compiled_reader import PlainReader
+from CNCStepper.gcode.interpreter.fast_path.compiled_reader import CompiledReader
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.state import FEW, PIECE, Start, State, States
 
@@ -58,7 +58,7 @@ def test_a_program_with_a_feed_on_each_line_names_a_state_on_each_row() -> None:
     feeds = [float(n + 2) for n in range(3 * FEW)]
     text = "G21 G90 G17\nG1 X0 F1\n" + "".join(f"G1 X{n} F{feed:.0f}\n" for n, feed in enumerate(feeds)) + "M2\n"
     reader = Interpreter(Start.at_zero(), "linuxcnc")
-    assert PlainReader(reader).read(text.encode())
+    assert CompiledReader(reader).read(text.encode())
     path = reader.toolpath()
     assert [path.states[state].feed_mm_min for state in path.table().state] == path.table().feed.tolist() == [1, *feeds]
 

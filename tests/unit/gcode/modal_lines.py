@@ -21,7 +21,7 @@ from rs274_runs import same_call
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.dialects.codes import RS274
-from CNCStepper.gcode.interpreter.canonical_trace import _Calls, bare_start
+from CNCStepper.gcode.interpreter.canonical_trace import _Calls, default_start
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 
 ENDS = {"M2", "M30", "M99"}  # nothing is read after them
@@ -202,7 +202,7 @@ def our_answers(lines: list[str]) -> Answers:
     """Read a program, and go on after what is refused."""
     answers = Answers()
     listener = _Listener(answers.calls)
-    interpreter = listener.interpreter = Interpreter(bare_start(), "linuxcnc", canon=listener)
+    interpreter = listener.interpreter = Interpreter(default_start(), "linuxcnc", canon=listener)
     for line in lines:
         try:
             interpreter.line(line)

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from CNCStepper.machine.backlash import Play
+from CNCStepper.machine.backlash import Backlash
 from CNCStepper.recovery.retract.move_curve import Move
 
 PLANES = {"G17": ("X", "Y", "I", "J"), "G18": ("Z", "X", "K", "I"), "G19": ("Y", "Z", "J", "K")}
@@ -83,7 +83,7 @@ def _to(at: dict[str, float], letter: str, end: float, places: int, absolute: bo
     return f"{letter}{number:.{places}f}"
 
 
-def pushed(play: Play, tool_mm: np.ndarray, moves: list[Move]) -> np.ndarray:
+def pushed(play: Backlash, tool_mm: np.ndarray, moves: list[Move]) -> np.ndarray:
     """Return where a tool comes to, which stands still until a side of its gap pushes it, float64[n, 3]."""
     gaps, sense = np.array(play.backlash_mm), np.array(play.true_sense)
     behind, ahead = np.where(sense < 0, gaps, 0.0), np.where(sense > 0, gaps, 0.0)

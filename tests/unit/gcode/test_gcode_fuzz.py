@@ -19,7 +19,7 @@ from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.dialects import dialect
 from CNCStepper.gcode.interpreter.flow.o_words import is_plain
 from CNCStepper.gcode.interpreter.state.model import model_at
-from CNCStepper.gcode.interpreter.state.system_parameters import Known
+from CNCStepper.gcode.interpreter.state.system_parameters import SystemParameters
 from CNCStepper.gcode.syntax.expressions import Scanner
 from CNCStepper.gcode.syntax.words import pack, split_line, words_of
 from CNCStepper.state import Start
@@ -50,7 +50,7 @@ def test_any_line_has_words_or_is_refused(text, strict):
 @HOSTILE
 @given(VALUES)
 def test_any_value_is_finite_or_refused(text):
-    known = Known(model_at(Start.at_zero(), dialect("linuxcnc")), 1)
+    known = SystemParameters(model_at(Start.at_zero(), dialect("linuxcnc")), 1)
     scanner = Scanner(*pack(text), known)
     try:
         value = scanner.value()

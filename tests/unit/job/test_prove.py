@@ -12,7 +12,7 @@ from CNCStepper.job.make import Made, make_program
 from CNCStepper.job.model import Job, load_job
 from CNCStepper.job.prove import Proof, prove_job
 from CNCStepper.machine.profile import Machine
-from CNCStepper.recovery.restart.places import Where
+from CNCStepper.recovery.restart.places import RequestedPlace
 from CNCStepper.recovery.restart.prove import restart_job
 from CNCStepper.state import Start
 
@@ -144,5 +144,5 @@ def test_another_program_is_proven_with_stock_and_tools_alone(pocket: tuple[Job,
     proof = prove_job(alone, machine, slot)
     assert not proof.refused and proof.report["gouge_mm"] is None and proof.part.heights_mm.min() < -1.9
     assert prove_job(alone, machine, slot.replace("G1 Z-2 F200", "G0 Z-2")).refused
-    rest = restart_job(alone, machine, slot, Where(line=8))
+    rest = restart_job(alone, machine, slot, RequestedPlace(line=8))
     assert not rest.proof.refused and "X20 F600" in rest.restart.text

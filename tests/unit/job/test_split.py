@@ -16,7 +16,7 @@ from CNCStepper.errors import JobError, ProgramError
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.job.make import is_split, make_parts, make_program
 from CNCStepper.job.model import Job, load_job
-from CNCStepper.job.prove import earlier_proofs, prove_job, prove_parts
+from CNCStepper.job.prove import prior_proofs, prove_job, prove_parts
 from CNCStepper.machine.profile import Machine
 from CNCStepper.simulation.prior_programs import followed
 from CNCStepper.state import Start
@@ -121,12 +121,12 @@ def test_the_later_program_is_proven_on_the_stock_that_the_earlier_one_has_cut(l
 def test_a_text_that_is_none_of_the_parts_has_no_place_among_them(loaded: tuple[Job, Machine]) -> None:
     job, machine = loaded
     first, second = (part.program for part in make_parts(job, machine))
-    assert earlier_proofs(job, machine, first) == ()
+    assert prior_proofs(job, machine, first) == ()
     for text in (second.replace("X4.000", "X5.000"), second + "(mine)\n", ""):
         with pytest.raises(JobError, match="none of the job's parts"):
-            earlier_proofs(job, machine, text)
+            prior_proofs(job, machine, text)
     paused = machine.model_copy(update={"tool_change": "pause"})
-    assert earlier_proofs(job, paused, second + "(mine)\n") == ()
+    assert prior_proofs(job, paused, second + "(mine)\n") == ()
 
 
 @pytest.mark.slow

@@ -9,7 +9,7 @@ import pytest
 
 from CNCStepper.errors import JobError
 from CNCStepper.geometry.quadrant_points import turning_points
-from CNCStepper.machine.backlash import Motors, Play
+from CNCStepper.machine.backlash import Backlash, Motors
 from CNCStepper.machine.profile import Axis, load_machine, validated
 
 AXIS = {
@@ -19,11 +19,11 @@ AXIS = {
     "travel_min_mm": -200,
     "travel_max_mm": 0,
 }
-PLAY = Play((0.1, 0.0, 0.2), (-1, -1, 1), (80.0, 80.0, 400.0))
+PLAY = Backlash((0.1, 0.0, 0.2), (-1, -1, 1), (80.0, 80.0, 400.0))
 
 
 def test_shipped_profiles_have_no_play() -> None:
-    assert not Play.of(load_machine("table-a"))
+    assert not Backlash.of(load_machine("table-a"))
 
 
 @pytest.mark.parametrize("backlash_mm", [-0.1, 200, math.inf])

@@ -14,7 +14,7 @@ from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.wire.encoder import prepare
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.recovery.restart.options import Options
-from CNCStepper.recovery.restart.places import Where
+from CNCStepper.recovery.restart.places import RequestedPlace
 from CNCStepper.recovery.restart.program import read_program
 from CNCStepper.recovery.restart.restart_program import Restart, restart, restart_of
 from CNCStepper.state import Start
@@ -32,7 +32,7 @@ def restarts(name: str, start: Start | None = START, overlap_mm: float = 0.0) ->
     program, made = read_program(text, dialect, start, "p.nc"), []
     for number, time in product(range(1, text.count("\n") + 1), (1, 2, 3) if "repeat" in text else (0,)):
         try:
-            made.append((number, restart_of(program, Where(line=number, time=time), Options(overlap_mm))))
+            made.append((number, restart_of(program, RequestedPlace(line=number, time=time), Options(overlap_mm))))
         except ProgramError as error:
             assert error.code in NOWHERE, (number, error)
     assert made
@@ -86,7 +86,7 @@ def test_a_work_zero_that_is_not_known_is_no_hindrance(name: str) -> None:
 
 
 def test_the_entry_comes_from_above_with_the_spindle_turning() -> None:
-    made = restart(SQUARE, Where(line=10), start=START, options=Options(spin_up_s=5.0))
+    made = restart(SQUARE, RequestedPlace(line=10), start=START, options=Options(spin_up_s=5.0))
     entry = made.text.splitlines()[2:]
     assert entry[:9] == [
         "M5 M9",
@@ -105,21 +105,21 @@ def test_the_entry_comes_from_above_with_the_spindle_turning() -> None:
 def test_a_beam_is_switched_on_once_it_is_down_with_the_programs_own_pierce() -> None:
     text = "G21 G90\nG0 Z10\nX0 Y0\nG1 Z0 F500\nM3 S1\nG4 P0.7\nG1 X10 F1500\nY10\nX0\nM5\nG0 Z10\nM2\n"
     jet = Tool(number=0, shape="jet", diameter_mm=1.0)
-    made = restart(text, Where(line=8), options=Options(spin_up_s=9.0, tools=jet))
+    made = restart(text, RequestedPlace(line=8), options=Options(spin_up_s=9.0, tools=jet))
     assert made.approach.is_beam
     lines = made.text.splitlines()
     assert lines[lines.index("G1 Z0 F500") :][:4] == ["G1 Z0 F500", "M3 S1", "G4 P0.7", "F1500"]
 
 
 def test_the_overlap_ends_where_the_pass_begins() -> None:
-    made = restart(SQUARE, Where(line=15), start=START, options=Options(overlap_mm=500.0))
+    made = restart(SQUARE, RequestedPlace(line=15), start=START, options=Options(overlap_mm=500.0))
     assert made.entrance.row == 8
     assert made.entrance.overlap_mm == pytest.approx(60.0)
     assert "the cut begins there" in made.entrance.notes[0]
 
 
 def test_the_overlap_is_cut_again_and_no_more() -> None:
-    made = restart(SQUARE, Where(line=10), start=START, options=Options(overlap_mm=25.0))
+    made = restart(SQUARE, RequestedPlace(line=10), start=START, options=Options(overlap_mm=25.0))
     assert made.approach.at_mm == pytest.approx((-200 + 35, -150, -31))
     assert made.text.splitlines()[12] == "G1 X40 Y0 Z-1 F800"
 
@@ -127,7 +127,7 @@ def test_the_overlap_is_cut_again_and_no_more() -> None:
 def test_a_descent_is_entered_at_its_begin() -> None:
     cut = "G0 X50 Y0\nG1 Z-1 F200\nX60 F800\nG0 Z10\n"
     text = HEAD + cut + "G0 X0 Y0\nG1 Z0 F500\nG1 X10 Z-1 F300\nX0 Z-2\nX10 Z-3\nX0\nY10 F800\nX10\n" + END
-    made = restart(text, Where(line=14), start=START)
+    made = restart(text, RequestedPlace(line=14), start=START)
     assert made.entrance.notes == ("it is within a way into the cut, which begins at line 11",)
 
 
@@ -135,33 +135,33 @@ def test_a_lead_in_is_entered_at_the_plunge() -> None:
     text = HEAD + "G0 X0 Y0\nG1 Z-1 F200\nG3 X5 Y5 I0 J5 F800\nG1 X40\nY40\nX5\nY5\nG3 X0 Y10 I-5 J0\n" + END
     text = text.replace(END, "G0 Z10\nX60\nG1 Z-1\nX80\n" + END)
     with pytest.raises(ProgramError, match="restart-at-start"):
-        restart(text, Where(line=8), start=START)
-    assert restart(text, Where(line=10), start=START).entrance.row == 5
+        restart(text, RequestedPlace(line=8), start=START)
+    assert restart(text, RequestedPlace(line=10), start=START).entrance.row == 5
 
 
 def test_a_plunge_from_an_unknown_height_gives_the_feed_of_the_entry() -> None:
     text = "G21 G90\nM3 S8000\nG0 X0 Y0\nG1 Z-1 F200\nX40 F3000\nY20\nX0\nG0 Z5\nX0 Y0\nM2\n"
-    assert restart(text, Where(line=6)).approach.plunge_mm_min == 200
+    assert restart(text, RequestedPlace(line=6)).approach.plunge_mm_min == 200
 
 
 def test_a_thread_mills_helix_is_entered_at_its_begin() -> None:
     helix = "G3 X2 Y0 I1 J0 F300\nG3 X2 Y0 Z-4 I-2 J0\nG3 X2 Y0 Z-3 I-2 J0\nG3 X0 Y0 I-1 J0\n"
     text = HEAD + "G0 X20 Y0\nG1 Z-1 F100\nX30\nG0 Z10\nG0 X0 Y0\nG1 Z-5 F200\n" + helix + END
-    made = restart(text, Where(line=14), start=START)
+    made = restart(text, RequestedPlace(line=14), start=START)
     assert "thread mills" in made.entrance.notes[0]
     assert made.program.file_line(made.entrance.row) == 11
 
 
 def test_a_point_finds_the_nearest_cut_and_the_first_of_those_on_top_of_each_other() -> None:
-    made = restart(SQUARE, Where(at_mm=(41.0, 12.0)), start=START)
+    made = restart(SQUARE, RequestedPlace(at_mm=(41.0, 12.0)), start=START)
     assert made.approach.at_mm == pytest.approx((-160, -138, -31))
-    made = restart(SQUARE, Where(at_mm=(41.0, 12.0, -1.9)), start=START)
+    made = restart(SQUARE, RequestedPlace(at_mm=(41.0, 12.0, -1.9)), start=START)
     assert made.approach.at_mm == pytest.approx((-160, -138, -32))
 
 
 def test_a_point_lies_on_the_middle_of_an_arc() -> None:
     text = HEAD + "G0 X10 Y0\nG1 Z-1 F200\nG3 X10 Y0 I-10 J0 F700\n" + END
-    made = restart(text, Where(at_mm=(-20.0, 0.1)), start=START)
+    made = restart(text, RequestedPlace(at_mm=(-20.0, 0.1)), start=START)
     x, y, _ = made.approach.at_mm
     assert np.hypot(x + 200, y + 150) == pytest.approx(10.0, abs=1e-6)
     assert (x, y) == pytest.approx((-210, -149.95), abs=0.02)
@@ -171,14 +171,14 @@ def test_operations_and_contours_are_found_by_name_and_number() -> None:
     one, two = "G0 X0 Y0\nG1 Z-1 F200\nX9 F800\nG0 Z10\n", "G0 X0 Y5\nG1 Z-1 F200\nX9 F800\nG0 Z10\n"
     text = f"{HEAD}(begin operation: face)\n{one}(finish operation: face)\n(begin operation: slot)\n{two}{one}"
     text += f"(finish operation: slot)\n{END}"
-    assert restart(text, Where(operation="Slot"), start=START).entrance.row == 5
-    assert restart(text, Where(operation="slot", contour=2), start=START).entrance.row == 10
-    assert restart(text, Where(contour=3), start=START).entrance.row == 10
+    assert restart(text, RequestedPlace(operation="Slot"), start=START).entrance.row == 5
+    assert restart(text, RequestedPlace(operation="slot", contour=2), start=START).entrance.row == 10
+    assert restart(text, RequestedPlace(contour=3), start=START).entrance.row == 10
     with pytest.raises(ProgramError, match=r"its operations are: 1 \(face\), 2 \(slot\)"):
-        restart(text, Where(operation="bore"), start=START)
+        restart(text, RequestedPlace(operation="bore"), start=START)
 
 
-def refusal(text: str, where: Where, dialect: str = "grbl", options: Options | None = None) -> str:
+def refusal(text: str, where: RequestedPlace, dialect: str = "grbl", options: Options | None = None) -> str:
     with pytest.raises(ProgramError) as error:
         restart(text, where, dialect, START, "p.nc", options)
     assert error.value.advice
@@ -186,25 +186,25 @@ def refusal(text: str, where: Where, dialect: str = "grbl", options: Options | N
 
 
 def test_what_cannot_be_restarted_is_refused_with_a_reason() -> None:
-    assert refusal(SQUARE, Where(line=6)) == "restart-at-start"
-    assert refusal(SQUARE, Where(line=19)) == "restart-nothing-left"
-    assert refusal(SQUARE, Where()) == "restart-where"
-    assert refusal(SQUARE, Where(line=9, contour=1)) == "restart-where"
-    assert refusal(SQUARE, Where(contour=2)) == "restart-contour"
-    assert refusal("M2\n", Where(line=1)) == "restart-empty"
-    assert refusal("G21\nG90\nG1 X5 F100\n", Where(line=3), "marlin") == "restart-dialect"
-    assert refusal(SQUARE, Where(line=9), options=Options(height_mm=-5.0)) == "restart-height"
-    assert refusal("G90 G21 G1 X0 Y0 Z-1 F100\nX5\nX9\nM2\n", Where(line=3)) == "restart-height"
-    assert refusal(PROGRAMS["subprograms"][1], Where(line=3), "grblhal") == "restart-time"
+    assert refusal(SQUARE, RequestedPlace(line=6)) == "restart-at-start"
+    assert refusal(SQUARE, RequestedPlace(line=19)) == "restart-nothing-left"
+    assert refusal(SQUARE, RequestedPlace()) == "restart-where"
+    assert refusal(SQUARE, RequestedPlace(line=9, contour=1)) == "restart-where"
+    assert refusal(SQUARE, RequestedPlace(contour=2)) == "restart-contour"
+    assert refusal("M2\n", RequestedPlace(line=1)) == "restart-empty"
+    assert refusal("G21\nG90\nG1 X5 F100\n", RequestedPlace(line=3), "marlin") == "restart-dialect"
+    assert refusal(SQUARE, RequestedPlace(line=9), options=Options(height_mm=-5.0)) == "restart-height"
+    assert refusal("G90 G21 G1 X0 Y0 Z-1 F100\nX5\nX9\nM2\n", RequestedPlace(line=3)) == "restart-height"
+    assert refusal(PROGRAMS["subprograms"][1], RequestedPlace(line=3), "grblhal") == "restart-time"
 
 
 def test_the_rest_that_would_differ_is_refused() -> None:
     text = HEAD + "G0 X0 Y0\nG1 Z-1 F200\nG28.1\nX10 F800\nX20\nG28 Z10\nX30\n" + END
-    assert refusal(text, Where(line=10)) == "restart-differs"
+    assert refusal(text, RequestedPlace(line=10)) == "restart-differs"
 
 
 def test_marks_and_line_numbers_of_the_old_file_are_told() -> None:
-    made = restart(SQUARE, Where(line=10), start=START)
+    made = restart(SQUARE, RequestedPlace(line=10), start=START)
     lines, old = made.text.splitlines(), SQUARE.splitlines()
     assert [old[number - 1] for number in made.file_lines[made.file_lines > 0]][1:] == lines[-9:]
     assert len(made.file_lines) == len(lines)

@@ -17,13 +17,13 @@ from CNCStepper.errors import ProgramError
 from CNCStepper.job.certify import certificate_of
 from CNCStepper.job.make import make_parts, make_program
 from CNCStepper.job.model import Job, load_job
-from CNCStepper.job.prove import earlier_proofs
+from CNCStepper.job.prove import prior_proofs
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.recovery.restart import prove as restart_module
 from CNCStepper.recovery.restart.description import contour_table, words_of
-from CNCStepper.recovery.restart.places import Where
-from CNCStepper.recovery.restart.prove import Entering, ProvenRestart, restart_job, restart_name, restart_program
+from CNCStepper.recovery.restart.places import RequestedPlace
+from CNCStepper.recovery.restart.prove import EntryOptions, ProvenRestart, restart_job, restart_name, restart_program
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.state import Start
 
@@ -59,7 +59,7 @@ def judge_at_random_places(name: str, count: int) -> None:
     for _ in range(count):
         line, overlap_mm = pick.randint(1, text.count("\n")), pick.choice((0.0, 1.0, 5.0))
         try:
-            proven = restart_job(job, machine, text, Where(line=line), Entering(overlap_mm), file="p.nc")
+            proven = restart_job(job, machine, text, RequestedPlace(line=line), EntryOptions(overlap_mm), file="p.nc")
         except ProgramError as error:
             assert error.code in NOWHERE, error
             continue
@@ -74,7 +74,7 @@ def test_an_example_restarted_at_a_random_line_is_cut_whole(name: str) -> None:
 
 def test_the_certificate_is_that_of_the_restart_and_names_what_has_cut_before() -> None:
     job, machine, text = made("cycles/rectangular-pocket.toml")
-    proven = restart_job(job, machine, text, Where(line=60), file="p.nc")
+    proven = restart_job(job, machine, text, RequestedPlace(line=60), file="p.nc")
     certificate = Certificate.from_json(certificate_of(proven.proof).to_json())
     certificate.check_clean()
     assert certificate.content["before"] == [digest_of_text(text)]
@@ -95,7 +95,7 @@ def test_what_is_not_cut_before_the_place_is_found(monkeypatch: pytest.MonkeyPat
 
     restart_module_restart = restart_module.restart
     monkeypatch.setattr(restart_module, "restart", forgets)
-    proven = restart_job(job, machine, text, Where(line=120), file="p.nc")
+    proven = restart_job(job, machine, text, RequestedPlace(line=120), file="p.nc")
     assert proven.proof.refused
     assert {"left-over", "restart-incomplete"} & {finding.code for finding in proven.proof.findings}
 
@@ -104,9 +104,9 @@ COLUMNS = ("kind", "end", "centre", "plane", "turns", "feed", "state", "line")
 
 
 def test_a_height_below_what_stands_is_refused_by_the_proof() -> None:
-    low = Entering(height_mm=-1.0)
+    low = EntryOptions(height_mm=-1.0)
     proven = restart_program(
-        SQUARE, machine_a(), Where(line=11), low, stock=Stock((100, 100, 10)), tools=MILL, file="p.nc"
+        SQUARE, machine_a(), RequestedPlace(line=11), low, stock=Stock((100, 100, 10)), tools=MILL, file="p.nc"
     )
     assert proven.proof.refused
     assert "place-unknown-in-stock" in {finding.code for finding in proven.proof.findings}
@@ -117,7 +117,7 @@ def machine_a() -> Machine:
 
 
 def test_the_plunge_is_the_tools_and_the_wait_the_machines() -> None:
-    proven = restart_program(SQUARE, machine_a(), Where(line=10), stock=Stock((100, 100, 10)), tools=MILL)
+    proven = restart_program(SQUARE, machine_a(), RequestedPlace(line=10), stock=Stock((100, 100, 10)), tools=MILL)
     lines = proven.restart.text.splitlines()
     assert "G1 Z-2 F150" in lines
     assert f"G4 P{machine_a().spindle.spin_up_s:g}" in lines
@@ -130,15 +130,15 @@ def test_a_program_of_a_split_job_is_restarted_on_what_the_ones_before_have_cut(
     machine = machine.model_copy(update={"tool_change": "split"})
     parts = make_parts(job, machine)
     text = parts[1].program
-    earlier = earlier_proofs(job, machine, text)
-    proven = restart_job(job, machine, text, Where(line=text.count("\n") // 2), earlier=earlier, file="p.nc")
+    earlier = prior_proofs(job, machine, text)
+    proven = restart_job(job, machine, text, RequestedPlace(line=text.count("\n") // 2), earlier=earlier, file="p.nc")
     assert_clean(proven, "the second part")
     assert len(certificate_of(proven.proof).content["before"]) == 2
 
 
 def test_words_tell_where_from_what_height_and_with_what() -> None:
     start = Start.with_work_zero((-200.0, -200.0, -40.0))
-    proven = restart_program(SQUARE, machine_a(), Where(line=11), Entering(overlap_mm=5), start=start)
+    proven = restart_program(SQUARE, machine_a(), RequestedPlace(line=11), EntryOptions(overlap_mm=5), start=start)
     assert list(words_of(proven.restart)) == [
         "enters line 10 at X5.000 Y20.000 Z-2.000",
         "with 88% of its move done",
@@ -156,7 +156,7 @@ def test_words_tell_where_from_what_height_and_with_what() -> None:
 def test_the_rest_of_the_cut_takes_the_time_that_it_took() -> None:
     """Without the entry the restart takes as long as the program from there on."""
     job, machine, text = made("brazil-engraving.toml")
-    proven = restart_job(job, machine, text, Where(line=100))
+    proven = restart_job(job, machine, text, RequestedPlace(line=100))
     own = np.flatnonzero(proven.proof.toolpath.table().line > (proven.restart.file_lines == 0).sum())
     assert len(own) == len(proven.restart.program.path) - proven.restart.entrance.row
     assert proven.proof.times_s[-1] > proven.proof.times_s[own[0]] > 0

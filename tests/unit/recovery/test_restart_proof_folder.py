@@ -13,9 +13,9 @@ from CNCStepper.job.make import make_program
 from CNCStepper.job.model import load_job
 from CNCStepper.job.proof_folder import read_answer, write_question
 from CNCStepper.recovery.restart.description import words_of
-from CNCStepper.recovery.restart.places import Where
+from CNCStepper.recovery.restart.places import RequestedPlace
 from CNCStepper.recovery.restart.proof_folder import RestartPlace, read_place, read_restart, write_place
-from CNCStepper.recovery.restart.prove import Entering, restart_job
+from CNCStepper.recovery.restart.prove import EntryOptions, restart_job
 from CNCStepper.workers.proof import answer
 
 JOB = Path(__file__).parents[3] / "examples" / "jobs" / "cycles" / "bore.toml"
@@ -24,9 +24,9 @@ JOB = Path(__file__).parents[3] / "examples" / "jobs" / "cycles" / "bore.toml"
 @pytest.mark.parametrize(
     "place",
     [
-        RestartPlace(Where(line=12, time=2), 1.5, 7.25),
-        RestartPlace(Where(operation="pocket", contour=3)),
-        RestartPlace(Where(at_mm=(1.0, -2.5, -0.1))),
+        RestartPlace(RequestedPlace(line=12, time=2), 1.5, 7.25),
+        RestartPlace(RequestedPlace(operation="pocket", contour=3)),
+        RestartPlace(RequestedPlace(at_mm=(1.0, -2.5, -0.1))),
         None,
     ],
 )
@@ -39,11 +39,11 @@ def test_a_place_is_read_as_it_was_written(tmp_path: Path, place: RestartPlace |
 def test_the_answer_is_that_of_restart_job(tmp_path: Path) -> None:
     job, machine = load_job(JOB)
     program = make_program(job, machine).program
-    where = Where(contour=2)
+    where = RequestedPlace(contour=2)
     write_question(tmp_path, program, job, machine)
     write_place(tmp_path, RestartPlace(where, 0.5, 12.0))
     answer(tmp_path, "bore")
-    proven = restart_job(job, machine, program, where, Entering(0.5, 12.0), file="bore")
+    proven = restart_job(job, machine, program, where, EntryOptions(0.5, 12.0), file="bore")
     told = read_restart(tmp_path)
     assert told is not None and told.program == proven.restart.text
     assert told.words == tuple(words_of(proven.restart))
@@ -58,7 +58,7 @@ def test_the_answer_is_that_of_restart_job(tmp_path: Path) -> None:
 def test_a_place_that_is_none_is_refused(tmp_path: Path) -> None:
     job, machine = load_job(JOB)
     write_question(tmp_path, make_program(job, machine).program, job, machine)
-    write_place(tmp_path, RestartPlace(Where(line=100_000)))
+    write_place(tmp_path, RestartPlace(RequestedPlace(line=100_000)))
     with pytest.raises(ProgramError, match="nothing moves at line 100000"):
         answer(tmp_path, "bore")
     assert read_restart(tmp_path) is None

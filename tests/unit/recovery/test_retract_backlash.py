@@ -11,14 +11,14 @@ import numpy as np
 import pytest
 from play_paths import program_of_places, pushed, random_program
 
-from CNCStepper.control.stream.return_path import landed_mm, over_gaps
+from CNCStepper.control.stream.return_path import landed_mm, over_backlash
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.wire.encoder import prepare
-from CNCStepper.machine.backlash import Motors, Play
+from CNCStepper.machine.backlash import Backlash, Motors
 from CNCStepper.motion.planner.backlash import tool_moves
 from CNCStepper.recovery.retract.backlash_compensation import crossing, taken_up
 from CNCStepper.recovery.retract.move_curve import Move
-from CNCStepper.recovery.retract.path import Place, Way
+from CNCStepper.recovery.retract.path import Place, RetractPath
 from CNCStepper.recovery.retract.path_section import stretch_moves
 from CNCStepper.simulation.tip_segments import segments
 from CNCStepper.state import Start
@@ -30,9 +30,9 @@ STEP_MM = 0.018  # of X, Y and Z at once
 SEEDS = range(16)
 
 
-def some_play(rng: random.Random) -> Play:
+def some_play(rng: random.Random) -> Backlash:
     gaps = tuple(rng.choice((0.0, 1.0)) * rng.uniform(0.005, 0.4) for _ in range(3))
-    return Play((*gaps[:2], 0.1), tuple(rng.choice((-1, 1)) for _ in range(3)), STEPS_PER_MM)
+    return Backlash((*gaps[:2], 0.1), tuple(rng.choice((-1, 1)) for _ in range(3)), STEPS_PER_MM)
 
 
 def farthest_mm(points: np.ndarray, path: Toolpath) -> float:
@@ -60,7 +60,7 @@ class Loose:
         self.path = interpret(program, AT_ZERO)
         wire = prepare(program, "grbl", "", AT_ZERO, self.play)
         motors = interpret("".join(f"{line}\n" for line in wire.lines), AT_ZERO)
-        self.motors, self.way = Way(motors), Way(tool_moves(motors, self.play))
+        self.motors, self.way = RetractPath(motors), RetractPath(tool_moves(motors, self.play))
         self.place = self.some_place()
         here = [self.motors.move(row).part(0.0, 1.0) for row in range(self.place.row)]
         here.append(self.motors.move(self.place.row).part(0.0, self.place.share))
@@ -139,7 +139,7 @@ def test_jogged_tool_comes_to_its_place_from_either_side_of_its_gaps(seed: int) 
         for gap, sense in zip(play.backlash_mm, play.true_sense, strict=True)
     ]
     moves, at = [], here
-    for place, _ in over_gaps(here, there, rng.uniform(-20.0, -5.0), play):
+    for place, _ in over_backlash(here, there, rng.uniform(-20.0, -5.0), play):
         moves.append(Move(LINE, at, tuple(now if to is None else to for now, to in zip(at, place, strict=True))))
         at = moves[-1].end
     assert at == pytest.approx(landed_mm(there, play))
@@ -152,5 +152,5 @@ def test_jogged_tool_comes_to_its_place_from_either_side_of_its_gaps(seed: int) 
 def test_beam_is_off_while_motors_cross_their_gaps_alone() -> None:
     there, own = (1.0, 0.0, 0.0), Move(LINE, (0.0, 0.0, 0.0), (9.0, 0.0, 0.0), feed_mm_min=300.0)
     gaps = (0.1, 0.1, 0.1), (-1, -1, -1), STEPS_PER_MM
-    assert crossing((0.9, 0.0, 0.0), there, own, Play(*gaps, beam=True)).kind == RAPID
-    assert crossing((0.9, 0.0, 0.0), there, own, Play(*gaps)).feed_mm_min == 300.0
+    assert crossing((0.9, 0.0, 0.0), there, own, Backlash(*gaps, beam=True)).kind == RAPID
+    assert crossing((0.9, 0.0, 0.0), there, own, Backlash(*gaps)).feed_mm_min == 300.0

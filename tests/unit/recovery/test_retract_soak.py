@@ -26,9 +26,9 @@ from cut_table import (
     worst_distance_mm,
 )
 
-from CNCStepper.gcode.wire.backlash_compensation import play_of
+from CNCStepper.gcode.wire.backlash_compensation import backlash_of
 from CNCStepper.recovery.retract.path import Place
-from CNCStepper.recovery.retract.prove import Held
+from CNCStepper.recovery.retract.prove import HeldProgram
 
 pytestmark = pytest.mark.slow
 CASES = int(os.environ.get("CNCSTEPPER_CASES", "25"))
@@ -37,7 +37,7 @@ END_MM = 0.013  # a step of X or Y
 NOISE = 0.01  # of the length measured
 
 
-def somewhere(held: Held, rng: random.Random) -> Place:
+def somewhere(held: HeldProgram, rng: random.Random) -> Place:
     """Return where a person may want to go."""
     lines = [held.file_line(Place(row, 0.0)) for row in range(held.way.begin_before(held.place), held.place.row + 1)]
     return rng.choice(
@@ -86,7 +86,7 @@ class Wanderer:
 
     def find(self):
         """Return what a client finds, and compare it with how far the axes have gone."""
-        found: list[Held] = []
+        found: list[HeldProgram] = []
         yield from self.cut.find(found)
         way = found[0].way
         here_mm = along_mm(way, found[0].place)
@@ -119,7 +119,7 @@ def wandered(cut: Cut, name: str, rng: random.Random) -> None:
     print(f"{wanderer.stands} stands, {worst_mm:.4f} mm")
     assert worst_mm <= STEP_MM + ROUNDING_MM
     assert np.allclose(
-        cut.trace[-1], undisturbed.trace[-1], rtol=0.0, atol=END_MM if play_of(cut.machine, "grbl") else 0.0
+        cut.trace[-1], undisturbed.trace[-1], rtol=0.0, atol=END_MM if backlash_of(cut.machine, "grbl") else 0.0
     )
 
 

@@ -13,7 +13,7 @@ import pytest
 from CNCStepper.control.stream.return_path import over
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.wire.wire_text import check_wire_line
-from CNCStepper.recovery.retract.path import Place, Way
+from CNCStepper.recovery.retract.path import Place, RetractPath
 from CNCStepper.recovery.retract.path_section import stretch_moves
 from CNCStepper.recovery.retract.wire_writer import head_lines, modes_line, output_lines, over_lines, way_lines
 from CNCStepper.state import Start
@@ -37,16 +37,16 @@ SEEDS = range(20)
 
 
 @pytest.fixture(scope="module")
-def way() -> Way:
-    return Way(interpret(PROGRAM, START))
+def way() -> RetractPath:
+    return RetractPath(interpret(PROGRAM, START))
 
 
-def some_place(way: Way, rng: random.Random) -> Place:
+def some_place(way: RetractPath, rng: random.Random) -> Place:
     return Place(rng.randrange(1, len(way)), rng.choice((0.0, 1.0, 1e-7, rng.random())))
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_text_read_back_is_the_stretch(way: Way, seed: int) -> None:
+def test_text_read_back_is_the_stretch(way: RetractPath, seed: int) -> None:
     rng = random.Random(seed)
     begin, end = some_place(way, rng), some_place(way, rng)
     state = way.toolpath.states[int(way.toolpath.table().state[begin.row])]
@@ -55,7 +55,7 @@ def test_text_read_back_is_the_stretch(way: Way, seed: int) -> None:
     head = head_lines(state, at) + output_lines(state, 3.0)
     for line in [*head, *lines]:
         check_wire_line(line)
-    read = Way(interpret("\n".join([*head, *lines]), replace(START, position_mm=at, work_system="G54")))
+    read = RetractPath(interpret("\n".join([*head, *lines]), replace(START, position_mm=at, work_system="G54")))
     for number, (row, first, last) in enumerate(parts):
         own = read.move(int(read.rows_of(len(head) + number + 1)[0]))
         for share in (0.0, 0.3, 1.0):
@@ -63,7 +63,7 @@ def test_text_read_back_is_the_stretch(way: Way, seed: int) -> None:
             assert dist(own.at(share), wanted) < 0.001
 
 
-def test_head_brings_back_what_a_reset_takes(way: Way) -> None:
+def test_head_brings_back_what_a_reset_takes(way: RetractPath) -> None:
     state = way.toolpath.states[-1]
     head = head_lines(state, (-90.0, -48.0, -10.0)) + output_lines(state, 3.0)
     read = interpret("\n".join(head), replace(START, position_mm=(-90.0, -48.0, -10.0))).states[-1]
@@ -83,7 +83,7 @@ def test_modes_are_those_of_the_program() -> None:
     assert (read.units, read.distance, read.plane, read.feed_mm_min) == ("inch", "incremental", "ZX", 254.0)
 
 
-def test_way_over_is_in_work_coordinates_and_higher_than_both_ends(way: Way) -> None:
+def test_way_over_is_in_work_coordinates_and_higher_than_both_ends(way: RetractPath) -> None:
     state = way.toolpath.states[-1]
     here, there = (-90.0, -48.0, -10.0), (-80.0, -48.0, -12.0)
     text = "\n".join([*head_lines(state, here), *over_lines(over(here, there, -5.0), state)])

@@ -13,7 +13,7 @@ from test_jog_in_hold import SAMPLE_MM, jogged, led, off_path
 
 from CNCStepper.control.session.command import Command
 from CNCStepper.machine.profile import Machine, load_machine
-from CNCStepper.recovery.retract.path import Place, Way
+from CNCStepper.recovery.retract.path import Place, RetractPath
 
 pytestmark = pytest.mark.slow
 NEAR_MM = STEP_MM + ROUNDING_MM
@@ -225,7 +225,7 @@ def test_pause_behind_a_way_back_is_left_with_each_axis_on_its_side_of_the_gap(t
     assert again == pytest.approx(place, abs=STEP_MM) and aheads_again == pytest.approx(aheads, abs=STEP_MM)
 
 
-def gone_mm(way: Way, place: Place) -> float:
+def gone_mm(way: RetractPath, place: Place) -> float:
     """How far X has gone, there and back, up to a place of straight moves."""
     parts = [way.move(row).part(0.0, place.share if row == place.row else 1.0) for row in range(place.row + 1)]
     return sum(abs(part.end[0] - part.begin[0]) for part in parts)

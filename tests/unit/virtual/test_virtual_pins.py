@@ -6,7 +6,7 @@ from __future__ import annotations
 import pytest
 
 from CNCStepper.errors import JobError, MachineRefusal
-from CNCStepper.virtual.server.pin_presses import TAP_S, Hand
+from CNCStepper.virtual.server.pin_presses import TAP_S, PinPresses
 
 
 def pins(grbl) -> str:
@@ -76,19 +76,19 @@ def test_probe_pressed_by_hand_ends_a_probing_move(grbl):
 
 def test_typed_line_taps_presses_and_releases(grbl):
     told: list[str] = []
-    hand = Hand(grbl.board, told.append)
-    hand.hear("p")
+    hand = PinPresses(grbl.board, told.append)
+    hand.on_message("p")
     assert pins(grbl) == "P"
     grbl.say(b"", TAP_S + 0.1)
     hand.turn()
     assert pins(grbl) == ""
-    hand.hear("press X")
+    hand.on_message("press X")
     grbl.say(b"", 5.0)
     hand.turn()
     assert pins(grbl) == "X"
-    hand.hear("release X")
+    hand.on_message("release X")
     assert pins(grbl) == ""
-    hand.hear("jump")
+    hand.on_message("jump")
     assert (
         told[:3] == ["pins that are on: P", "pins that are on: X", "pins that are on: none"] and "no press" in told[3]
     )
@@ -97,7 +97,7 @@ def test_typed_line_taps_presses_and_releases(grbl):
 def test_timeline_presses_by_the_boards_clock(grbl, tmp_path):
     path = tmp_path / "presses ç.toml"
     path.write_text('[[press]]\npin = "Y"\nat_s = 1\nfor_s = 0.5\n\n[[press]]\npin = "P"\nat_s = 0.4\n', "utf-8")
-    hand = Hand(grbl.board)
+    hand = PinPresses(grbl.board)
     hand.plan(path)
     seen = []
     for _ in range(20):
@@ -124,4 +124,4 @@ def test_timeline_that_is_none_is_refused_by_name(grbl, tmp_path, text):
     path = tmp_path / "bad timeline"
     path.write_text(text, "utf-8")
     with pytest.raises(JobError, match="bad timeline"):
-        Hand(grbl.board).plan(path)
+        PinPresses(grbl.board).plan(path)

@@ -8,7 +8,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from CNCStepper.workbench.services.program_observer import ProgramWatch
+from CNCStepper.workbench.services.program_observer import ProgramObserver
 
 
 @pytest.fixture
@@ -23,7 +23,7 @@ def observers(monkeypatch: pytest.MonkeyPatch) -> list[object]:
 def test_it_hears_of_its_own_object_alone_and_of_every_document(observers: list[object]) -> None:
     heard: list[str] = []
     mine, other = object(), object()
-    watch = ProgramWatch(mine, lambda: heard.append("changed"), lambda: heard.append("deleted"), heard.append)
+    watch = ProgramObserver(mine, lambda: heard.append("changed"), lambda: heard.append("deleted"), heard.append)
     assert observers == [watch]
     watch.slotChangedObject(other, "Program")
     watch.slotChangedObject(mine, "Label")
@@ -38,7 +38,7 @@ def test_it_hears_of_its_own_object_alone_and_of_every_document(observers: list[
 
 def test_it_may_watch_nothing_and_another_one_later(observers: list[object]) -> None:
     heard: list[str] = []
-    watch = ProgramWatch(None, lambda: heard.append("changed"), lambda: heard.append("deleted"), heard.append)
+    watch = ProgramObserver(None, lambda: heard.append("changed"), lambda: heard.append("deleted"), heard.append)
     watch.slotDeletedObject(None)
     watch.obj = mine = object()
     watch.slotChangedObject(mine, "Program")
@@ -46,7 +46,7 @@ def test_it_may_watch_nothing_and_another_one_later(observers: list[object]) -> 
 
 
 def test_it_ends_once(observers: list[object]) -> None:
-    watch = ProgramWatch(None, list, list, lambda name: None)
+    watch = ProgramObserver(None, list, list, lambda name: None)
     watch.end()
     watch.end()
     assert observers == []

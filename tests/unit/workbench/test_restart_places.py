@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import pytest
 
-from CNCStepper.recovery.restart.places import Where
+from CNCStepper.recovery.restart.places import RequestedPlace
 from CNCStepper.workbench.restart.places import CONTOUR, OPERATION, Row, chosen, line_of, row_of, rows_of
 
 TOLD = {
@@ -34,21 +34,23 @@ def test_an_operation_that_begins_with_its_contour_stands_before_it() -> None:
 
 
 def test_two_operations_of_one_name_are_named_by_their_numbers() -> None:
-    assert [row.where for row in ROWS if row.kind == OPERATION] == [Where(operation=number) for number in "123"]
-    assert ROWS[-1].where == Where(contour=4)
+    assert [row.where for row in ROWS if row.kind == OPERATION] == [
+        RequestedPlace(operation=number) for number in "123"
+    ]
+    assert ROWS[-1].where == RequestedPlace(contour=4)
 
 
 @pytest.mark.parametrize(
     ("where", "said", "row", "line"),
     [
-        (Where(line=43), "From line 43", None, 43),
-        (Where(line=43, time=2), "From line 43, the time that it is run: 2", None, 43),
-        (Where(operation="2"), "From the operation pocket", 2, 40),
-        (Where(contour=3), "From contour 3", 4, 60),
-        (Where(at_mm=(1, -2.5, -0.0004)), "From the place that was clicked, X1.000 Y-2.500 Z-0.000", None, 0),
+        (RequestedPlace(line=43), "From line 43", None, 43),
+        (RequestedPlace(line=43, time=2), "From line 43, the time that it is run: 2", None, 43),
+        (RequestedPlace(operation="2"), "From the operation pocket", 2, 40),
+        (RequestedPlace(contour=3), "From contour 3", 4, 60),
+        (RequestedPlace(at_mm=(1, -2.5, -0.0004)), "From the place that was clicked, X1.000 Y-2.500 Z-0.000", None, 0),
     ],
 )
-def test_the_choice_is_said_and_found_in_the_list(where: Where, said: str, row: int | None, line: int) -> None:
+def test_the_choice_is_said_and_found_in_the_list(where: RequestedPlace, said: str, row: int | None, line: int) -> None:
     text, values = chosen(where, ROWS)
     assert text.format(*values) == said
     assert (row_of(where, ROWS), line_of(where, ROWS)) == (row, line)

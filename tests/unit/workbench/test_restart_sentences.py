@@ -15,16 +15,16 @@ import pytest
 from test_translations import tool
 
 from CNCStepper.control.journal.entry import Group
-from CNCStepper.control.journal.progress_interval import Reached
-from CNCStepper.control.journal.replay import KILLED, Story
+from CNCStepper.control.journal.progress_interval import ProgressInterval
+from CNCStepper.control.journal.replay import KILLED, JobReplay
 from CNCStepper.control.journal.restart_line_map import FirstProgram
 from CNCStepper.errors import ProgramError
 from CNCStepper.recovery.restart.description import words_of
 from CNCStepper.recovery.restart.options import Options
-from CNCStepper.recovery.restart.places import Where
+from CNCStepper.recovery.restart.places import RequestedPlace
 from CNCStepper.recovery.restart.restart_program import restart
 from CNCStepper.workbench.services import message_translation
-from CNCStepper.workers.unfinished_job import told
+from CNCStepper.workers.unfinished_job import job_summary
 
 ROOMS = ("job", "recovery", "workers", "control/journal")
 CORE = Path(message_translation.__file__).parents[2]
@@ -71,17 +71,32 @@ def milled(spindle: str = "M3 S12000", cut: str = "X40 F800") -> str:
 @pytest.mark.parametrize(
     ("text", "where", "options", "words"),
     [
-        (milled(), Where(line=10), Options(overlap_mm=5.0), ("TURNING CLOCKWISE (M3)", "WAITS FOR 3 S", "CUTS 5 MM")),
-        (milled(), Where(line=9), Options(overlap_mm=99.0), ("ENTERS THERE BECAUSE", "IN THE OPERATION POCKET")),
-        (milled("M4 S900\nM8"), Where(line=12), Options(), ("TURNING COUNTER-CLOCKWISE (M4)", "THE COOLANT ON")),
-        (milled("M5\nM7"), Where(line=12), Options(), ("LEAVES THE SPINDLE OFF", "THE COOLANT ON")),
-        (milled(), Where(line=11), Options(laser=True), ("SWITCHES THE BEAM ON AT S12000",)),
-        (milled(cut="G92 X5\nX40 F800"), Where(line=12), Options(), ("SETS G92 AS IT WAS", "GOES TO Z")),
-        (milled(cut="G91\nX40 F800\nG90"), Where(at_mm=(30.0, 0.0)), Options(), ("OF ITS MOVE DONE",)),
+        (
+            milled(),
+            RequestedPlace(line=10),
+            Options(overlap_mm=5.0),
+            ("TURNING CLOCKWISE (M3)", "WAITS FOR 3 S", "CUTS 5 MM"),
+        ),
+        (
+            milled(),
+            RequestedPlace(line=9),
+            Options(overlap_mm=99.0),
+            ("ENTERS THERE BECAUSE", "IN THE OPERATION POCKET"),
+        ),
+        (
+            milled("M4 S900\nM8"),
+            RequestedPlace(line=12),
+            Options(),
+            ("TURNING COUNTER-CLOCKWISE (M4)", "THE COOLANT ON"),
+        ),
+        (milled("M5\nM7"), RequestedPlace(line=12), Options(), ("LEAVES THE SPINDLE OFF", "THE COOLANT ON")),
+        (milled(), RequestedPlace(line=11), Options(laser=True), ("SWITCHES THE BEAM ON AT S12000",)),
+        (milled(cut="G92 X5\nX40 F800"), RequestedPlace(line=12), Options(), ("SETS G92 AS IT WAS", "GOES TO Z")),
+        (milled(cut="G91\nX40 F800\nG90"), RequestedPlace(at_mm=(30.0, 0.0)), Options(), ("OF ITS MOVE DONE",)),
     ],
 )
 def test_what_a_restart_does_is_said_to_its_last_word(
-    text: str, where: Where, options: Options, words: tuple[str, ...]
+    text: str, where: RequestedPlace, options: Options, words: tuple[str, ...]
 ) -> None:
     english = list(words_of(restart(text, where, options=options)))
     said = "\n".join(map(message_translation.translated, english))
@@ -90,9 +105,16 @@ def test_what_a_restart_does_is_said_to_its_last_word(
 
 
 @pytest.mark.parametrize(
-    "where", [Where(line=3, time=9), Where(contour=9), Where(operation="X"), Where(line=99), Where(line=1)]
+    "where",
+    [
+        RequestedPlace(line=3, time=9),
+        RequestedPlace(contour=9),
+        RequestedPlace(operation="X"),
+        RequestedPlace(line=99),
+        RequestedPlace(line=1),
+    ],
 )
-def test_why_there_is_none_is_said_to_its_last_word(where: Where) -> None:
+def test_why_there_is_none_is_said_to_its_last_word(where: RequestedPlace) -> None:
     with pytest.raises(ProgramError) as refused:
         restart(milled(), where)
     error = refused.value
@@ -104,7 +126,7 @@ HEADER = {
     "firmware": "1.1H", "begin": "2026-11-22 08:00:00", "program_sha256": "", "offsets_mm": {},
 }  # fmt: skip
 GROUP = Group(1.8e9, 97, 60, 41, 43, 98, "RUN", (-90.0, -40.0, -10.0), (10.0, 10.0, 10.0))
-REACHED = Reached((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), 43, 98, 44)
+REACHED = ProgressInterval((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), 43, 98, 44)
 ZERO = {"line": 12, "offsets_mm": {"G54": None}}
 
 
@@ -112,9 +134,9 @@ ZERO = {"line": 12, "offsets_mm": {"G54": None}}
 @pytest.mark.parametrize("known", [{"position_known": False}, {"zero": ZERO}, {"end": "failed"}], ids=str)
 @pytest.mark.parametrize("goes_back", [True, False])
 def test_what_is_told_of_a_job_is_said_to_its_last_word(
-    known: dict[str, Any], reached: Reached | None, goes_back: bool
+    known: dict[str, Any], reached: ProgressInterval | None, goes_back: bool
 ) -> None:
     first = FirstProgram("PLATE", "", [[40, 812]]).to_content()
     header = HEADER | {"restart_of": first, "goes_back": goes_back}
-    story = replace(Story(Path("1.journal"), header, GROUP, KILLED, why="every line is cut"), **known)
-    assert [text for _, text in told(story, reached) if left_english(text)] == []
+    story = replace(JobReplay(Path("1.journal"), header, GROUP, KILLED, why="every line is cut"), **known)
+    assert [text for _, text in job_summary(story, reached) if left_english(text)] == []

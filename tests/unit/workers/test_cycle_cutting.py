@@ -101,7 +101,7 @@ def test_what_takes_long_in_a_window_is_ended_and_left_to_the_process(monkeypatc
     monkeypatch.setattr(jit_guard, "hurry", False)
     monkeypatch.setattr(jit_guard, "loaded", True)
     monkeypatch.setattr(jit_guard, "MOST_S", 0.0)
-    with pytest.raises(CNCStepperError) as raised, jit_guard.patience():
+    with pytest.raises(CNCStepperError) as raised, jit_guard.without_compiling():
         cut_operations(job.on(machine))
     assert raised.value.code == jit_guard.LONG and refused
 
@@ -112,9 +112,9 @@ def test_the_first_that_takes_long_has_the_time_to_load_the_kernels(monkeypatch:
     monkeypatch.setattr(jit_guard, "loaded", False)
     monkeypatch.setattr(jit_guard, "LOADED_S", -1.0)
     monkeypatch.setattr(jit_guard, "MOST_S", -1.0)
-    with jit_guard.patience():
+    with jit_guard.without_compiling():
         checkpoint()
-    with pytest.raises(CNCStepperError) as raised, jit_guard.patience():
+    with pytest.raises(CNCStepperError) as raised, jit_guard.without_compiling():
         checkpoint()
     assert raised.value.code == jit_guard.LONG
 
@@ -122,7 +122,7 @@ def test_the_first_that_takes_long_has_the_time_to_load_the_kernels(monkeypatch:
 def test_without_a_window_a_cut_takes_its_time(monkeypatch: pytest.MonkeyPatch) -> None:
     job, machine = one_operation()
     monkeypatch.setattr(jit_guard, "MOST_S", 0.0)
-    with jit_guard.patience():
+    with jit_guard.without_compiling():
         assert len(cut_operations(job.on(machine))[0])
 
 

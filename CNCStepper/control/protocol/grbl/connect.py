@@ -23,7 +23,7 @@ OLD_VERSIONS = ("0.", "1.0")
 
 
 @dataclass(frozen=True)
-class Found:
+class ControllerInfo:
     """What answered: firmware, version ("1.1h.20190830"), settings by number, offsets by name, `$G` words.
 
     greeted: it restarted when the port was opened, so its position counts from where it stood then, and nobody has
@@ -38,33 +38,33 @@ class Found:
     greeted: bool = False
 
 
-def meet(driver: Grbl, timing: Timing) -> Found:
+def handshake(driver: Grbl, timing: Timing) -> ControllerInfo:
     """Wake the controller up, refuse it unless it is idle, and read what it is (`$I $$ $# $G`).
 
     Raises LinkError when nothing there speaks grbl 1.1, MachineRefusal when it is not idle.
     """
     woken = wake_up(driver, timing)
     check_state(driver.status)
-    return learn(driver, timing, greeted(woken))
+    return learn(driver, timing, has_greeting(woken))
 
 
-def learn(driver: Grbl, timing: Timing, greeted: bool = False) -> Found:
+def learn(driver: Grbl, timing: Timing, greeted: bool = False) -> ControllerInfo:
     """Ask a controller that is idle or locked what it is and how it is set."""
     discard_half_line(driver, timing)
     version = _version(driver, ask(driver, "$I", timing))
     ask(driver, "$$", timing)
     learn_units(driver, timing)
     offsets, modes = read_offsets(driver, timing), read_modes(driver, timing)
-    return Found(version, driver.firmware, dict(driver.settings), offsets, modes, greeted)
+    return ControllerInfo(version, driver.firmware, dict(driver.settings), offsets, modes, greeted)
 
 
-def look_again(driver: Grbl, timing: Timing) -> Found:
+def look_again(driver: Grbl, timing: Timing) -> ControllerInfo:
     """Ask a controller that is idle what may have changed since it was met: its offsets and modes."""
     offsets, modes = read_offsets(driver, timing), read_modes(driver, timing)
-    return Found("", driver.firmware, dict(driver.settings), offsets, modes)
+    return ControllerInfo("", driver.firmware, dict(driver.settings), offsets, modes)
 
 
-def offsets_of(driver: Grbl, found: Found) -> dict[str, Vector | None]:
+def offsets_of(driver: Grbl, found: ControllerInfo) -> dict[str, Vector | None]:
     """Return the offsets of `$#` by name, in mm; None while the units are not known."""
     return {name: driver.mm(offset) for name, offset in found.offsets.items()}
 
@@ -109,7 +109,7 @@ def read_modes(driver: Grbl, timing: Timing) -> str:
     return modes
 
 
-def greeted(said: Sequence[Received]) -> bool:
+def has_greeting(said: Sequence[Received]) -> bool:
     """Return whether a greeting is in what was said."""
     return any(isinstance(report, Greeting) for report in said)
 

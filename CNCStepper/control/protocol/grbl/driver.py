@@ -20,8 +20,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from CNCStepper.control.protocol.grbl import report as grbl_report
-from CNCStepper.control.protocol.grbl.firmware import GRBL, Firmware, greeted_by, told_by
-from CNCStepper.control.protocol.grbl.flood_limit import Flood
+from CNCStepper.control.protocol.grbl.firmware import GRBL, Firmware, firmware_of_greeting, firmware_of_tag
+from CNCStepper.control.protocol.grbl.flood_limit import FloodLimit
 from CNCStepper.control.protocol.grbl.motion_interlock import MotionInterlock
 from CNCStepper.control.protocol.grbl.report import Answer, Damaged, Feedback, Greeting, Report, Setting, Status, Vector
 from CNCStepper.control.protocol.grbl.report_numbers import sizes
@@ -92,7 +92,7 @@ class Grbl:
         self.outputs: str | None = None
         self.is_stopping = False
         self._listen = listen
-        self._flood = Flood(clock)
+        self._flood = FloodLimit(clock)
         self._questions = 0  # `?` written and not answered
         self._echoes = 0  # lines written that a firmware built with REPORT_ECHO_LINE_RECEIVED has yet to repeat
         self._damaged_s: float | None = None  # when the first status came damaged of which no whole one followed
@@ -259,7 +259,7 @@ class Grbl:
             self._forget_lines()
             self._spoken = False  # what was under way may still be answered in part
             self.overrides = None
-            self._recognise(greeted_by(report.text))
+            self._recognise(firmware_of_greeting(report.text))
         elif isinstance(report, Feedback):
             self._take_feedback(report)
         elif isinstance(report, Damaged) and self._damaged_s is None:
@@ -276,7 +276,7 @@ class Grbl:
             self._flood.check(unasked, is_asked, self.link.name)
 
     def _take_feedback(self, report: Feedback) -> None:
-        if firmware := told_by(report.tag, report.text):
+        if firmware := firmware_of_tag(report.tag, report.text):
             self._recognise(firmware)
         elif report.tag == "OPT":
             self._take_options(report.text)

@@ -87,14 +87,14 @@ FLUIDNC = Firmware(
 FIRMWARES = (GRBL, GRBLHAL, FLUIDNC)
 
 
-def greeted_by(greeting: str) -> Firmware:
+def firmware_of_greeting(greeting: str) -> Firmware:
     """Return the firmware that a greeting names; grbl where it names no other."""
     if "fluidnc" in greeting.lower():
         return FLUIDNC
     return GRBLHAL if greeting.lower().startswith("grblhal") else GRBL
 
 
-def told_by(tag: str, text: str) -> Firmware | None:
+def firmware_of_tag(tag: str, text: str) -> Firmware | None:
     """Return the firmware that a line `[tag:text]` of `$I` names, or None where it names none."""
     if tag == "VER" and "fluidnc" in text.lower():
         return FLUIDNC

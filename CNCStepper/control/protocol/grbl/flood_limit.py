@@ -12,7 +12,7 @@ MOST_LINES = 400  # at a time: what FluidNC says when it starts is a quarter of 
 MOST_OF_AN_ANSWER = 10_000  # to a `$` command, which may list all settings
 
 
-class Flood:
+class FloodLimit:
     """Counts the lines that nobody asked for; clock: in s."""
 
     def __init__(self, clock: Callable[[], float]):

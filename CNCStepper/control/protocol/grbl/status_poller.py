@@ -14,11 +14,11 @@ ASK_AGAIN_S = 1.0  # a `?` may have been lost
 DAMAGED_S = 2.0  # in which only damaged reports came
 
 
-class Watch:
-    """Polls one driver; `heard_s` is when a line was last sent or answered, by the driver's clock."""
+class StatusPoller:
+    """Polls one driver; `last_line_s` is when a line was last sent or answered, by the driver's clock."""
 
     def __init__(self, timing: Timing):
-        self.heard_s = float("-inf")
+        self.last_line_s = float("-inf")
         self._timing = timing
         self._polled_s = float("-inf")
 
@@ -33,7 +33,7 @@ class Watch:
     def idle(self, driver: Grbl, since_s: float) -> bool:
         """Return whether the machine was idle after the last line was sent or answered, and after `since_s`."""
         idle = driver.status is not None and driver.status.state == "Idle"
-        return idle and driver.status_asked_s > max(self.heard_s, since_s)
+        return idle and driver.status_asked_s > max(self.last_line_s, since_s)
 
     def check(
         self, driver: Grbl, idle: bool, dwell_s: float = 0.0, place: Callable[[], Place | None] = lambda: None
@@ -47,7 +47,7 @@ class Watch:
             raise _damaged(place())
         if (driver.question_age_s() or 0.0) > limit_s:
             raise self._silence("the controller does not answer any more", place())
-        if idle and driver.unanswered and driver.clock() - self.heard_s > limit_s + dwell_s:
+        if idle and driver.unanswered and driver.clock() - self.last_line_s > limit_s + dwell_s:
             text = driver.unanswered[0].text
             raise self._silence(f"the controller is idle but has not answered '{text}'", place())
 

@@ -16,7 +16,7 @@ class Timing:
     silent_s: nothing heard of a machine that is to stop; still_s: it does not get slower. reset_s: from a reset to the
     greeting. So a stop is over within 5 s unless the machine is seen to slow down for longer.
     hold_s: from a feed hold to standstill, on slow axes too. homing_s: a whole homing cycle, in which grbl is silent.
-    desk_poll_s: between two `?` of a desk without a job. alone_s: a desk without clients and without work ends.
+    service_poll_s: between two `?` of a desk without a job. alone_s: a desk without clients and without work ends.
     """
 
     poll_s: float = 0.2
@@ -29,5 +29,5 @@ class Timing:
     reset_s: float = 0.8
     hold_s: float = 15.0
     homing_s: float = 300.0
-    desk_poll_s: float = 0.12
+    service_poll_s: float = 0.12
     alone_s: float = 10.0

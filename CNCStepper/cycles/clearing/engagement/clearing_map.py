@@ -41,7 +41,7 @@ def inset_mm(area: Area) -> float:
     return max(INSET * area.tool_mm, INSET_TOLERANCES * area.tolerance_mm)
 
 
-class Kept(NamedTuple):
+class MapSnapshot(NamedTuple):
     """A part of a map as it was, and how many nodes the front had."""
 
     window: tuple[slice, slice]
@@ -51,7 +51,7 @@ class Kept(NamedTuple):
 
 
 @dataclass
-class Chart:
+class ClearingMap:
     """A map and its way: vertices, float64[n, 2], of which `count` are used.
 
     begins, parents: at which vertex each walk begins, and the same place on an earlier walk, from where it sets off.
@@ -146,25 +146,25 @@ class Chart:
         self.map.vertex.fill(-1)
         self.met[0] = 0
 
-    def kept(self, index: int, reach_mm: float) -> Kept:
+    def kept(self, index: int, reach_mm: float) -> MapSnapshot:
         """Return what a walk may change that ends within `reach_mm` of the way's vertex `index`."""
         chart = self.map
         column, row = ((self.way[index] - (chart.x, chart.y)) / chart.cell).astype(int).tolist()
         reach = math.ceil((reach_mm + chart.far) / chart.cell) + 2
         window = slice(max(row - reach, 0), row + reach), slice(max(column - reach, 0), column + reach)
-        return Kept(window, chart.field[window].copy(), chart.vertex[window].copy(), int(self.met[0]))
+        return MapSnapshot(window, chart.field[window].copy(), chart.vertex[window].copy(), int(self.met[0]))
 
-    def restore(self, kept: Kept) -> None:
+    def restore(self, kept: MapSnapshot) -> None:
         """Undo what a walk has changed since."""
         self.map.field[kept.window], self.map.vertex[kept.window] = kept.field, kept.vertex
         self.met[0] = kept.met
 
-    def copied(self) -> Chart:
+    def copied(self) -> ClearingMap:
         """Return the same chart with a map of its own to cut."""
         own = self.map._replace(field=self.map.field.copy(), vertex=self.map.vertex.copy(), need=self.map.need.copy())
         return replace(self, map=own, front=self.front.copy(), met=self.met.copy())
 
-    def want_more(self, places: np.ndarray) -> bool:
+    def require_cleared(self, places: np.ndarray) -> bool:
         """Want the walls about places, float64[n, 2], cleared all but whole; return whether that is anything new."""
         field, need, cell = self.map.field, self.map.need, self.map.cell
         near = np.full_like(field, self.map.far)
@@ -177,7 +177,7 @@ class Chart:
         self.front[: len(found)], self.met[0] = found, len(found)
         return bool(more.any())
 
-    def wanting(self) -> np.ndarray:
+    def uncleared_nodes(self) -> np.ndarray:
         """Return the flat numbers of the nodes that are wanted and not cleared."""
         wanted = self.map.need < self.map.far
         return np.flatnonzero(wanted & (self.map.field > self.map.need))
@@ -188,7 +188,7 @@ class Chart:
         return self.map.x + column * self.map.cell, self.map.y + row * self.map.cell
 
 
-def chart_of(room: Region, area: Area, stepover_mm: float) -> Chart:
+def clearing_map_of(room: Region, area: Area, stepover_mm: float) -> ClearingMap:
     """Return the map of a planned room, nothing cut; coarser than wanted where that is too large."""
     inset = inset_mm(area)
     loops = [np.ascontiguousarray(loop.points(inset / 4.0)) for loop in room.loops]
@@ -209,7 +209,7 @@ def chart_of(room: Region, area: Area, stepover_mm: float) -> Chart:
     field, vertex = np.full_like(near, far), np.full(near.shape, -1, np.int32)
     chart = Map(field, vertex, need, np.where(inside, near, -near), x, y, cell, far, radius, 0.0)
     front = np.empty(int((need < far).sum()) + 1, np.int64)
-    return Chart(chart, np.zeros((LONGEST_WAY, 2)), 0, front, np.zeros(1, np.int64), [0], [0])
+    return ClearingMap(chart, np.zeros((LONGEST_WAY, 2)), 0, front, np.zeros(1, np.int64), [0], [0])
 
 
 def _cell_mm(area: Area, stepover_mm: float, size_mm: np.ndarray) -> float:

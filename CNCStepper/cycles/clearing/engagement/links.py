@@ -18,7 +18,7 @@ import math
 
 import numpy as np
 
-from CNCStepper.cycles.clearing.engagement.clearing_map import Chart
+from CNCStepper.cycles.clearing.engagement.clearing_map import ClearingMap
 from CNCStepper.cycles.clearing.engagement.map_kernels import engaged, nodes, square_from, value_at
 from CNCStepper.cycles.clearing.pattern import Pass
 from CNCStepper.geometry.curve import from_points
@@ -42,7 +42,7 @@ class Links:
     outside_mm: by which links at the feed may be out of the planned room.
     """
 
-    def __init__(self, chart: Chart, tool_mm: float, outside_mm: float):
+    def __init__(self, chart: ClearingMap, tool_mm: float, outside_mm: float):
         self._chart, self._map, self._tool_mm, self._outside_mm = chart, chart.map, tool_mm, outside_mm
         self._reach_mm = (1.0 + MARGIN) * tool_mm
         self._stride = max(int(STRIDE * tool_mm / self._map.cell), 1)
@@ -64,7 +64,10 @@ class Links:
         """Return a way for rapids between clear places beside two others, float64[n, 2], None where there is none."""
         if math.dist(here, there) < WORTH * self._tool_mm:
             return None
-        ends = [beside(self._map, *place, self._tool_mm, self._reach_mm, self._outside_mm) for place in (here, there)]
+        ends = [
+            nearest_clear_place(self._map, *place, self._tool_mm, self._reach_mm, self._outside_mm)
+            for place in (here, there)
+        ]
         if np.isnan(ends).any():
             return None
         (ax, ay), (bx, by) = ends
@@ -116,7 +119,7 @@ def clear(chart, ax, ay, bx, by, reach):
 
 
 @njit
-def beside(chart, x, y, radius, reach, outside):
+def nearest_clear_place(chart, x, y, radius, reach, outside):
     """Return the nearest clear place that a free straight way leads to, found on rings; NaNs where there is none."""
     for ring in range(RINGS + 1):
         for way in range(WAYS if ring else 1):

@@ -19,9 +19,9 @@ import numpy as np
 import shapely
 from shapely import Polygon
 
-from CNCStepper.cycles.clearing.engagement.clearing_map import Chart, chart_of, inset_mm
+from CNCStepper.cycles.clearing.engagement.clearing_map import ClearingMap, clearing_map_of, inset_mm
 from CNCStepper.cycles.clearing.engagement.links import Links, straight
-from CNCStepper.cycles.clearing.engagement.walk_kernels import IDLE, follow, poke, start, walk
+from CNCStepper.cycles.clearing.engagement.walk_kernels import IDLE, cut_to_node, follow, start, walk
 from CNCStepper.cycles.clearing.pattern import Area, Opening, Pass, Run
 from CNCStepper.errors import CycleError
 from CNCStepper.geometry.curve import Curve
@@ -64,12 +64,12 @@ class Plan:
         self.most = min(math.radians(min(max_deg, WIDEST_DEG)), _angle_rad(area))
         self.inset_mm = inset_mm(area)
         self.opening = self._opening()
-        self.chart = chart_of(room, area, area.tool_mm * (1.0 - math.cos(self.most)))
+        self.chart = clearing_map_of(room, area, area.tool_mm * (1.0 - math.cos(self.most)))
         self.chart.open(self.opening, area.tool_mm)
 
     def run(self) -> Run:
         self._clear()
-        while len(places := self._overloaded()) and self.chart.want_more(places):
+        while len(places := self._overloaded()) and self.chart.require_cleared(places):
             self._clear()
         walls = list(self._walls())
         self._require_cleared()
@@ -88,7 +88,7 @@ class Plan:
 
     def _clear(self) -> None:
         self._rough()
-        self._poke()
+        self._cut_specks()
 
     def _opening(self) -> Opening:
         outer, *holes = sorted((loop.points(self.inset_mm) for loop in self.room.loops), key=_extent, reverse=True)
@@ -146,17 +146,17 @@ class Plan:
             chart.drop()
         return bool(cleared)
 
-    def _poke(self) -> None:
+    def _cut_specks(self) -> None:
         """Step to the nodes that no walk has cleared: specks between walks."""
         chart = self.chart
-        for node in self.chart.wanting().tolist():
+        for node in self.chart.uncleared_nodes().tolist():
             index = int(chart.map.vertex.flat[node])
             if index < 0 or chart.map.field.flat[node] <= chart.map.need.flat[node]:
                 continue
             chart.branch(index)
             first, longest = chart.count, STEPS[2] * self.area.tool_mm
             kept, most = chart.kept(index, self.area.tool_mm), self.most - math.radians(UNSURE_DEG)
-            count = poke(chart.map, chart.way, first, node, longest, most, chart.front, chart.met)
+            count = cut_to_node(chart.map, chart.way, first, node, longest, most, chart.front, chart.met)
             if math.dist(chart.way[count - 1], chart.way[first - 1]) > SHORTEST_MM:
                 chart.count = count
             else:
@@ -225,13 +225,13 @@ class Plan:
         back = self.chart.before(here, least_mm)
         return [*links.link(here, back), *links.link(back, there)]
 
-    def _too_much(self, wall: Curve, chart: Chart) -> np.ndarray:
+    def _too_much(self, wall: Curve, chart: ClearingMap) -> np.ndarray:
         """Cut along a wall and return where the rim met more than the bound, float64[n, 2], the worst place first."""
         points, angles = self._followed(wall, chart, 1.0)
         worst_first = np.argsort(-angles)
         return points[1:][worst_first[np.degrees(angles[worst_first]) > self.max_deg + MARGIN_DEG]]
 
-    def _followed(self, curve: Curve, chart: Chart, share: float) -> tuple[np.ndarray, np.ndarray]:
+    def _followed(self, curve: Curve, chart: ClearingMap, share: float) -> tuple[np.ndarray, np.ndarray]:
         """Cut along a curve; return places along it, float64[n, 2], and at which angle each but the first is met.
 
         share: of CHIP; a thinner chip counts as nothing.
@@ -247,7 +247,7 @@ class Plan:
 
     def _require_cleared(self) -> None:
         chart = self.chart
-        nodes = chart.wanting()
+        nodes = chart.uncleared_nodes()
         nodes = nodes[chart.map.field.flat[nodes] > self.area.tool_mm + self.area.tolerance_mm]
         if len(nodes):
             raise narrow(np.array(chart.at(int(nodes[0]))))

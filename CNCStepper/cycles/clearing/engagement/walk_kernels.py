@@ -128,7 +128,7 @@ def walk(chart, way, count, angle, right, longest, lag, most, more, front, met):
 
 
 @njit
-def poke(chart, way, count, node, longest, most, front, met):
+def cut_to_node(chart, way, count, node, longest, most, front, met):
     """Step straight from the way's vertex `count` - 1 to a node until that is cleared; return the way's new count."""
     row, column = node // chart.field.shape[1], node % chart.field.shape[1]
     goal_x, goal_y = chart.x + column * chart.cell, chart.y + row * chart.cell

@@ -25,9 +25,9 @@ from math import acos, asin, cos, pi, sin, tan, tau
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpreter.block import Block
 from CNCStepper.gcode.interpreter.cutter_compensation.compensation_codes import in_plane
-from CNCStepper.gcode.interpreter.cutter_compensation.held_moves import Compensation, Held, Path3
+from CNCStepper.gcode.interpreter.cutter_compensation.held_moves import Compensation, Path3, QueuedMove
 from CNCStepper.gcode.interpreter.cutter_compensation.move_queue import (
-    end_held_at,
+    end_queue_at,
     hold,
     release,
     set_endpoint,
@@ -82,7 +82,7 @@ def _reach(block: Block, current: complex, height: float) -> None:
     work = [0.0, 0.0, 0.0]
     for axis, value in zip(PLANE_AXES[PLANE_NAMES.index(model.state.plane)], here, strict=True):
         work[axis] = value
-    stand_alone_position.goes_on_at(model, model.machine((work[0], work[1], work[2])))
+    stand_alone_position.continue_at(model, model.machine((work[0], work[1], work[2])))
 
 
 def _gouges(value: str = "") -> ProgramError:
@@ -106,7 +106,7 @@ def _enter_straight(block: Block, motion: int, goal: Path3, feed: float) -> None
     alpha = phase(way) + (pi / 2 if ours.left else -pi / 2)
     end = complex(*goal[:2]) + rect(ours.radius, alpha)
     set_endpoint(block, here)
-    hold(block, Held(motion, (end.real, end.imag, goal[2]), rect(1.0, alpha), feed))
+    hold(block, QueuedMove(motion, (end.real, end.imag, goal[2]), rect(1.0, alpha), feed))
     _reach(block, end, goal[2])
 
 
@@ -115,7 +115,7 @@ def _next_straight(block: Block, motion: int, goal: Path3, feed: float) -> None:
     current, old = complex(*ours.current[:2]), complex(*ours.programmed[:2])
     new = complex(*goal[:2])
     if new == old:  # along the normal only
-        hold(block, Held(motion, (*ours.current[:2], goal[2]), 0j, feed))
+        hold(block, QueuedMove(motion, (*ours.current[:2], goal[2]), 0j, feed))
         _reach(block, current, goal[2])
         return
     theta, alpha = phase(current - old), phase(new - old)
@@ -133,7 +133,7 @@ def _next_straight(block: Block, motion: int, goal: Path3, feed: float) -> None:
     else:
         release(block, current)
     end = new + beside
-    hold(block, Held(motion, (end.real, end.imag, goal[2]), new - old, feed))
+    hold(block, QueuedMove(motion, (end.real, end.imag, goal[2]), new - old, feed))
     _reach(block, end, goal[2])
 
 
@@ -152,19 +152,19 @@ def _round_corner(block: Block, motion: int, middle: complex, feed: float) -> No
     """Go about a convex corner: an arc; a rapid cuts it off, because there are no rapid arcs."""
     ours = _ours(block)
     current, old = complex(*ours.current[:2]), complex(*ours.programmed[:2])
-    end_held_at(block, current)
+    end_queue_at(block, current)
     release(block)
     height = ours.current[2]
     if motion == LINE:
         _add_corner_arc(block, middle, old, height, feed)
     else:
-        hold(block, Held(RAPID, (middle.real, middle.imag, height), 0j, 0.0))
+        hold(block, QueuedMove(RAPID, (middle.real, middle.imag, height), 0j, 0.0))
     release(block, middle)
 
 
 def _add_corner_arc(block: Block, middle: complex, corner: complex, height: float, feed: float) -> None:
     turns = -1 if _ours(block).left else 1
-    hold(block, Held(_arc_motion(turns), (middle.real, middle.imag, height), 0j, feed, corner, turns))
+    hold(block, QueuedMove(_arc_motion(turns), (middle.real, middle.imag, height), 0j, feed, corner, turns))
 
 
 def _arc_motion(turns: int) -> int:
@@ -181,11 +181,11 @@ def _into_concave(block: Block, way: complex, beta: float, theta: float, gamma: 
         middle = complex(*ours.current[:2]) + rect(ours.radius / tan(half), theta + gamma)
     else:
         middle = _arc_meets_line(block, ours.held[0], way)
-    end_held_at(block, middle)
+    end_queue_at(block, middle)
     release(block, middle)
 
 
-def _arc_meets_line(block: Block, held: Held, way: complex) -> complex:
+def _arc_meets_line(block: Block, held: QueuedMove, way: complex) -> complex:
     """Return where the held arc meets the parallel of a line that begins at the programmed point."""
     ours = _ours(block)
     inside, sense = _inside(block, held.turns), 1.0 if held.turns > 0 else -1.0
@@ -221,10 +221,10 @@ def _enter_arc(block: Block, goal: Path3, centre: complex, turns: int, feed: flo
         raise _gouges()
     centre = end + rect(abs(here - end) / 2 / cos(angle), direction)
     if ours.orientation not in (0, 9):  # a lathe tool's own point moves first, else the arc is none
-        hold(block, Held(LINE, (here.real, here.imag, height), 0j, feed))
+        hold(block, QueuedMove(LINE, (here.real, here.imag, height), 0j, feed))
         set_endpoint(block, here)
     sweep = turned(here, centre, turns, end)
-    hold(block, Held(_arc_motion(turns), (end.real, end.imag, goal[2]), 0j, feed, centre, turns, sweep))
+    hold(block, QueuedMove(_arc_motion(turns), (end.real, end.imag, goal[2]), 0j, feed, centre, turns, sweep))
     _reach(block, end, goal[2])
 
 
@@ -245,7 +245,7 @@ def _next_arc(block: Block, goal: Path3, centre: complex, turns: int, feed: floa
     concave = beta < -SMALL or beta > pi + SMALL or (abs(beta - pi) < SMALL and not inside)
     if concave:
         middle = _concave_corner(block, centre, arc_radius, turns, beta, theta)
-        end_held_at(block, middle)
+        end_queue_at(block, middle)
         release(block, middle)
     elif beta > SMALL:
         middle = old + rect(ours.radius, away)
@@ -255,7 +255,7 @@ def _next_arc(block: Block, goal: Path3, centre: complex, turns: int, feed: floa
     else:
         release(block, current)
     sweep = turned(old, centre, turns, new)
-    hold(block, Held(_arc_motion(turns), (end.real, end.imag, goal[2]), 0j, feed, centre, turns, sweep))
+    hold(block, QueuedMove(_arc_motion(turns), (end.real, end.imag, goal[2]), 0j, feed, centre, turns, sweep))
     _reach(block, end, goal[2])
 
 
@@ -279,7 +279,7 @@ def _concave_corner(block: Block, centre: complex, arc_radius: float, turns: int
     return centre + rect(radius, angle)
 
 
-def _arc_meets_arc(block: Block, held: Held, centre: complex, radius: float, sense: float) -> complex:
+def _arc_meets_arc(block: Block, held: QueuedMove, centre: complex, radius: float, sense: float) -> complex:
     """Return where two circles meet, on the tool's side."""
     old_radius, apart = abs(held.centre - complex(*held.end[:2])), abs(held.centre - centre)
     if old_radius == 0 or apart == 0:

@@ -13,7 +13,7 @@ from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.dialects.codes import Code
 from CNCStepper.gcode.interpreter.block import Block
 from CNCStepper.gcode.interpreter.cutter_compensation.held_moves import Compensation, Path3
-from CNCStepper.gcode.interpreter.cutter_compensation.move_queue import end_held_at, release
+from CNCStepper.gcode.interpreter.cutter_compensation.move_queue import end_queue_at, release
 from CNCStepper.gcode.interpreter.functions.tools import NEAR, entry_of
 from CNCStepper.gcode.interpreter.state import stand_alone_position
 from CNCStepper.toolpath import PLANE_AXES, PLANE_NAMES
@@ -90,12 +90,12 @@ def end_compensation(block: Block) -> None:
     if ours:
         flush(block)
         if ours.entered and ours.radius:
-            stand_alone_position.goes_on_at(model, model.machine(ours.programmed_work))
+            stand_alone_position.continue_at(model, model.machine(ours.programmed_work))
         model.compensation = None
     model.look()
 
 
-def stands_here(block: Block) -> None:
+def take_centre_position(block: Block) -> None:
     """Take the position for the centre's, though moves are held: LinuxCNC does so after it has asked its machine."""
     ours = block.model.compensation
     if ours and ours.held:
@@ -114,7 +114,7 @@ def flush(block: Block) -> None:
     """Make the moves that are held, with the ends that they have."""
     ours = block.model.compensation
     if ours and ours.held:
-        end_held_at(block, complex(*ours.current[:2]))
+        end_queue_at(block, complex(*ours.current[:2]))
         release(block)
 
 

@@ -13,7 +13,7 @@ Path3 = tuple[float, float, float]  # first and second axis of the plane, then i
 ARCS = (ARC_CW, ARC_CCW)
 
 
-class Held(NamedTuple):
+class QueuedMove(NamedTuple):
     """A move to `end`; direction: of the programmed line, 0 where it does not matter; sweep: of the programmed arc."""
 
     motion: int
@@ -45,5 +45,5 @@ class Compensation(NamedTuple):
     programmed: Path3 = (0.0, 0.0, 0.0)
     current: Path3 = (0.0, 0.0, 0.0)
     programmed_work: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    held: tuple[Held, ...] = ()
+    held: tuple[QueuedMove, ...] = ()
     endpoint: complex | None = None  # where the first held move begins

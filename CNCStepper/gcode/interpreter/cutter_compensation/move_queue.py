@@ -14,7 +14,7 @@ from math import tau
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpreter.block import Block
-from CNCStepper.gcode.interpreter.cutter_compensation.held_moves import Held, Path3
+from CNCStepper.gcode.interpreter.cutter_compensation.held_moves import Path3, QueuedMove
 from CNCStepper.gcode.interpreter.motion.moves import Arc
 from CNCStepper.toolpath import PLANE_AXES, PLANE_NAMES
 
@@ -32,7 +32,7 @@ def turned(begin: complex, centre: complex, turns: int, end: complex) -> float:
     return beta - (alpha + tau if alpha <= beta else alpha) + (turns + 1) * tau
 
 
-def hold(block: Block, move: Held) -> None:
+def hold(block: Block, move: QueuedMove) -> None:
     """Put a move behind those that wait."""
     model = block.model
     assert model.compensation is not None
@@ -47,7 +47,7 @@ def set_endpoint(block: Block, begin: complex | None) -> None:
     model.compensation = model.compensation._replace(endpoint=begin)
 
 
-def end_held_at(block: Block, end: complex) -> None:
+def end_queue_at(block: Block, end: complex) -> None:
     """Let all held moves end at `end`; raises ProgramError where one would gouge."""
     model = block.model
     assert model.compensation is not None
@@ -56,7 +56,7 @@ def end_held_at(block: Block, end: complex) -> None:
     model.compensation = ours._replace(held=moved)
 
 
-def _ended(block: Block, move: Held, end: complex, begin: complex | None) -> Held:
+def _ended(block: Block, move: QueuedMove, end: complex, begin: complex | None) -> QueuedMove:
     if move.is_arc:
         difference = abs(abs(complex(*move.end[:2]) - move.centre) - abs(end - move.centre))
         if difference > SAME_RADIUS * block.model.scale:
@@ -87,7 +87,7 @@ def release(block: Block, endpoint: complex | None = None) -> None:
             _make(block, move)
 
 
-def _make(block: Block, move: Held) -> None:
+def _make(block: Block, move: QueuedMove) -> None:
     model = block.model
     end = _work(block, move.end)
     arc = None

@@ -44,7 +44,7 @@ _LINE_END = re.compile(rb"[\r\n]")
 _TURNS = 4  # place among the columns; centre, plane and turns stand side by side
 
 
-class PlainReader:
+class CompiledReader:
     """Reads whole lines of a program into an interpreter's table, as `Interpreter.line` would one after the other."""
 
     def __init__(self, interpreter: Interpreter):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Reads whole texts through `compiled_reader.PlainReader`, where that pays."""
+"""Reads whole texts through `compiled_reader.CompiledReader`, where that pays."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ from CNCStepper.gcode.interpreter.fast_path.policy import PIECE, as_bytes, pays
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 
 if TYPE_CHECKING:
-    from CNCStepper.gcode.interpreter.fast_path.compiled_reader import PlainReader
+    from CNCStepper.gcode.interpreter.fast_path.compiled_reader import CompiledReader
 
 
-def compiled_reader(interpreter: Interpreter, size: int) -> PlainReader | None:
+def compiled_reader(interpreter: Interpreter, size: int) -> CompiledReader | None:
     """Return a reader that compiles runs of lines, None where a text of `size` characters is read sooner without."""
     if interpreter.canon is not None or not pays(size):
         return None
-    from CNCStepper.gcode.interpreter.fast_path.compiled_reader import PlainReader  # loads the kernels
+    from CNCStepper.gcode.interpreter.fast_path.compiled_reader import CompiledReader  # loads the kernels
 
-    return PlainReader(interpreter)
+    return CompiledReader(interpreter)
 
 
 def read_runs(interpreter: Interpreter, text: str) -> Generator[None, None, bool]:

@@ -48,7 +48,7 @@ def stage_after(stage, byte):
 
 
 @njit_in_place
-def goes_beyond_words(data):
+def needs_interpreter(data):
     """Whether a text, uint8[n], holds parameters, expressions or lines that lead elsewhere, outside its comments."""
     at, end, stage = 0, len(data), BEGIN
     while at < end:

@@ -16,7 +16,7 @@ import numpy as np
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpreter.fast_path.policy import pays
 from CNCStepper.gcode.interpreter.state.parameters import ARGUMENTS
-from CNCStepper.gcode.interpreter.state.system_parameters import Known
+from CNCStepper.gcode.interpreter.state.system_parameters import SystemParameters
 from CNCStepper.gcode.syntax.expressions import Scanner
 from CNCStepper.gcode.syntax.words import pack, split_line
 
@@ -54,9 +54,9 @@ def is_plain(text: str) -> bool:
     if ("#" in text or "[" in text) and _SPOKEN.search(text):
         return False
     if pays(len(text)):
-        from CNCStepper.gcode.interpreter.flow.o_word_kernel import goes_beyond_words
+        from CNCStepper.gcode.interpreter.flow.o_word_kernel import needs_interpreter
 
-        return not goes_beyond_words(np.frombuffer(text.encode("utf-8", "surrogatepass"), np.uint8))
+        return not needs_interpreter(np.frombuffer(text.encode("utf-8", "surrogatepass"), np.uint8))
     return not _BEYOND_WORDS.search(_COMMENTS.sub("", text))
 
 
@@ -117,7 +117,7 @@ def has_profile(text: str) -> bool:
     return _PROFILE.search(text) is not None
 
 
-def read_flow_line(text: str, known: Known, strict_comments: bool) -> FlowLine | None:
+def read_flow_line(text: str, known: SystemParameters, strict_comments: bool) -> FlowLine | None:
     """Return what a line is if it leads elsewhere; raises ProgramError with its column."""
     line = split_line(text, strict_comments)
     packed, columns = pack(line.code)

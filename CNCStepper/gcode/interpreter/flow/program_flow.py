@@ -21,8 +21,8 @@ from CNCStepper.gcode.interpreter.flow.o_words import CONDITIONS, GLOBAL, FlowLi
 from CNCStepper.gcode.interpreter.flow.subprogram_files import Library, Source
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.interpreter.state.model import Model
-from CNCStepper.gcode.interpreter.state.system_parameters import Known
-from CNCStepper.gcode.syntax.words import Word, is_tape_mark, program_lines
+from CNCStepper.gcode.interpreter.state.system_parameters import SystemParameters
+from CNCStepper.gcode.syntax.words import Word, is_percent_mark, program_lines
 
 
 @dataclass(frozen=True)
@@ -146,13 +146,13 @@ class Flow:
         reader = self.interpreter
         number, place = self._number(), Place(self.source.file, self.index)
         if reader.ended or not leads(text):
-            if not self.blocks.skipping or reader.ended or (is_tape_mark(text) and reader.tape.opened_by_mark):
+            if not self.blocks.skipping or reader.ended or (is_percent_mark(text) and reader.tape.opened_by_mark):
                 self._read(text, number, place)
             else:
                 reader.check_skipped(text, place)
             return
         try:
-            line = read_flow_line(text, Known(reader.model, self.index), reader.dialect.strict_comments)
+            line = read_flow_line(text, SystemParameters(reader.model, self.index), reader.dialect.strict_comments)
             if line is None or (line.keyword == "m99" and not self.calls):
                 if not self.blocks.skipping:
                     self._read(text, number, place)
@@ -178,7 +178,7 @@ class Flow:
         kept = reader.model, reader.line_number, reader.sequence, self._take
         reader.model, self._take = model, take
         try:
-            call = read_flow_line(f"o{number} call", Known(model, self.index), False)
+            call = read_flow_line(f"o{number} call", SystemParameters(model, self.index), False)
             assert call is not None
             self._flow(call)
             while len(self.calls) > depth:

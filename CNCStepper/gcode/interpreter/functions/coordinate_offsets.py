@@ -17,9 +17,9 @@ from CNCStepper.gcode.dialects.codes import Code
 from CNCStepper.gcode.interpreter.block import Block
 from CNCStepper.gcode.interpreter.functions.tools import set_tool
 from CNCStepper.gcode.interpreter.motion.moves import end_point, further_end
-from CNCStepper.gcode.interpreter.state.model import Model, Point, g92_kept
+from CNCStepper.gcode.interpreter.state.model import Model, Point, saved_g92
 from CNCStepper.gcode.interpreter.state.parameters import FIRST_G92, G92_IN_FORCE, WORK_SYSTEM, offset_number
-from CNCStepper.gcode.interpreter.state.stand_alone_position import goes_on_at, use_system
+from CNCStepper.gcode.interpreter.state.stand_alone_position import continue_at, use_system
 from CNCStepper.gcode.interpreter.state.stored_points import ROTATION, store_point, stored_point
 from CNCStepper.state import UNKNOWN, WORK_SYSTEMS, ZERO9
 
@@ -38,18 +38,18 @@ def work_system(block: Block, code: Code) -> None:
     model = block.model
     model.parameters.set(WORK_SYSTEM, WORK_SYSTEMS.index(code.name) + 1.0)
     use_system(model, code.name)
-    say_work_offset(block)
+    emit_work_offset(block)
     block.point(SET_G92, model.g92)
-    say_rotation(block)
+    emit_rotation(block)
 
 
-def say_work_offset(block: Block) -> None:
+def emit_work_offset(block: Block) -> None:
     """Tell the canonical call of the work system in force."""
     number = WORK_SYSTEMS.index(block.model.state.work_system) + 1
     block.point(SET_WORK % number, block.model.origin)
 
 
-def say_rotation(block: Block) -> None:
+def emit_rotation(block: Block) -> None:
     """Tell the canonical call of its turn about Z."""
     block.call(f"SET_XY_ROTATION({block.model.state.rotation_deg:.4f})")
 
@@ -87,8 +87,8 @@ def _set_system(block: Block, name: str, kind: int) -> None:
     store_point(model.parameters, first, [words.get(axis, 0.0) for axis in range(9)], model.unit_mm, words)
     if in_force:
         _turn_in_force(model, name)
-        say_work_offset(block)
-        say_rotation(block)
+        emit_work_offset(block)
+        emit_rotation(block)
     else:
         block.call('COMMENT("interpreter: setting coordinate system origin")')
 
@@ -101,7 +101,7 @@ def _turn_in_force(model: Model, name: str) -> None:
     use_system(model, name)
     if any(model.g92[:2]) and not isnan(before.real):
         flat = (before - complex(*model.origin[:2])) / (model.turn or 1.0)
-        goes_on_at(model, model.machine((flat.real, flat.imag, z - model.origin[2])))
+        continue_at(model, model.machine((flat.real, flat.imag, z - model.origin[2])))
 
 
 def _origin_for(block: Block, name: str, words: dict[int, float]) -> dict[int, float]:
@@ -165,7 +165,7 @@ def suspend_g92(block: Block, code: Code) -> None:
 def restore_g92(block: Block, code: Code) -> None:
     """G92.3: the shift that is kept."""
     block.uncompensated("axis offsets may not be changed", code.name)
-    _use_g92(block, g92_kept(block.model), 1.0)
+    _use_g92(block, saved_g92(block.model), 1.0)
 
 
 def _use_g92(block: Block, g92: tuple[float, ...], in_force: float) -> None:

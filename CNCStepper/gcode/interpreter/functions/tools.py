@@ -170,10 +170,10 @@ def set_tool(block: Block, kind: int) -> None:
     entry = replace(entry, offset_mm=_new_offset(block, entry, kind), **_measures(block))
     model = block.model
     model.tools = {**model.tools, number: entry}
-    _say_entry(block, _place_in_table(block, number), number, entry)
+    _emit_entry(block, _place_in_table(block, number), number, entry)
     if number == model.state.tool or (model.bare and not model.state.tool and _place_in_table(block, number) == 1):
         model.loaded = entry
-        _say_entry(block, 0, number, entry)
+        _emit_entry(block, 0, number, entry)
 
 
 def _measures(block: Block) -> dict[str, Any]:
@@ -213,7 +213,7 @@ def _new_offset(block: Block, entry: ToolEntry, kind: int) -> tuple[float, ...]:
     return tuple(wanted)
 
 
-def _say_entry(block: Block, place: int, number: int, entry: ToolEntry) -> None:
+def _emit_entry(block: Block, place: int, number: int, entry: ToolEntry) -> None:
     """Tell an entry in the machine's own unit."""
     unit = block.model.unit_mm
     offset = " ".join(f"{value / length_scale(axis, unit):.4f}" for axis, value in enumerate(entry.offset_mm))

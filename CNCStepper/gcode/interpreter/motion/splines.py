@@ -122,7 +122,7 @@ def _cut(block: Block, nurbs: Nurbs, motion: int) -> None:
     """Tell the call and make a row of each arc; a spline that stays where it is makes none."""
     block.call(f"NURBS_FEED({len(nurbs.points)}, ...)")
     block.unheard = True
-    stood = stand_alone_position.stands_at(block.model)
+    stood = stand_alone_position.machine_position_at(block.model)
     z = block.model.local().position[2]
     end = (*nurbs.points[-1], z)
     feed = block.feed_of(motion, block.model.machine(end), length=_length(nurbs))

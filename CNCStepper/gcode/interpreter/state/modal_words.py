@@ -18,7 +18,7 @@ OVERRIDE_WORDS = {  # by whether feed and spindle may be overridden; a program b
 }
 
 
-def said_modes(model: Model, said: Set[str]) -> tuple[str, ...]:
+def modal_words(model: Model, said: Set[str]) -> tuple[str, ...]:
     """Return the words of those modes in force that a program names; `said`: the names of its words."""
     modes = modes_of(model)
     path = (path_words(modes),) if said & PATH_MODES else ()

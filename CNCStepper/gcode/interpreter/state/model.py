@@ -271,6 +271,6 @@ def _first_position(start: Start, offset: Point, dialect: Dialect) -> Point:
     return float(x), float(y), float(z)
 
 
-def g92_kept(model: Model) -> tuple[float, ...]:
+def saved_g92(model: Model) -> tuple[float, ...]:
     """Return what G92.3 brings back: the parameters, mm and degrees."""
     return stored_point(model.parameters, G92_IN_FORCE + 1, model.unit_mm)

@@ -19,7 +19,9 @@ BACK_OFF = {"mm": 0.254, "inch": 0.01}  # of the probe, in the unit of the text
 def offset_changes(model: Model, offset: tuple[float, ...]) -> None:
     """Note that a tool offset moves the coordinates, which the bare interpreter's idea does not heed."""
     if model.bare:
-        x, y, z = (here + offset[axis] - model.tool_offset[axis] for axis, here in enumerate(stands_at(model)))
+        x, y, z = (
+            here + offset[axis] - model.tool_offset[axis] for axis, here in enumerate(machine_position_at(model))
+        )
         model.stands = (x, y, z)
         model.look()
 
@@ -32,7 +34,7 @@ def units_change(model: Model, scale: float) -> None:
     """
     if not model.bare:
         return
-    work, stands, number = model.work(model.position), model.work(stands_at(model)), model.scale / scale
+    work, stands, number = model.work(model.position), model.work(machine_position_at(model)), model.scale / scale
     model.tool_offset = (*(value * number for value in model.tool_offset[:3]), *model.tool_offset[3:])
     model.change_offset()
     model.position, model.stands = model.machine(work), model.machine(stands)
@@ -41,7 +43,7 @@ def units_change(model: Model, scale: float) -> None:
 
 def use_system(model: Model, name: str) -> None:
     """Take a work system; the bare interpreter's idea of the place is shifted by the origins, but never turned."""
-    work, origin, turn = model.work(stands_at(model)), model.origin, model.turn
+    work, origin, turn = model.work(machine_position_at(model)), model.origin, model.turn
     model.use_system(name)
     if model.bare and (turn or model.turn):
         x, y, z = (here + origin[axis] - model.origin[axis] for axis, here in enumerate(work))
@@ -49,14 +51,14 @@ def use_system(model: Model, name: str) -> None:
         model.look()
 
 
-def stands_at(model: Model) -> Point:
+def machine_position_at(model: Model) -> Point:
     """Return where the machine really stands."""
     return model.stands or model.position
 
 
-def goes_on_at(model: Model, position: Point) -> None:
+def continue_at(model: Model, position: Point) -> None:
     """Let the text go on at a position where the machine does not stand."""
-    model.stands, model.position = stands_at(model), position
+    model.stands, model.position = machine_position_at(model), position
     model.look()
 
 
@@ -75,7 +77,7 @@ def spline_made(model: Model, stood: Point) -> None:
 
 def ask_position(model: Model) -> None:
     """Take the position of the machine."""
-    moved(model, stands_at(model))
+    moved(model, machine_position_at(model))
 
 
 def backed_off(model: Model, begin: Point) -> Point:

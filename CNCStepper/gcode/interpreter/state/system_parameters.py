@@ -25,7 +25,7 @@ TOOL = range(5400, 5414)
 _POCKETS = ("_current_pocket", "_selected_pocket")
 
 
-class Known:
+class SystemParameters:
     """The parameters as the line `line` may use them; `model` is the state before that line."""
 
     def __init__(self, model: Model, line: int):

@@ -19,7 +19,7 @@ CONNECTED = frozenset({"idle", "alarm", "jogging", "homing", "busy", *JOB_RUNS})
 
 
 @dataclass(frozen=True)
-class Moment:
+class ControllerSnapshot:
     """What the dock knows of the machine at one time.
 
     phase: "off" (no controller), "starting", "connecting", "unreached" (no connection came about), "gone" (it ended by
@@ -84,7 +84,7 @@ LOST = later("Where the table stands is not known: home the machine, or set the 
 WITH_OWN_WORDS = ("paused", "alarm", "gone", "unreached", "held", "door")  # where a message says more than our sentence
 
 
-def face(moment: Moment) -> Face:
+def face(moment: ControllerSnapshot) -> Face:
     """Return what to show large; its sentence is still to be translated unless it is the moment's own message."""
     found = FACES.get(moment.phase, FACES["busy"])
     if moment.message and moment.phase in WITH_OWN_WORDS:
@@ -184,7 +184,7 @@ HELD_AND_LOST = later(
 NO_HOMING = later("This machine has no homing switches set up ($22=0).")
 
 
-def why_not(control: str, moment: Moment) -> str:
+def why_not(control: str, moment: ControllerSnapshot) -> str:
     """Return why a control of `RULES` cannot work now, "" when it can."""
     if not moment.connected:
         return NOT_CONNECTED
@@ -197,7 +197,7 @@ def why_not(control: str, moment: Moment) -> str:
     return "" if stands or moment.phase in rule.phases else rule.why_not
 
 
-def why_not_connect(moment: Moment, port: str) -> str:
+def why_not_connect(moment: ControllerSnapshot, port: str) -> str:
     """Return why no connection to this port can be made now, "" when one can."""
     if not port:
         return later("Choose a port, or type an address.")
@@ -206,7 +206,7 @@ def why_not_connect(moment: Moment, port: str) -> str:
     return later("The connection is being made.") if moment.busy else ""
 
 
-def why_not_disconnect(moment: Moment) -> str:
+def why_not_disconnect(moment: ControllerSnapshot) -> str:
     """Return why the connection cannot be left now, "" when it can."""
     if moment.job_runs:
         return later("A job is being cut: stop it first.")

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from CNCStepper.control.session.status import SenderStatus
-from CNCStepper.workbench.dock.model.controller_state import RULES, STANDING, Moment, why_not
+from CNCStepper.workbench.dock.model.controller_state import RULES, STANDING, ControllerSnapshot, why_not
 from CNCStepper.workbench.services.translation import later
 
 FIND, RESUME = "find", "resume"
@@ -37,7 +37,7 @@ GOING = later("The tool moves along the cut.")
 UNKNOWN = later("The tool can go back along exactly the way by which it came.")
 
 
-def wish_of(status: SenderStatus | None) -> Wish | None:
+def request_of(status: SenderStatus | None) -> Wish | None:
     """Return what the machine's buttons want, as its session tells."""
     if status is None or (status.wanted_back_mm is None and not status.wanted_rest):
         return None
@@ -45,7 +45,7 @@ def wish_of(status: SenderStatus | None) -> Wish | None:
 
 
 @dataclass
-class BackFlow:
+class RetractFlow:
     """What is under way, and where on its cut the tool stands.
 
     line: of the program, 0 where it is not known. behind_mm: how far the tool is behind where the cut has come to.
@@ -85,14 +85,14 @@ class BackFlow:
         self._pending.clear()
         self.line, self.behind_mm, self.trouble, self._due = 0, 0.0, "", None
 
-    def follow(self, moment: Moment) -> bool:
+    def follow(self, moment: ControllerSnapshot) -> bool:
         """Follow the machine; return whether its place on the cut is to be looked for now: it was just held."""
         entered, self._phase = moment.phase != self._phase, moment.phase
         if moment.phase not in (*STANDING, "holding") and not self.asked:
             self.forget()
         return entered and moment.phase == "held" and moment.job_runs and not self.asked
 
-    def wish_of_machine(self, wish: Wish | None, moment: Moment) -> Wish | None:
+    def request_of_machine(self, wish: Wish | None, moment: ControllerSnapshot) -> Wish | None:
         """Return what to do now for the buttons of the machine, once for each time that one is pressed.
 
         A wish leaves the status as soon as anybody asks for the place; pressed on the way, it is done after that.
@@ -115,7 +115,7 @@ def _added(due: Wish | None, before: Wish | None, wish: Wish) -> Wish:
     return BACK, waiting_mm + wish[1] - seen_mm
 
 
-def why_not_back(kind: str, flow: BackFlow, moment: Moment) -> str:
+def why_not_back(kind: str, flow: RetractFlow, moment: ControllerSnapshot) -> str:
     """Return why a way cannot be asked for now, "" when it can."""
     if moment.connected and not moment.job_runs:
         return later("No job runs: there is no cut to go back along.")
@@ -126,7 +126,7 @@ def why_not_back(kind: str, flow: BackFlow, moment: Moment) -> str:
     return NOTHING_AHEAD if kind == FORWARD and flow.line and flow.behind_mm < THERE_MM else ""
 
 
-def state_text(flow: BackFlow, moment: Moment) -> str:
+def state_text(flow: RetractFlow, moment: ControllerSnapshot) -> str:
     """Return what to say of the way back, still to be translated; {0} stands for a line, {1} for a length."""
     if flow.asked == FIND:
         return FINDING

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from CNCStepper.workbench.dock.model.controller_state import CALM, DANGER, GOING, OFF, WAITING, Moment
+from CNCStepper.workbench.dock.model.controller_state import CALM, DANGER, GOING, OFF, WAITING, ControllerSnapshot
 from CNCStepper.workbench.services.translation import later
 
 
@@ -27,7 +27,7 @@ class Step:
     title: str
     text: str = ""
     tone: str = CALM
-    onward: str = ""
+    confirm_step: str = ""
     away: str = later("Cancel")
     number: int = 0
 
@@ -139,9 +139,9 @@ class Flow:
         return bool(self.step) and self.step not in ENDS
 
     @property
-    def awaits_person(self) -> bool:
+    def awaits_answer(self) -> bool:
         """Whether it goes on only when somebody answers."""
-        return bool(self.step) and bool(STEPS[self.step].onward)
+        return bool(self.step) and bool(STEPS[self.step].confirm_step)
 
     @property
     def shown(self) -> Step:
@@ -150,10 +150,10 @@ class Flow:
         if self.step != "ended":
             return step
         title, tone = OUTCOMES.get(self.outcome, OUTCOMES["failed"])
-        return Step(title, step.text, tone, step.onward, step.away)
+        return Step(title, step.text, tone, step.confirm_step, step.away)
 
 
-def why_not_onward(flow: Flow, moment: Moment) -> str:
+def why_not_confirm(flow: Flow, moment: ControllerSnapshot) -> str:
     """Return why the question of this step cannot be answered with yes now, "" when it can."""
     if flow.again:
         return later("The program is being checked with this work zero.")

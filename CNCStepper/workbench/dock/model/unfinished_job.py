@@ -15,7 +15,7 @@ from CNCStepper.control.journal.replay import KILLED
 from CNCStepper.control.processes.background_thread import in_background
 from CNCStepper.control.program.certificate import digest_of_text
 from CNCStepper.control.session.status import DONE, FAILED, STOPPED
-from CNCStepper.workbench.dock.model.controller_state import Moment
+from CNCStepper.workbench.dock.model.controller_state import ControllerSnapshot
 from CNCStepper.workbench.services.translation import later
 
 NAMES = {
@@ -59,7 +59,7 @@ class Reading:
             found(answer.result())
 
 
-def why_not_now(moment: Moment) -> str:
+def why_not_now(moment: ControllerSnapshot) -> str:
     """Return why no restart can be chosen now, "" when one can."""
     return later("A job is being cut: wait for its end, or stop it.") if moment.job_runs else ""
 

@@ -9,7 +9,7 @@ from typing import Any
 from PySide import QtGui
 
 from CNCStepper.workbench.dock.model import settings
-from CNCStepper.workbench.dock.model.controller_state import Moment, why_not_connect, why_not_disconnect
+from CNCStepper.workbench.dock.model.controller_state import ControllerSnapshot, why_not_connect, why_not_disconnect
 from CNCStepper.workbench.dock.model.port_choices import (
     BAUDS,
     SPEEDS,
@@ -51,7 +51,7 @@ class ConnectionView(QtGui.QWidget):
         super().__init__()
         self._connect, self._disconnect, self._found = connect, disconnect, found
         self._choices: list[Any] = []
-        self._moment = Moment()
+        self._moment = ControllerSnapshot()
         self.box = widgets.named(PortBox(self.look), "Port")
         self.box.setAccessibleName(tr("Port"))
         self.baud = widgets.named(QtGui.QComboBox(), "Baud")
@@ -98,7 +98,7 @@ class ConnectionView(QtGui.QWidget):
         self.box.blockSignals(False)
         self._choose()
 
-    def lock(self, moment: Moment) -> None:
+    def lock(self, moment: ControllerSnapshot) -> None:
         """Let the button connect or disconnect, whichever can be done."""
         self._moment = moment
         self.button.setText(tr("Disconnect") if self._connected else tr("Connect"))

@@ -12,7 +12,7 @@ from typing import Any
 from PySide import QtCore, QtGui
 
 from CNCStepper.workbench.dock.model.command_history import History
-from CNCStepper.workbench.dock.model.controller_state import RULES, Moment, why_not
+from CNCStepper.workbench.dock.model.controller_state import RULES, ControllerSnapshot, why_not
 from CNCStepper.workbench.dock.views import widgets
 from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.services.translation import tr
@@ -60,11 +60,11 @@ class ConsoleView(QtGui.QWidget):
         layout.addWidget(self.said)
         layout.addWidget(self.line)
 
-    def lock(self, moment: Moment) -> None:
+    def lock(self, moment: ControllerSnapshot) -> None:
         """Let lines be typed while no job runs."""
         widgets.lock(self.line, why_not("console", moment), RULES["console"].does)
 
-    def hear(self, text: str) -> None:
+    def on_message(self, text: str) -> None:
         """Show what the controller has said, or why a line was not sent."""
         self.said.appendPlainText(text)
 
@@ -73,5 +73,5 @@ class ConsoleView(QtGui.QWidget):
         if line:
             self.line.history.add(line)
             self.line.clear()
-            self.hear(f"{PROMPT}{line}")
+            self.on_message(f"{PROMPT}{line}")
             self._send(line)

@@ -8,7 +8,7 @@ from typing import Any
 
 from PySide import QtCore, QtGui
 
-from CNCStepper.workbench.dock.model.controller_state import RULES, Moment, why_not
+from CNCStepper.workbench.dock.model.controller_state import RULES, ControllerSnapshot, why_not
 from CNCStepper.workbench.dock.views import widgets
 from CNCStepper.workbench.services.number_format import NOTHING, duration
 from CNCStepper.workbench.services.translation import tr
@@ -16,7 +16,7 @@ from CNCStepper.workbench.services.translation import tr
 PARTS = 1000  # of the progress bar
 
 
-class HaltView(QtGui.QWidget):
+class PauseView(QtGui.QWidget):
     """Hold, resume and stop, always in sight; `command` is called with their names."""
 
     def __init__(self, command: Callable[[str], None]):
@@ -31,7 +31,7 @@ class HaltView(QtGui.QWidget):
         for button in self.buttons.values():
             button.setMinimumHeight(button.sizeHint().height() + 8)
 
-    def lock(self, moment: Moment) -> None:
+    def lock(self, moment: ControllerSnapshot) -> None:
         """Enable the buttons that can work.
 
         A button that was pressed and can work no more leaves the focus to this view; from here only Hold takes it.

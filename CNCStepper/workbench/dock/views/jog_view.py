@@ -15,7 +15,7 @@ from PySide import QtCore, QtGui
 
 from CNCStepper.control.service.connection_client import JOG_RENEW_S
 from CNCStepper.workbench.dock.model import settings
-from CNCStepper.workbench.dock.model.controller_state import RULES, Moment, why_not
+from CNCStepper.workbench.dock.model.controller_state import RULES, ControllerSnapshot, why_not
 from CNCStepper.workbench.dock.views import widgets
 from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.services.number_format import Lengths
@@ -58,7 +58,7 @@ class JogView(QtGui.QWidget):
         """The feed chosen for jogging."""
         return self.feed.value() * self._lengths.mm
 
-    def lock(self, moment: Moment) -> None:
+    def lock(self, moment: ControllerSnapshot) -> None:
         """Enable the arrows when the machine can be moved by hand."""
         why = why_not("jog", moment)
         if why and self._held:

@@ -9,7 +9,7 @@ from typing import Any
 
 from PySide import QtGui
 
-from CNCStepper.workbench.dock.model.controller_state import RULES, Moment, why_not
+from CNCStepper.workbench.dock.model.controller_state import RULES, ControllerSnapshot, why_not
 from CNCStepper.workbench.dock.views import widgets
 from CNCStepper.workbench.services.number_format import NOTHING
 from CNCStepper.workbench.services.translation import later, tr
@@ -48,7 +48,7 @@ class OverrideView(QtGui.QWidget):
         for place in range(2, 2 + len(STEPS)):
             layout.setColumnStretch(place, 1)
 
-    def lock(self, moment: Moment) -> None:
+    def lock(self, moment: ControllerSnapshot) -> None:
         """Enable the buttons when an override can be changed."""
         why = why_not("override", moment)
         for button in self._buttons:

@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 from PySide import QtGui
 
-from CNCStepper.workbench.dock.model.controller_state import WAITING, Moment
+from CNCStepper.workbench.dock.model.controller_state import WAITING, ControllerSnapshot
 from CNCStepper.workbench.dock.model.unfinished_job import why_not_now
 from CNCStepper.workbench.dock.views import widgets
 from CNCStepper.workbench.services.translation import later, tr
@@ -18,7 +18,7 @@ DOES = {
 }
 
 
-class RecoveryView(QtGui.QWidget):
+class RestartOfferView(QtGui.QWidget):
     """Two buttons, and above them the offer, "" for none."""
 
     def __init__(self, restart: Callable[[], None], unfinished: Callable[[], None]):
@@ -40,7 +40,7 @@ class RecoveryView(QtGui.QWidget):
         self.offer.setText(text)
         self.offer.setVisible(bool(text))
 
-    def lock(self, moment: Moment) -> None:
+    def lock(self, moment: ControllerSnapshot) -> None:
         """Enable the buttons while nothing is cut."""
         for name, button in self.buttons.items():
             widgets.lock(button, why_not_now(moment), DOES[name])

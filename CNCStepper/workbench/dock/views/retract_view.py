@@ -8,7 +8,7 @@ from typing import Any
 
 from PySide import QtCore, QtGui
 
-from CNCStepper.workbench.dock.model.controller_state import Moment
+from CNCStepper.workbench.dock.model.controller_state import ControllerSnapshot
 from CNCStepper.workbench.dock.model.retract_state import (
     ASIDE,
     BACK,
@@ -16,7 +16,7 @@ from CNCStepper.workbench.dock.model.retract_state import (
     ENTRY,
     FORWARD,
     LINE,
-    BackFlow,
+    RetractFlow,
     state_text,
     why_not_back,
 )
@@ -30,7 +30,7 @@ USUAL, ARROWS_PX = "0000.000 mm", 32  # what a box must have room for at least
 LINES_KEPT = 2  # free for the sentence, so that the buttons below do not move under the pointer
 
 
-class BackView(QtGui.QWidget):
+class RetractView(QtGui.QWidget):
     """`go` is called with what is wished for, as `back` names it, and its value."""
 
     def __init__(self, lengths: Lengths, point: str, go: Callable[[str, float | bool], None]):
@@ -66,7 +66,7 @@ class BackView(QtGui.QWidget):
         """How far one click goes."""
         return self.length.value() * self._lengths.mm
 
-    def show_back(self, flow: BackFlow, moment: Moment) -> None:
+    def show_back(self, flow: RetractFlow, moment: ControllerSnapshot) -> None:
         """Show where the tool stands on its cut, and enable what can be asked for."""
         self.setVisible(moment.job_runs)
         for kind, button in self.buttons.items():

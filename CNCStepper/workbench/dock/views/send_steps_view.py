@@ -21,7 +21,7 @@ HIDDEN_AT = ("", "cutting")  # the job's own section says it then
 class FlowView(QtGui.QFrame):
     """A frame in the colour of the step; `findings` is the list widget of the checks."""
 
-    def __init__(self, findings: Any, onward: Callable[[], None], away: Callable[[], None]):
+    def __init__(self, findings: Any, confirm_step: Callable[[], None], away: Callable[[], None]):
         super().__init__()
         widgets.named(self, "Flow")
         self.findings = findings
@@ -29,9 +29,9 @@ class FlowView(QtGui.QFrame):
         self.title.setFont(widgets.caption("").font())
         self.text, self.detail = widgets.wrapped("FlowText"), widgets.wrapped("FlowDetail")
         self.away = widgets.named(KeyButton(), "Cancel")
-        self.onward = widgets.named(KeyButton(), "Start")
+        self.confirm_step = widgets.named(KeyButton(), "Start")
         self.away.clicked.connect(guarded(away))
-        self.onward.clicked.connect(guarded(onward))
+        self.confirm_step.clicked.connect(guarded(confirm_step))
         layout = widgets.column(self)
         layout.setContentsMargins(10, 8, 10, 8)
         head = widgets.row(self.title, self.number)
@@ -40,7 +40,7 @@ class FlowView(QtGui.QFrame):
         layout.addLayout(head)
         for widget in (self.text, self.detail, findings):
             layout.addWidget(widget)
-        layout.addLayout(widgets.row(self.away, self.onward))
+        layout.addLayout(widgets.row(self.away, self.confirm_step))
         findings.setMaximumHeight(FINDINGS_HEIGHT)
         self._tone = ""
         self.hide()
@@ -58,10 +58,10 @@ class FlowView(QtGui.QFrame):
         self._say(self.text, tr(step.text))
         self._say(self.detail, flow.detail or (tr(why_not) if flow.step in STARTS else ""))
         self.findings.setVisible(flow.step in ("refused", "warned"))
-        for button, text in ((self.onward, step.onward), (self.away, step.away)):
+        for button, text in ((self.confirm_step, step.confirm_step), (self.away, step.away)):
             button.setVisible(bool(text))
             button.setText(tr(text))
-        widgets.lock(self.onward, why_not, "")
+        widgets.lock(self.confirm_step, why_not, "")
         self._colour(step.tone)
 
     def _say(self, label: Any, text: str) -> None:

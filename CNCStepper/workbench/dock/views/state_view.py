@@ -9,7 +9,7 @@ from typing import Any
 
 from PySide import QtCore, QtGui
 
-from CNCStepper.workbench.dock.model.controller_state import RULES, Face, Moment, why_not
+from CNCStepper.workbench.dock.model.controller_state import RULES, ControllerSnapshot, Face, why_not
 from CNCStepper.workbench.dock.views import widgets
 from CNCStepper.workbench.services.number_format import NOTHING, Lengths
 from CNCStepper.workbench.services.translation import tr
@@ -110,7 +110,7 @@ class PositionView(QtGui.QWidget):
         self.feed.setText(f"{self._lengths.speed_text(feed, self._point)} {self._lengths.speed_name}")
         self.speed.setText(tr("{0} rpm").format(NOTHING if speed is None else f"{speed:.0f}"))
 
-    def lock(self, moment: Moment) -> None:
+    def lock(self, moment: ControllerSnapshot) -> None:
         """Enable the zero buttons when they can work."""
         for button in self.zeros.values():
             widgets.lock(button, why_not("zero", moment), RULES["zero"].does)

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner, Result
 
-from CNCStepper.cli.common.start_state_options import Given
+from CNCStepper.cli.common.start_state_options import StartOptions
 from CNCStepper.cli.main import group
 from CNCStepper.job.start_state_file import start_from
 from CNCStepper.state import Start
@@ -147,10 +147,10 @@ def test_send_is_told_the_start_or_takes_the_one_of_the_certificate(tmp_path: Pa
 def test_where_subroutines_are_found_is_kept_but_no_part_of_the_fingerprint() -> None:
     from dataclasses import asdict
 
-    start = Given(work_zero=(1.0, 2.0, 3.0), search=("a", "b ç")).start()
+    start = StartOptions(work_zero=(1.0, 2.0, 3.0), search=("a", "b ç")).start()
     assert start is not None and start.search == ("a", "b ç")
     assert start.sha256() == Start.with_work_zero((1.0, 2.0, 3.0)).sha256()
     assert start_from(asdict(start) | {"position_mm": [None, None, None]}) == Start(
         start.position_mm, work_offsets_mm={"G54": (1.0, 2.0, 3.0)}, zero_known=True, search=("a", "b ç")
     )
-    assert Given().start() is None
+    assert StartOptions().start() is None

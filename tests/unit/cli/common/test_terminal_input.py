@@ -11,12 +11,12 @@ from io import BytesIO, TextIOWrapper
 
 import pytest
 
-from CNCStepper.cli.common.terminal_input import Typed
+from CNCStepper.cli.common.terminal_input import TerminalInput
 
 LIMIT_S = 30.0
 
 
-def wait_for(typed: Typed, heard: list[str], lines: list[str]) -> None:
+def wait_for(typed: TerminalInput, heard: list[str], lines: list[str]) -> None:
     """Wait until these lines are heard; fails when they never are."""
     end_s = time.monotonic() + LIMIT_S
     while heard != lines and time.monotonic() < end_s:
@@ -27,7 +27,7 @@ def wait_for(typed: Typed, heard: list[str], lines: list[str]) -> None:
 def test_lines_are_heard_whole_and_the_end_of_typing_is_no_hurry() -> None:
     here, there = os.pipe()
     heard: list[str] = []
-    typed = Typed(heard.append, here)
+    typed = TerminalInput(heard.append, here)
     os.write(there, b"!\n~ \r\n5")
     wait_for(typed, heard, ["!", "~"])
     os.write(there, b"0\n")
@@ -42,7 +42,7 @@ def test_lines_are_heard_whole_and_the_end_of_typing_is_no_hurry() -> None:
 def test_lines_are_heard_in_the_thread_that_waits_and_only_while_it_does() -> None:
     here, there = os.pipe()
     heard: list[threading.Thread] = []
-    typed = Typed(lambda line: heard.append(threading.current_thread()), here)
+    typed = TerminalInput(lambda line: heard.append(threading.current_thread()), here)
     os.write(there, b"!\n")
     end_s = time.monotonic() + LIMIT_S
     while typed._lines.empty() and time.monotonic() < end_s:
@@ -59,7 +59,7 @@ if os.name != "nt":
         here, there = os.openpty()
         os.close(here)
         heard: list[str] = []
-        typed = Typed(heard.append, there)
+        typed = TerminalInput(heard.append, there)
         typed.wait(0.01)
         typed.wait(0.01)
         assert heard == []
@@ -69,5 +69,5 @@ if os.name != "nt":
 def test_where_nobody_can_type_it_only_waits(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sys, "stdin", TextIOWrapper(BytesIO(b"!\n")))
     begin_s = time.monotonic()
-    Typed(lambda line: pytest.fail(line)).wait(0.02)
+    TerminalInput(lambda line: pytest.fail(line)).wait(0.02)
     assert time.monotonic() - begin_s >= 0.02

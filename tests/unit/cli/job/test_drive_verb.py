@@ -125,15 +125,15 @@ def test_a_hold_is_heard_while_the_pulses_run_and_none_is_lost(tmp_path: Path, m
     count = itertools.count()
 
     class Scripted:
-        def __init__(self, hear: Callable[[str], None]):
-            self.hear = hear
+        def __init__(self, on_message: Callable[[str], None]):
+            self.on_message = on_message
 
         def wait(self, seconds: float) -> None:
             time.sleep(seconds)
             if line := lines.get(next(count)):
-                self.hear(line)
+                self.on_message(line)
 
-    monkeypatch.setattr(typed, "Typed", Scripted)
+    monkeypatch.setattr(typed, "TerminalInput", Scripted)
     made = run(program, tmp_path / "pulses")
     assert made.exit_code == 0, made.output
     for said in ("holding", "! holds, ~ goes on", "going on", "50 % of every", "limit 1 to 100 %"):

@@ -18,11 +18,11 @@ from being_sent import attached, being_sent
 from test_send import called, command
 
 from CNCStepper.control.program.send_job import SendJob
-from CNCStepper.control.service.connection_client import DeskClient
+from CNCStepper.control.service.connection_client import ConnectionClient
 from CNCStepper.control.session.client import SessionClient
-from CNCStepper.control.session.files import read_private, running_desks, sessions
+from CNCStepper.control.session.files import read_private, running_services, sessions
 from CNCStepper.control.session.local_socket import LOOPBACK, TRANSPORT, Address
-from CNCStepper.control.session.server import STRANGER_LIMIT
+from CNCStepper.control.session.server import UNAUTHENTICATED_LIMIT
 from CNCStepper.control.session.status import STOPPED
 
 PROGRAM = "G21 G90\nG0 Z-2\n" + "".join(f"G1 X{-10 * (1 + number % 30)} F600\n" for number in range(300)) + "M2\n"
@@ -99,10 +99,10 @@ def strangers(address: Address, count: int) -> Iterator[list[int]]:
 def test_hold_and_stop_pass_connections_without_a_token(transport: str, tmp_path: Path) -> None:
     with moving(tmp_path) as address:
         assert bool(address.path) == (transport != LOOPBACK)
-        with strangers(address, STRANGER_LIMIT + 40) as opened:
+        with strangers(address, UNAUTHENTICATED_LIMIT + 40) as opened:
             times_s = held_then_stopped()
     assert max(times_s) < ANSWER_S, times_s
-    assert opened[0] > 2 * STRANGER_LIMIT  # they were renewed
+    assert opened[0] > 2 * UNAUTHENTICATED_LIMIT  # they were renewed
     assert not sessions()
 
 
@@ -113,14 +113,14 @@ def test_hold_and_stop_pass_them_where_a_window_cuts(transport: str, tmp_path: P
     with subprocess.Popen(command(*VIRTUAL, "--until-left"), stdout=subprocess.PIPE, encoding="utf-8") as table:
         assert table.stdout
         try:
-            window = DeskClient.launch(table.stdout.readline().rpartition(" ")[2].strip())
+            window = ConnectionClient.launch(table.stdout.readline().rpartition(" ")[2].strip())
             until(window, lambda: window.phase == "connected")
             window.set_zero()
             window.run(job, zero_confirmed=True)
             until(window, lambda: window.status.phase == "running" and (window.status.mpos_mm or (0.0,))[0] < -1.0)
-            address = Address.of(read_private(running_desks()[0]) or {})
+            address = Address.of(read_private(running_services()[0]) or {})
             assert bool(address.path) == (transport != LOOPBACK)
-            with strangers(address, STRANGER_LIMIT + 40):
+            with strangers(address, UNAUTHENTICATED_LIMIT + 40):
                 times_s = held_then_stopped()
                 until(window, lambda: window.outcome is not None)
             window.leave()
@@ -130,7 +130,7 @@ def test_hold_and_stop_pass_them_where_a_window_cuts(transport: str, tmp_path: P
     assert window.outcome and window.outcome.kind == STOPPED
 
 
-def until(window: DeskClient, reached: Callable[[], bool]) -> None:
+def until(window: ConnectionClient, reached: Callable[[], bool]) -> None:
     end_s = time.monotonic() + LIMIT_S
     while not reached():
         assert time.monotonic() < end_s and window.error is None, (window.phase, window.error)

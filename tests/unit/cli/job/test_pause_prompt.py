@@ -10,8 +10,8 @@ from typing import Any
 import click
 import pytest
 
-from CNCStepper.cli.job.pause_prompt import OVER, Asker
-from CNCStepper.cli.job.session_listener import Meanwhile
+from CNCStepper.cli.job.pause_prompt import OVER, PausePrompt
+from CNCStepper.cli.job.session_listener import SessionListener
 from CNCStepper.cli.job.session_watch import Moving, _Watch
 from CNCStepper.control.session.status import Outcome, SenderStatus
 
@@ -72,8 +72,8 @@ class Person:
         return type.convert(answer() if callable(answer) else answer, None, None)
 
 
-def asked(session: Session, told: list[str]) -> Asker:
-    return Asker(session, lambda event: told.append(event["text"]), told.append)
+def asked(session: Session, told: list[str]) -> PausePrompt:
+    return PausePrompt(session, lambda event: told.append(event["text"]), told.append)
 
 
 def test_enter_at_a_question_that_is_over_asks_anew_and_only_then_goes_on(monkeypatch):
@@ -142,7 +142,7 @@ def told_of(session: Session) -> None:
 def test_new_stand_is_told_while_the_old_question_is_open():
     session, told = Session(HELD), []
     end_s = time.monotonic() + LIMIT_S
-    with Meanwhile(session, HELD, lambda event: told.append(event["text"]), told.append):
+    with SessionListener(session, HELD, lambda event: told.append(event["text"]), told.append):
         session.become(RUNNING)
         session.say(event="message", text="look")
         while len(told) < 2 and time.monotonic() < end_s:

@@ -11,7 +11,7 @@ from types import SimpleNamespace
 import pytest
 
 from CNCStepper.cli.machine import echo_input
-from CNCStepper.cli.machine.echo_input import Overheard
+from CNCStepper.cli.machine.echo_input import EchoInput
 from CNCStepper.control.session.status import SenderStatus
 from CNCStepper.errors import LinkError
 
@@ -57,7 +57,7 @@ def look_twice(talk: FakeTalk) -> None:
 
 def test_message_comes_above_the_line_that_is_typed(capsys):
     talk = FakeTalk()
-    with Overheard(talk, "> "):
+    with EchoInput(talk, "> "):
         talk.events = [{"event": "message", "text": "Pgm End"}, {"event": "status"}, {"event": "phase", "text": "idle"}]
         look_twice(talk)
     assert capsys.readouterr().out == "\rPgm End\n> G0 X"
@@ -66,7 +66,7 @@ def test_message_comes_above_the_line_that_is_typed(capsys):
 def test_short_message_covers_what_was_typed(capsys, monkeypatch):
     monkeypatch.setattr(echo_input, "_typed", lambda: "G0 X10 Y10")
     talk = FakeTalk()
-    with Overheard(talk, "> "):
+    with EchoInput(talk, "> "):
         talk.events = [{"event": "warning", "text": "no"}]
         look_twice(talk)
     assert capsys.readouterr().out.split("\n") == ["\r" + "no".ljust(12), "> G0 X10 Y10"]
@@ -74,7 +74,7 @@ def test_short_message_covers_what_was_typed(capsys, monkeypatch):
 
 def test_alarm_is_told_once_with_its_reason(capsys):
     talk = FakeTalk()
-    again = Overheard(talk, "> ")
+    again = EchoInput(talk, "> ")
     for _ in range(2):
         with again:
             talk.status = ALARM
@@ -85,7 +85,7 @@ def test_alarm_is_told_once_with_its_reason(capsys):
 
 def test_alarm_of_the_line_before_is_told_and_a_hold_that_was_asked_for_is_not(capsys):
     talk = FakeTalk()
-    again = Overheard(talk, "> ")
+    again = EchoInput(talk, "> ")
     talk.status = SenderStatus("held", machine_state="Hold:0")
     with again:
         look_twice(talk)
@@ -98,7 +98,7 @@ def test_alarm_of_the_line_before_is_told_and_a_hold_that_was_asked_for_is_not(c
 
 def test_nothing_is_taken_from_the_desk_while_nobody_types():
     talk = FakeTalk()
-    with Overheard(talk, "> "):
+    with EchoInput(talk, "> "):
         look_twice(talk)
     looks = talk.looks
     talk.events = [{"event": "answer", "text": "ok"}]
@@ -108,7 +108,7 @@ def test_nothing_is_taken_from_the_desk_while_nobody_types():
 
 def test_lost_link_is_said_at_once(capsys):
     talk = FakeTalk()
-    with Overheard(talk, "> "):
+    with EchoInput(talk, "> "):
         talk.is_over = True
         wait_until(lambda: "the desk is gone" in capsys.readouterr().out)
 
@@ -118,7 +118,7 @@ def test_where_the_typed_line_is_not_known_it_stays_where_it_is(capsys, monkeypa
     monkeypatch.setitem(sys.modules, "readline", None)
     talk = FakeTalk()
     monkeypatch.setattr(echo_input, "LOOK_EVERY_S", 0.001)
-    with Overheard(talk, "> "):
+    with EchoInput(talk, "> "):
         talk.events = [{"event": "message", "text": "Pgm End"}]
         look_twice(talk)
     assert capsys.readouterr().out == "\nPgm End\n> "

@@ -12,8 +12,8 @@ from test_send import called, command
 
 from CNCStepper.cli.machine.console import Session, converse
 from CNCStepper.cli.machine.jog import jog_line
-from CNCStepper.cli.machine.service_client import Talk
-from CNCStepper.control.service.position_trust_file import BeliefFile
+from CNCStepper.cli.machine.service_client import ServiceClient
+from CNCStepper.control.service.position_trust_file import PositionTrustFile
 from CNCStepper.control.session.files import session_folder
 from CNCStepper.control.session.status import SenderStatus
 from CNCStepper.control.stream.position_trust import LOST, NOTHING_AGAINST
@@ -98,7 +98,7 @@ class QuietDesk:
 
 
 def test_console_shows_a_machine_that_does_not_change_as_often_as_it_is_asked(capsys):
-    talk = Talk.__new__(Talk)
+    talk = ServiceClient.__new__(ServiceClient)
     talk.client = QuietDesk()
     for _ in range(3):
         Session(talk).do("?")
@@ -171,12 +171,12 @@ def test_newcomer_asks_homes_jogs_zeroes_and_types(port, monkeypatch, tmp_path):
     asked = called("ports", "--ask", port)
     assert asked.returncode == 0 and "grbl 1.1 1.1h.20190830" in asked.stdout and "Alarm" in asked.stdout
     assert "128 bytes" in asked.stdout
-    assert BeliefFile.of_port(session_folder(), port).belief == LOST
+    assert PositionTrustFile.of_port(session_folder(), port).belief == LOST
     refused = called("jog", "X-1", "--port", port)
     assert refused.returncode == 1 and "home the machine" in refused.stderr
     homed = called("home", "--port", port)
     assert homed.returncode == 0 and "the machine is homed" in homed.stdout
-    assert BeliefFile.of_port(session_folder(), port).belief == NOTHING_AGAINST
+    assert PositionTrustFile.of_port(session_folder(), port).belief == NOTHING_AGAINST
     jogged = called("jog", "X-2", "Y-3", "--port", port, "--feed", "2000")
     assert jogged.returncode == 0 and "X-3.000 Y-4.000" in jogged.stdout.splitlines()[-1]
     zeroed = called("zero", "xy", "--port", port)

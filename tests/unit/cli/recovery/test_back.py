@@ -13,7 +13,7 @@ import pytest
 from being_sent import attached, being_sent
 from test_send import called, command
 
-from CNCStepper.control.service.connection_client import DeskClient
+from CNCStepper.control.service.connection_client import ConnectionClient
 from CNCStepper.control.session.files import read_private, sessions
 from CNCStepper.gcode.wire.encoder import prepare
 from CNCStepper.job.certify import send_job
@@ -91,7 +91,7 @@ def test_without_a_session_it_says_what_to_do(tmp_path: Path, monkeypatch: pytes
 
 
 @pytest.fixture
-def desk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[DeskClient]:
+def desk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[ConnectionClient]:
     """A window's client of a desk that cuts the program at a virtual grbl."""
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
     machine = load_machine("table-a")
@@ -100,7 +100,7 @@ def desk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[DeskClient
     file.write_text(job.to_json(), "utf-8")
     with subprocess.Popen(command(*VIRTUAL), stdout=subprocess.PIPE, encoding="utf-8") as table:
         assert table.stdout
-        client = DeskClient.launch(table.stdout.readline().rpartition(" ")[2].strip())
+        client = ConnectionClient.launch(table.stdout.readline().rpartition(" ")[2].strip())
         await_desk(client, lambda: client.status.phase == "idle")
         client.set_zero()  # a machine that was just switched on
         client.run(file, zero_confirmed=True)
@@ -111,7 +111,7 @@ def desk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[DeskClient
         table.terminate()
 
 
-def await_desk(client: DeskClient, reached: Callable[[], bool]) -> None:
+def await_desk(client: ConnectionClient, reached: Callable[[], bool]) -> None:
     """Poll until it is reached, as a window does."""
     end_s = time.monotonic() + 60
     while not reached():
@@ -122,7 +122,7 @@ def await_desk(client: DeskClient, reached: Callable[[], bool]) -> None:
 
 
 @pytest.mark.slow
-def test_job_of_a_window_is_led_back_by_the_command_line_and_by_the_windows_process(desk: DeskClient) -> None:
+def test_job_of_a_window_is_led_back_by_the_command_line_and_by_the_windows_process(desk: ConnectionClient) -> None:
     back = called("back", "--distance", "1")
     assert back.returncode == 0, back.stderr
     assert back.stdout.splitlines()[-1].startswith("retreated: line 7")

@@ -9,13 +9,13 @@ from typing import Any
 import pytest
 from click.testing import CliRunner
 
-from CNCStepper.cli.common.reproduce_options import kept, merged
+from CNCStepper.cli.common.reproduce_options import merged, plain_options
 from CNCStepper.cli.job import send as send_verb
 from CNCStepper.cli.main import group
 from CNCStepper.cli.recovery.restart_command import NO_PROFILE, RestartLine
 from CNCStepper.control.journal.entry import Group
 from CNCStepper.control.journal.journal_file import JournalFile
-from CNCStepper.control.journal.replay import FORMAT, VERSION, Story, read_story
+from CNCStepper.control.journal.replay import FORMAT, VERSION, JobReplay, read_replay
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.machine.profile import load_machine
 
@@ -56,7 +56,7 @@ def called(*arguments: object) -> str:
     return CliRunner().invoke(group, list(map(str, arguments))).output
 
 
-def story(folder: Path, job: SendJob | None = None, *, end: dict[str, Any] | None = None, **header: Any) -> Story:
+def story(folder: Path, job: SendJob | None = None, *, end: dict[str, Any] | None = None, **header: Any) -> JobReplay:
     content: dict[str, Any] = {
         "format": FORMAT, "version": VERSION, "begin": "", "file": "", "program_sha256": "", "machine": "",
         "port": "COM3", "firmware": "1.1h", "lines": 12, "last_line": 12, "homing": False, "goes_back": False,
@@ -69,10 +69,10 @@ def story(folder: Path, job: SendJob | None = None, *, end: dict[str, Any] | Non
     file.append(content | header)
     file.append(with_end)
     file.close()
-    return read_story(file.path)
+    return read_replay(file.path)
 
 
-def line_of(story: Story, folder: Path) -> RestartLine:
+def line_of(story: JobReplay, folder: Path) -> RestartLine:
     return RestartLine(story, folder / "peça 1.nc", 7)
 
 
@@ -132,7 +132,7 @@ def test_files_that_are_not_as_they_were_are_told(folder: Path) -> None:
     job, table = folder / "part.toml", folder / "tool.tbl"
     for file in (job, table):
         file.write_text("", "utf-8")
-    made_with = kept({"--job": [job], "--tool-table": [table], "--part": [2]})
+    made_with = plain_options({"--job": [job], "--tool-table": [table], "--part": [2]})
     job.write_text("#", "utf-8")
     table.unlink()
     offered = line_of(story(folder, made_with=made_with), folder)

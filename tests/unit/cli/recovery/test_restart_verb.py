@@ -20,7 +20,7 @@ from click.testing import CliRunner, Result
 
 from CNCStepper.cli.main import group
 from CNCStepper.control.journal.restart_line_map import FirstProgram
-from CNCStepper.control.journal.store import stories
+from CNCStepper.control.journal.store import replays
 from CNCStepper.control.program.certificate import Certificate, digest_of_text
 from CNCStepper.control.service.connection_session import attach, jobs_running
 
@@ -186,7 +186,7 @@ def test_what_resume_offers_runs_as_it_is_pasted(
         stopped = another.submit(stop_at_pause)
         assert CliRunner().invoke(group, ["send", str(program), *sending]).exit_code == 1
         stopped.result()
-    journal = next(story.path for story in stories() if story.header["file"] == str(program.resolve()))
+    journal = next(story.path for story in replays() if story.header["file"] == str(program.resolve()))
     told = CliRunner().invoke(group, ["resume", str(journal)]).output.splitlines()
     pasted = shlex.split(told[-1].removeprefix("restart"))
     assert pasted[:2] == ["cncstepper", "restart"] and str(profile) in pasted

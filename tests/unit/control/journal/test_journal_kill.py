@@ -14,11 +14,11 @@ from click.testing import CliRunner
 from test_virtual_controller import virtual_grbl
 
 from CNCStepper.cli.recovery.resume import command
-from CNCStepper.control.journal.replay import KILLED, RUNNING, read_story
+from CNCStepper.control.journal.replay import KILLED, RUNNING, read_replay
 from CNCStepper.control.journal.store import journals
 from CNCStepper.control.program.certificate import digest_of_text
 from CNCStepper.control.program.send_job import SendJob
-from CNCStepper.control.service.position_trust_file import BeliefFile
+from CNCStepper.control.service.position_trust_file import PositionTrustFile
 from CNCStepper.control.session.client import SessionClient
 from CNCStepper.control.stream.position_trust import LOST, NOTHING_AGAINST
 
@@ -82,17 +82,17 @@ def killed(address: str, folder, moves: int, **job):
     while (status := client.status()).sent < moves and status.phase in ("connecting", "running"):
         assert time.monotonic() < end_s, status
     (path, *_) = journals(folder)
-    running = read_story(path).end
+    running = read_replay(path).end
     client._process.kill()
     client._process.wait()
     machine = Table(address)
     _, then_mm = machine.seen()
     finally_mm = machine.at_rest()
     machine.leave()
-    kept = BeliefFile.of_port(folder, address)
+    kept = PositionTrustFile.of_port(folder, address)
     assert kept.belief == LOST
     kept.keep(NOTHING_AGAINST)  # as when a person has looked, and set the zero
-    return running, machine.lines_made(then_mm), machine.lines_made(finally_mm), read_story(path)
+    return running, machine.lines_made(then_mm), machine.lines_made(finally_mm), read_replay(path)
 
 
 @pytest.mark.slow

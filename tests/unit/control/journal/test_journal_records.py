@@ -9,7 +9,7 @@ import pytest
 
 from CNCStepper.control.journal.entry import Group
 from CNCStepper.control.journal.records import read_records, to_line
-from CNCStepper.control.journal.replay import FORMAT, KILLED, VERSION, read_story
+from CNCStepper.control.journal.replay import FORMAT, KILLED, VERSION, read_replay
 from CNCStepper.errors import JobError
 
 HEADER = {"format": FORMAT, "version": VERSION, "lines": 900, "last_line": 901}
@@ -20,7 +20,7 @@ WHOLE = b"".join(LINES)
 
 def story_of(data: bytes, path: Path):
     path.write_bytes(data)
-    return read_story(path)
+    return read_replay(path)
 
 
 def test_what_is_written_is_read_again(tmp_path):
@@ -79,4 +79,4 @@ def test_what_is_no_journal_is_refused(tmp_path, data):
 
 def test_a_journal_that_is_not_there_is_refused(tmp_path):
     with pytest.raises(JobError, match="journal-unreadable"):
-        read_story(tmp_path / "no.journal")
+        read_replay(tmp_path / "no.journal")

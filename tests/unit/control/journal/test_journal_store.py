@@ -13,7 +13,7 @@ import pytest
 from CNCStepper.control.journal import store
 from CNCStepper.control.journal.entry import Group
 from CNCStepper.control.journal.journal_file import JournalFile
-from CNCStepper.control.journal.replay import FORMAT, KILLED, RUNNING, VERSION, read_story
+from CNCStepper.control.journal.replay import FORMAT, KILLED, RUNNING, VERSION, read_replay
 from CNCStepper.control.journal.store import (
     RECENT_S,
     journals,
@@ -107,9 +107,9 @@ def test_a_running_job_is_told_from_a_killed_one(tmp_path):
     )
     with subprocess.Popen([sys.executable, "-c", script, str(path)], stdout=subprocess.PIPE) as process:
         assert process.stdout.readline() == b"written" + os.linesep.encode()
-        assert is_locked(path) and read_story(path).end == RUNNING
+        assert is_locked(path) and read_replay(path).end == RUNNING
         process.kill()
-    assert not is_locked(path) and read_story(path).end != RUNNING
+    assert not is_locked(path) and read_replay(path).end != RUNNING
 
 
 @pytest.mark.skipif(os.name != "posix", reason="rights of files are kept otherwise there")

@@ -15,12 +15,12 @@ from fault_disk import AtOnce
 
 from CNCStepper.control.journal import journal_file
 from CNCStepper.control.journal.journal_file import JournalFile
-from CNCStepper.control.journal.replay import read_story
-from CNCStepper.control.journal.write_ahead import LEAST, MOST, Ahead
+from CNCStepper.control.journal.replay import read_replay
+from CNCStepper.control.journal.write_ahead import LEAST, MOST, WriteAhead
 from CNCStepper.control.journal.writer import MENDED, Journal
 from CNCStepper.control.processes import file_lock
 from CNCStepper.control.program.send_job import SendJob
-from CNCStepper.control.protocol.grbl.connect import Found
+from CNCStepper.control.protocol.grbl.connect import ControllerInfo
 from CNCStepper.control.protocol.grbl.driver import Grbl
 from CNCStepper.control.protocol.grbl.report import Status
 from CNCStepper.control.service.sender import Sender
@@ -66,7 +66,7 @@ class Bench:
         return self.sender.run()
 
     def story(self):
-        return read_story(self.journal.path)
+        return read_replay(self.journal.path)
 
 
 @pytest.fixture
@@ -99,17 +99,17 @@ def test_a_job_that_is_cut_is_told_so_with_all_it_began_with(tmp_path):
 
 def test_every_line_is_on_the_disk_before_it_is_sent(tmp_path):
     bench = Bench(tmp_path)
-    stories = []
+    replays = []
 
     def look(number):
         story = bench.story()
-        stories.append(story)
+        replays.append(story)
         assert story.may_be_sent >= bench.sender.status().sent > number
         assert story.finished <= number and story.group.acknowledged <= number
 
     bench.controller.actions = {number: lambda number=number: look(number) for number in range(len(LINES))}
     assert bench.run().done
-    assert len({story.may_be_sent for story in stories}) > 3 and max(story.finished for story in stories) > 100
+    assert len({story.may_be_sent for story in replays}) > 3 and max(story.finished for story in replays) > 100
 
 
 def test_a_pause_that_is_not_sent_waits_for_the_disk_and_counts_as_cut(tmp_path):
@@ -118,10 +118,10 @@ def test_a_pause_that_is_not_sent_waits_for_the_disk_and_counts_as_cut(tmp_path)
     journal.permitted = 1
     driver = Grbl(FakeLink(FakeController(clock), clock), clock)
     feeder = Feeder(SendJob("fake", ("M0", "G1X1")), journal)
-    assert feeder.stand_message(driver) == "" and feeder.feed(driver, True) == 0
+    assert feeder.pause_text(driver) == "" and feeder.feed(driver, True) == 0
     journal.permitted = 0
-    feeder.leave_stand()
-    assert feeder.feed(driver, True) == feeder.sent == feeder.acknowledged == 0 and feeder.stand_message(driver) is None
+    feeder.leave_pause()
+    assert feeder.feed(driver, True) == feeder.sent == feeder.acknowledged == 0 and feeder.pause_text(driver) is None
     journal.permitted = 1
     assert feeder.feed(driver, True) == feeder.sent == feeder.acknowledged == 1 and not driver.unanswered
 
@@ -129,20 +129,20 @@ def test_a_pause_that_is_not_sent_waits_for_the_disk_and_counts_as_cut(tmp_path)
 def test_interval_is_true_around_a_pause(tmp_path):
     lines = (*LINES[:100], "M0", *LINES[101:])
     bench = Bench(tmp_path, lines)
-    stories = []
+    replays = []
 
     def look():
         status = bench.sender.status()
-        stories.append((bench.story(), status.sent, status.acknowledged))
+        replays.append((bench.story(), status.sent, status.acknowledged))
         bench.sender.resume()
 
     bench.on_text["paused"] = look
-    bench.controller.actions[200] = lambda: stories.append((bench.story(), 201, 201))
-    assert bench.run().done and len(stories) == 2
-    assert stories[0][1:] == (100, 100)
-    for story, sent, acknowledged in stories:
+    bench.controller.actions[200] = lambda: replays.append((bench.story(), 201, 201))
+    assert bench.run().done and len(replays) == 2
+    assert replays[0][1:] == (100, 100)
+    for story, sent, acknowledged in replays:
         assert story.may_be_sent >= sent and story.finished <= acknowledged
-    assert stories[1][0].finished >= 101  # all before the pause, and the pause
+    assert replays[1][0].finished >= 101  # all before the pause, and the pause
     assert bench.story().finished == len(lines)
 
 
@@ -252,7 +252,7 @@ def begun(folder, clock, lines, baud=SLOW_BAUD):
     driver = Grbl(FakeLink(FakeController(clock), clock), clock)
     driver.status = Status("Run", mpos=(1.0, 2.0, 3.0))
     journal = Journal(folder, executor=AtOnce(), clock=clock)
-    journal.begin(SendJob("fake", lines, baud=baud), driver, Found("1.1h"))
+    journal.begin(SendJob("fake", lines, baud=baud), driver, ControllerInfo("1.1h"))
     return journal
 
 
@@ -275,7 +275,7 @@ def test_a_million_lines_need_a_small_file_and_no_memory(tmp_path, monkeypatch):
 
 
 def test_a_slow_job_on_a_slow_line_is_known_within_a_few_lines():
-    ahead, sent, permitted = Ahead(0.0, SLOW_BAUD), 0, LEAST
+    ahead, sent, permitted = WriteAhead(0.0, SLOW_BAUD), 0, LEAST
     for second in range(1, 60):
         sent += 40 if second == 1 else 1
         permitted = ahead.next_range(sent, permitted, float(second))
@@ -283,7 +283,7 @@ def test_a_slow_job_on_a_slow_line_is_known_within_a_few_lines():
 
 
 def test_a_disk_too_slow_for_the_range_gets_a_longer_one():
-    ahead = Ahead(0.0, SLOW_BAUD)
+    ahead = WriteAhead(0.0, SLOW_BAUD)
     ranges = [ahead.next_range(sent := LEAST * (k + 1), sent, 0.001 * k) - sent for k in range(12)]
     assert ranges[0] >= 2 * LEAST and ranges[-1] == MOST
 

@@ -52,7 +52,7 @@ class Ear:
         status = parse(f"<Run|MPos:0.000,0.000,0.000|FS:0,0{'|Pn:' + pins if pins else ''}>")
         for _ in range(round(seconds / 0.01)):
             self.clock.now_s += 0.01
-            self.buttons.hear([status])
+            self.buttons.on_message([status])
 
     def names(self) -> list[str]:
         return [command.name for command in self.asked]
@@ -103,7 +103,7 @@ def test_button_held_at_connection_does_nothing_until_released():
 def test_button_held_while_the_controller_restarts_does_nothing():
     ear = Ear({"pin": "P", "act": "start"})
     ear.show("")
-    ear.buttons.hear([Greeting("Grbl 1.1h", "1.1h")])
+    ear.buttons.on_message([Greeting("Grbl 1.1h", "1.1h")])
     ear.show("P", seconds=1.0)
     assert ear.names() == []
 

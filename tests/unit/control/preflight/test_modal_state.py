@@ -7,10 +7,10 @@ import pytest
 from test_sender import Bench
 
 from CNCStepper.control.preflight.modal_state import (
-    cuts_at_granted_speed,
-    granted_modes,
+    codes_before_cut,
+    cuts_at_implied_speed,
+    implied_modes,
     mode_differences,
-    said_before_cut,
 )
 from CNCStepper.control.session.status import REFUSED
 
@@ -30,7 +30,7 @@ WHOLE = ("G21G17G90G94", "G54", "G0X10", "G20", "G91", "M2")
     ],
 )
 def test_what_a_program_does_not_say_before_it_moves_is_taken_for_granted(lines, granted):
-    assert granted_modes(lines) == granted
+    assert implied_modes(lines) == granted
 
 
 def test_modes_are_compared_where_the_program_relies_on_them():
@@ -69,9 +69,9 @@ def test_what_a_hand_left_on_is_found_where_the_program_does_not_speak_of_it_bef
 
 
 def test_where_a_program_cuts_first():
-    assert said_before_cut(("M3", "G4P1", "G1X1", "M8")) == {"M3", "G4", "G1"}
-    assert said_before_cut(("G80", "G0X1", "G59", "M8")) == {"G80", "G0", "G59", "M8"}
-    assert not cuts_at_granted_speed(())
+    assert codes_before_cut(("M3", "G4P1", "G1X1", "M8")) == {"M3", "G4", "G1"}
+    assert codes_before_cut(("G80", "G0X1", "G59", "M8")) == {"G80", "G0", "G59", "M8"}
+    assert not cuts_at_implied_speed(())
 
 
 @pytest.mark.parametrize(

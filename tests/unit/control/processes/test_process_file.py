@@ -19,12 +19,12 @@ from fake_controller import FakeServer
 
 from CNCStepper.control.journal import store
 from CNCStepper.control.journal.journal_file import JournalFile
-from CNCStepper.control.journal.replay import read_story
+from CNCStepper.control.journal.replay import read_replay
 from CNCStepper.control.processes import process_file
-from CNCStepper.control.processes.process_file import OwnFile, is_alive
+from CNCStepper.control.processes.process_file import ProcessFile, is_alive
 from CNCStepper.control.program.send_job import SendJob
-from CNCStepper.control.service.connection_client import DeskClient
-from CNCStepper.control.service.connection_session import DeskSession, jobs_running
+from CNCStepper.control.service.connection_client import ConnectionClient
+from CNCStepper.control.service.connection_session import ConnectionSession, jobs_running
 from CNCStepper.control.service.port_owner import check_free
 from CNCStepper.control.session import client as session
 from CNCStepper.control.session import files
@@ -39,7 +39,7 @@ from CNCStepper.control.session.files import (  # fmt: skip
     WIRE,
     new_session,
     read_private,
-    running_desks,
+    running_services,
     session_at,
     sessions,
 )
@@ -49,8 +49,8 @@ from CNCStepper.workers import connection_service
 
 LIMIT_S = 20.0
 OWNER = """
-import sys, time; from pathlib import Path; from CNCStepper.control.processes.process_file import OwnFile
-own = OwnFile(Path(sys.argv[1])); own.write({"machine_port": "COM3"})
+import sys, time; from pathlib import Path; from CNCStepper.control.processes.process_file import ProcessFile
+own = ProcessFile(Path(sys.argv[1])); own.write({"machine_port": "COM3"})
 print("", flush=True); time.sleep(1000)
 """
 MANY_DIGITS = "7" * 5000
@@ -161,7 +161,7 @@ def test_many_may_look_at_once(tmp_path):
 
 
 def test_its_own_process_removes_it(tmp_path):
-    own = OwnFile(tmp_path / f"a{DESK}")
+    own = ProcessFile(tmp_path / f"a{DESK}")
     own.write({})
     own.remove()
     own.keep()
@@ -175,7 +175,7 @@ def held_open(self: Path, missing_ok: bool = False) -> None:
 
 
 def test_its_process_ends_also_where_a_client_never_closes_it(tmp_path, monkeypatch):
-    own = OwnFile(tmp_path / f"a{SESSION}")
+    own = ProcessFile(tmp_path / f"a{SESSION}")
     own.write({"machine_port": "COM3"})
     monkeypatch.setattr(process_file, "REMOVE_LIMIT_S", 0.1)
     monkeypatch.setattr(Path, "unlink", held_open)
@@ -184,7 +184,7 @@ def test_its_process_ends_also_where_a_client_never_closes_it(tmp_path, monkeypa
 
 
 def test_a_file_that_a_client_looks_at_is_removed_when_it_was_closed(tmp_path, monkeypatch):
-    own, path, unlink, tries = OwnFile(tmp_path / f"a{SESSION}"), tmp_path / f"a{SESSION}", Path.unlink, []
+    own, path, unlink, tries = ProcessFile(tmp_path / f"a{SESSION}"), tmp_path / f"a{SESSION}", Path.unlink, []
 
     def held_at_first(self: Path, missing_ok: bool = False) -> None:
         tries.append(self)
@@ -203,7 +203,7 @@ def test_a_desk_leaves_nothing_where_the_disk_takes_no_outcome(tmp_path, monkeyp
     for name in ("stop_on_signals", "go_first"):
         monkeypatch.setattr(connection_service, name, lambda *arguments: None)
     monkeypatch.setattr(sys, "setswitchinterval", lambda seconds: None)
-    monkeypatch.setattr(connection_service, "_run", lambda desk, desk_file: None)
+    monkeypatch.setattr(connection_service, "_run", lambda desk, service_file: None)
     monkeypatch.setattr(connection_service, "write_private", full)
     tmp_path.chmod(0o700)
     with pytest.raises(OSError, match="No space"):
@@ -215,7 +215,7 @@ def test_a_desk_leaves_nothing_where_the_disk_takes_no_outcome(tmp_path, monkeyp
 def test_its_process_mends_it(tmp_path, monkeypatch, how):
     monkeypatch.setattr(process_file, "LOOK_EVERY_S", 0.0)
     path = tmp_path / f"a{DESK}"
-    own = OwnFile(path)
+    own = ProcessFile(path)
     own.write({"machine_port": "COM3"})
     path.unlink() if how == "removed" else spoiled(path, how)
     own.keep()
@@ -231,7 +231,7 @@ def test_nothing_of_a_living_one_is_pruned_and_nothing_that_is_young(tmp_path, m
         for kind in (OUTCOME, LOG, WIRE):
             (tmp_path / f"{name}{kind}").write_text("{}")
             os.utime(tmp_path / f"{name}{kind}", (old_s, old_s))
-    own = OwnFile(tmp_path / f"000{DESK}")  # the oldest, as after days
+    own = ProcessFile(tmp_path / f"000{DESK}")  # the oldest, as after days
     own.write({})
     (tmp_path / f"001{LOG}").write_text("of a process that begins, after the clock was put back")
     new_session(tmp_path)
@@ -256,9 +256,9 @@ def test_a_journal_that_is_being_written_is_not_pruned(tmp_path, monkeypatch):
 @pytest.mark.parametrize("how", SPOILED)
 def test_a_damaged_journal_is_refused_and_waited_for_by_nobody(tmp_path, how):
     spoiled(tmp_path / "a.journal", how)
-    assert list(store.stories(tmp_path)) == []
+    assert list(store.replays(tmp_path)) == []
     with pytest.raises(JobError, match="journal"):
-        read_story(tmp_path / "a.journal")
+        read_replay(tmp_path / "a.journal")
 
 
 # --- damaged files -----------------------------------------------------------------------------
@@ -268,9 +268,9 @@ def test_a_damaged_journal_is_refused_and_waited_for_by_nobody(tmp_path, how):
 def test_damaged_files_of_dead_sessions_are_no_sessions(tmp_path, how):
     for kind in (SESSION, DESK):
         spoiled(tmp_path / f"a{kind}", how)
-    assert sessions(tmp_path) == [] and running_desks(tmp_path) == [] and jobs_running(tmp_path) == []
+    assert sessions(tmp_path) == [] and running_services(tmp_path) == [] and jobs_running(tmp_path) == []
     check_free("COM3", tmp_path)
-    for attach in (SessionClient.attach, DeskSession.attach):
+    for attach in (SessionClient.attach, ConnectionSession.attach):
         with pytest.raises(LinkError, match="not there, or was killed"):
             attach(tmp_path / f"a{SESSION if attach == SessionClient.attach else DESK}")
     new_session(tmp_path)
@@ -282,7 +282,7 @@ def test_an_outcome_that_cannot_be_read_is_told_in_a_sentence(tmp_path, how):
     spoiled(tmp_path / f"a{OUTCOME}", how)
     with pytest.raises(LinkError, match=r"outcome cannot be read.*position is unknown"):
         SessionClient.attach(tmp_path / f"a{SESSION}")
-    desk = DeskClient.attach(tmp_path / f"a{DESK}")
+    desk = ConnectionClient.attach(tmp_path / f"a{DESK}")
     desk.poll()
     assert desk.phase == "gone" and isinstance(desk.error, CNCStepperError)
 

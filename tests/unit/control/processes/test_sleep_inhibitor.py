@@ -9,7 +9,7 @@ import sys
 import pytest
 
 from CNCStepper.control.processes import sleep_inhibitor as module
-from CNCStepper.control.processes.sleep_inhibitor import CONTINUOUS, SYSTEM_REQUIRED, awake
+from CNCStepper.control.processes.sleep_inhibitor import CONTINUOUS, SYSTEM_REQUIRED, inhibit_sleep
 
 KEEPER = (sys.executable, "-c", "import sys; sys.stdin.read()")
 REFUSED = (sys.executable, "-c", "raise SystemExit(1)")
@@ -32,14 +32,14 @@ def children(monkeypatch):
 def test_child_holds_the_lock_as_long_as_the_job_runs(monkeypatch, children, platform):
     monkeypatch.setitem(module.KEEPERS, platform, KEEPER)
     warned = []
-    with awake(warned.append, platform):
+    with inhibit_sleep(warned.append, platform):
         assert children[0].poll() is None
     assert children[0].poll() is not None and not warned
 
 
 def test_lock_is_released_when_the_job_fails(monkeypatch, children):
     monkeypatch.setitem(module.KEEPERS, "linux", KEEPER)
-    with pytest.raises(KeyError), awake(lambda text: None, "linux"):
+    with pytest.raises(KeyError), inhibit_sleep(lambda text: None, "linux"):
         raise KeyError
     assert children[0].poll() is not None
 
@@ -49,14 +49,14 @@ def test_computer_that_refuses_is_told_once_and_the_job_runs(monkeypatch):
     for keeper in (REFUSED, ("no such program, we hope",)):
         monkeypatch.setitem(module.KEEPERS, "linux", keeper)
         warned, ran = [], []
-        with awake(warned.append, "linux"):
+        with inhibit_sleep(warned.append, "linux"):
             ran.append(True)
         assert ran and len(warned) == 1 and "may fall asleep" in warned[0]
 
 
 def test_unknown_system_is_told():
     warned = []
-    with awake(warned.append, "sunos5"):
+    with inhibit_sleep(warned.append, "sunos5"):
         pass
     assert len(warned) == 1
 
@@ -70,6 +70,6 @@ def test_windows_is_asked_and_told_when_it_is_over(granted):
             asked.append(state)
             return granted
 
-    with module._awake_on_windows(warned.append, Kernel()):
+    with module._inhibit_on_windows(warned.append, Kernel()):
         assert asked == [CONTINUOUS | SYSTEM_REQUIRED]
     assert asked[-1] == CONTINUOUS and bool(warned) != granted

@@ -9,9 +9,16 @@ from fake_controller import FakeClock, FakeController, FakeLink
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.program.wire_line import check_length
 from CNCStepper.control.protocol.grbl.codes_fluidnc import FLUIDNC_ERROR_NAMES
-from CNCStepper.control.protocol.grbl.connect import Found, meet
+from CNCStepper.control.protocol.grbl.connect import ControllerInfo, handshake
 from CNCStepper.control.protocol.grbl.driver import Grbl
-from CNCStepper.control.protocol.grbl.firmware import FIRMWARES, FLUIDNC, GRBL, GRBLHAL, greeted_by, told_by
+from CNCStepper.control.protocol.grbl.firmware import (
+    FIRMWARES,
+    FLUIDNC,
+    GRBL,
+    GRBLHAL,
+    firmware_of_greeting,
+    firmware_of_tag,
+)
 from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.control.service.sender import Sender
 from CNCStepper.control.session.status import DONE, REFUSED
@@ -62,8 +69,8 @@ class Bench:
         self.told: list[tuple[str, str]] = []
         self.driver = Grbl(FakeLink(self.controller, self.clock), self.clock)
 
-    def meet(self) -> Found:
-        return meet(self.driver, Timing())
+    def meet(self) -> ControllerInfo:
+        return handshake(self.driver, Timing())
 
     def send(self, *lines: str, **job):
         job = {"zero_confirmed": True} | job
@@ -109,13 +116,13 @@ def test_names_that_fluidnc_says_in_place_of_numbers_are_understood():
 
 @pytest.mark.parametrize("key", GREETINGS)
 def test_firmware_is_recognised_by_its_greeting(key):
-    assert greeted_by(GREETINGS[key]).key == key
+    assert firmware_of_greeting(GREETINGS[key]).key == key
 
 
 def test_firmware_is_recognised_by_what_it_says_of_itself():
-    assert told_by("VER", "3.7 FluidNC v3.7.8:") is FLUIDNC
-    assert told_by("FIRMWARE", "grblHAL") is told_by("AXS", "3:XYZ") is GRBLHAL
-    assert told_by("VER", "1.1h.20190830:") is told_by("OPT", "V,15,128") is None
+    assert firmware_of_tag("VER", "3.7 FluidNC v3.7.8:") is FLUIDNC
+    assert firmware_of_tag("FIRMWARE", "grblHAL") is firmware_of_tag("AXS", "3:XYZ") is GRBLHAL
+    assert firmware_of_tag("VER", "1.1h.20190830:") is firmware_of_tag("OPT", "V,15,128") is None
 
 
 @pytest.mark.parametrize(("key", "window"), [("grbl", 127), ("grblhal", 1023), ("fluidnc", 127)])

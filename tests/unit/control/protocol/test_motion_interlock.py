@@ -16,8 +16,8 @@ from CNCStepper.control.operator.button_actions import COMMANDS
 from CNCStepper.control.protocol.grbl.driver import HOLD, RESUME
 from CNCStepper.control.protocol.grbl.driver import Grbl as Driver
 from CNCStepper.control.protocol.grbl.motion_interlock import UNKNOWN, MotionInterlock, moves
-from CNCStepper.control.service.connection_service import Desk
-from CNCStepper.control.service.position_trust_file import BeliefFile
+from CNCStepper.control.service.connection_service import ConnectionService
+from CNCStepper.control.service.position_trust_file import PositionTrustFile
 from CNCStepper.control.session.status import DONE
 from CNCStepper.control.stream.position_trust import LOST
 from CNCStepper.errors import MachineRefusal
@@ -77,7 +77,7 @@ def names(ways: tuple[Way, ...]) -> list[str]:
 
 def lost(folder: Path, board: Grbl) -> Visit:
     """Return a visit to a machine whose position was lost in an earlier connection."""
-    kept = BeliefFile(folder / "table.position")
+    kept = PositionTrustFile(folder / "table.position")
     kept.keep(LOST)
     return Visit(folder, kept=kept, board=board)
 
@@ -159,7 +159,7 @@ def test_the_table_names_every_command_that_a_desk_takes(tmp_path):
 
     visit.receive(person)
     buttons = {command.name for command in COMMANDS.values()}
-    assert {way.command for way in WAYS} == {*Desk.commands, *seen, *buttons, "again"}
+    assert {way.command for way in WAYS} == {*ConnectionService.commands, *seen, *buttons, "again"}
 
 
 def test_the_desk_lets_all_of_it_go_when_the_zero_is_set(tmp_path):

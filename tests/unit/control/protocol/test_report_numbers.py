@@ -13,7 +13,7 @@ from CNCStepper.control.protocol.grbl.report import OK, Alarm, Answer, Damaged, 
 from CNCStepper.control.protocol.grbl.report_numbers import count, decimal, sizes, vector
 from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.control.stream.controller_buffer import Capacity
-from CNCStepper.control.stream.status_snapshot import moment, tell_words
+from CNCStepper.control.stream.status_snapshot import forward_messages, status_snapshot
 from CNCStepper.errors import LinkError, MachineRefusal
 
 LONG = "9" * 5000
@@ -91,9 +91,9 @@ def test_a_status_with_such_a_number_is_told_and_moves_nothing(form, number):
     good = "<Run|MPos:7.000,8.000,9.000|WCO:1.000,1.000,1.000|Bf:15,128|Ov:100,100,100>"
     heard, told = [], []
     driver = driver_that_heard("$13=0", good, form.format(number), listen=heard.extend)
-    assert moment(driver, "running") == moment(driver_that_heard("$13=0", good), "running")
+    assert status_snapshot(driver, "running") == status_snapshot(driver_that_heard("$13=0", good), "running")
     assert isinstance(heard[-1], Damaged)
-    tell_words(heard[-1:], lambda kind, text: told.append((kind, len(text) < 3000 and "damaged" in text)))
+    forward_messages(heard[-1:], lambda kind, text: told.append((kind, len(text) < 3000 and "damaged" in text)))
     assert told == [("warning", True)]
 
 
@@ -116,7 +116,7 @@ def test_codes_and_settings_with_such_numbers_have_none():
 @pytest.mark.parametrize("size", [LONG, "4294967295", "-1", "1e5", "nan"])
 def test_a_buffer_of_such_a_size_changes_nothing(size):
     driver, capacity = driver_that_heard(f"[OPT:V,{size},{size}]"), Capacity()
-    capacity.hear([Feedback("OPT", f"V,{size},{size}")])
+    capacity.on_message([Feedback("OPT", f"V,{size},{size}")])
     fresh = driver_that_heard()
     assert (driver.window, driver.planner_blocks) == (fresh.window, fresh.planner_blocks)
     assert capacity.moves == Capacity().moves and sizes(f"V,15,{size}") == (15, 0)

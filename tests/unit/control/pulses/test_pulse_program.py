@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from CNCStepper.control.pulses.program import BUSY_WRITES, LEAST_WRITES_PER_S, Busiest, PulseProgram
+from CNCStepper.control.pulses.program import BUSY_WRITES, LEAST_WRITES_PER_S, PeakRate, PulseProgram
 from CNCStepper.errors import JobError, MachineRefusal
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.machine.profile import Machine, load_machine
@@ -80,13 +80,13 @@ def test_pulses_stay_apart_by_the_longest_of_their_times() -> None:
 @pytest.mark.parametrize("size", [1, 7, 10_000])
 def test_the_busiest_stretch_is_found_over_chunks_of_any_size(size: int) -> None:
     ticks = np.cumsum(np.r_[np.full(300, 100), np.full(BUSY_WRITES, 10), np.full(300, 90)])
-    busiest = Busiest()
+    busiest = PeakRate()
     for first in range(0, len(ticks), size):
         busiest.add(ticks[first : first + size])
     assert busiest.per_s(1000) == 100
-    few = Busiest()
+    few = PeakRate()
     few.add(np.array([5, 15, 25]))
-    assert few.per_s(1000) == 100 and Busiest().per_s(1000) == 0
+    assert few.per_s(1000) == 100 and PeakRate().per_s(1000) == 0
 
 
 def test_the_checks_of_the_machine_are_of_the_motors() -> None:

@@ -16,12 +16,12 @@ from CNCStepper.cli.job.running_job import session_file
 from CNCStepper.cli.main import main
 from CNCStepper.control.journal import store
 from CNCStepper.control.processes import file_lock, process_file
-from CNCStepper.control.processes.process_file import OwnFile, is_alive, is_closed
+from CNCStepper.control.processes.process_file import ProcessFile, is_alive, is_closed
 from CNCStepper.control.service import connection_session
-from CNCStepper.control.service.connection_client import DeskClient
+from CNCStepper.control.service.connection_client import ConnectionClient
 from CNCStepper.control.service.connection_session import jobs_running
-from CNCStepper.control.service.port_owner import check_free, tell_closed
-from CNCStepper.control.service.position_trust_file import BeliefFile
+from CNCStepper.control.service.port_owner import check_free, warn_of_closed
+from CNCStepper.control.service.position_trust_file import PositionTrustFile
 from CNCStepper.control.session.files import (  # fmt: skip
     DESK,
     KEPT,
@@ -31,9 +31,9 @@ from CNCStepper.control.session.files import (  # fmt: skip
     SESSION,
     WIRE,
     closed_files,
-    desk_at,
     new_session,
-    running_desks,
+    running_services,
+    service_at,
     session_at,
     session_folder,
     sessions,
@@ -43,7 +43,7 @@ from CNCStepper.errors import JobError, LinkError
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the list of locks")
 fcntl = pytest.importorskip("fcntl")
-KINDS = ((SESSION, session_at, sessions), (DESK, desk_at, running_desks))
+KINDS = ((SESSION, session_at, sessions), (DESK, service_at, running_services))
 NOBODY = 65534
 LOOK = """
 import sys; from pathlib import Path
@@ -105,7 +105,7 @@ def test_a_closed_file_keeps_no_port_and_hides_nobody_elses(folder, close, locke
     other = close(folder / f"a{kind}")
     if lives:
         locked(other)
-    own = OwnFile(folder / f"b{kind}")
+    own = ProcessFile(folder / f"b{kind}")
     own.write({"machine_port": "COM3"})
     begin_s = time.monotonic()
     assert at("COM3", folder) == folder / f"b{kind}" and at("COM4", folder) is None
@@ -116,7 +116,7 @@ def test_a_closed_file_keeps_no_port_and_hides_nobody_elses(folder, close, locke
 
 
 def test_a_file_that_is_closed_between_two_looks_is_no_session(folder, close, monkeypatch):
-    own = OwnFile(folder / f"a{SESSION}")
+    own = ProcessFile(folder / f"a{SESSION}")
     own.write({"machine_port": "COM3"})
     monkeypatch.setattr("CNCStepper.control.session.files.sessions", lambda folder: [own._path])
     close(own._path)
@@ -152,7 +152,7 @@ def test_verbs_tell_of_it_in_a_sentence(folder, close, monkeypatch, capsys, verb
 
 def test_hold_works_beside_it(folder, close):
     close(folder / f"a{SESSION}")
-    own = OwnFile(folder / f"b{SESSION}")
+    own = ProcessFile(folder / f"b{SESSION}")
     own.write({"machine_port": "COM3"})
     assert session_file(None) == session_file("b") == folder / f"b{SESSION}"
     own.remove()
@@ -162,7 +162,7 @@ def test_only_of_one_that_may_live_is_told_where_a_port_is_opened(folder, close,
     told: list[str] = []
     close(folder / f"a{SESSION}")
     locked(close(folder / f"b{DESK}"))
-    tell_closed(told.append)
+    warn_of_closed(told.append)
     assert len(told) == 1 and f"b{DESK}" in told[0] and "session-closed" in told[0]
 
 
@@ -173,7 +173,7 @@ def test_attaching_to_it_is_refused_at_once(folder, close, locked):
         with pytest.raises(LinkError, match=r"belongs to .* \[session-closed\]"):
             connection_session.attach(folder / f"a{kind}")
     assert time.monotonic() - begin_s < 2.0
-    client = DeskClient.attach(folder / f"a{DESK}")
+    client = ConnectionClient.attach(folder / f"a{DESK}")
     client.poll()
     assert client.phase == "gone" and client.error and client.error.code == "session-closed"
 
@@ -239,19 +239,19 @@ def test_closed_journals_are_kept_and_take_no_room(folder, close, monkeypatch):
         os.utime(path, (0, 0))
     store.prune(folder)
     assert sorted(path.name for path in folder.iterdir()) == ["a.journal", "b.journal"]
-    assert list(store.stories(folder)) == []
+    assert list(store.replays(folder)) == []
 
 
 def test_a_closed_file_of_a_position_stays_and_is_told(folder, close):
-    BeliefFile.of_port(folder, "COM3").keep(LOST)
+    PositionTrustFile.of_port(folder, "COM3").keep(LOST)
     (path,) = folder.iterdir()
     close(path)
     told: list[str] = []
-    assert BeliefFile.of_port(folder, "COM4").belief.position_known is None
+    assert PositionTrustFile.of_port(folder, "COM4").belief.position_known is None
     for belief in (LOST._replace(counts_from_here=True), AT_HOME):
-        file = BeliefFile.of_port(folder, "COM3")
+        file = PositionTrustFile.of_port(folder, "COM3")
         assert file.belief == LOST
-        file.keep_or_tell(belief, lambda kind, text: told.append(text))
+        file.save_or_warn(belief, lambda kind, text: told.append(text))
     assert list(folder.iterdir()) == [path]
     assert len(told) == 1 and str(path) in told[0] and f"remove it as {path.owner()}" in told[0]
 

@@ -16,12 +16,12 @@ import pytest
 from fake_controller import FakeServer
 
 from CNCStepper.control.processes import python_finder
-from CNCStepper.control.processes.process_file import OwnFile
+from CNCStepper.control.processes.process_file import ProcessFile
 from CNCStepper.control.program.send_job import SendJob
-from CNCStepper.control.service.connection_client import DeskClient, running_desks
+from CNCStepper.control.service.connection_client import ConnectionClient, running_services
 from CNCStepper.control.service.connection_launch import WORKER
 from CNCStepper.control.session import detached_process
-from CNCStepper.control.session.files import DESK, LOG, OUTCOME, desk_at, new_session
+from CNCStepper.control.session.files import DESK, LOG, OUTCOME, new_session, service_at
 from CNCStepper.control.session.status import DONE, STOPPED
 from CNCStepper.control.transport.port_list import PortChoice, port_list
 from CNCStepper.errors import CNCStepperError, MissingPackage
@@ -34,7 +34,7 @@ SHORT = ("G21G90G94", "G1X-2F3000", "G1X0")
 class Window:
     """A client, looked at again and again as a window's timer does it, with all that it heard."""
 
-    def __init__(self, client: DeskClient):
+    def __init__(self, client: ConnectionClient):
         self.client = client
         self.events: list[dict] = []
 
@@ -73,7 +73,7 @@ def _nothing_left(tmp_path):
     """No desk of a test may outlive it."""
     yield
     end_s = time.monotonic() + LIMIT_S
-    while [path for path in running_desks(tmp_path) if process_of(path)]:
+    while [path for path in running_services(tmp_path) if process_of(path)]:
         assert time.monotonic() < end_s, "a desk was left behind"
         time.sleep(0.05)
 
@@ -81,7 +81,7 @@ def _nothing_left(tmp_path):
 @pytest.fixture
 def window(table, tmp_path) -> Iterator[Window]:
     """A window whose desk is connected; it leaves in the end."""
-    window = Window(DeskClient.launch(table, folder=tmp_path))
+    window = Window(ConnectionClient.launch(table, folder=tmp_path))
     window.until(lambda: window.client.phase == "connected")
     yield window
     window.client.stop()
@@ -109,7 +109,7 @@ def ended(path: Path) -> bool:
 
 def test_launch_connects_runs_a_job_and_leaves_nothing(window, tmp_path):
     client = window.client
-    assert running_desks(tmp_path) == [client.session_file]
+    assert running_services(tmp_path) == [client.session_file]
     if os.name == "posix":
         assert client.session_file.stat().st_mode & 0o777 == 0o600
     client.set_zero("XYZ")
@@ -168,8 +168,8 @@ def test_held_jog_stops_when_the_window_freezes_and_at_once_when_the_button_is_l
 CLIENT = """
 import sys, time
 from pathlib import Path
-from CNCStepper.control.service.connection_client import DeskClient
-client = DeskClient.launch(sys.argv[1], folder=Path(sys.argv[2]))
+from CNCStepper.control.service.connection_client import ConnectionClient
+client = ConnectionClient.launch(sys.argv[1], folder=Path(sys.argv[2]))
 while client.phase != "connected":
     client.poll(); time.sleep(0.01)
 client.set_zero("XYZ")
@@ -188,8 +188,8 @@ def test_killed_window_does_not_stop_the_cut_and_a_new_one_attaches(table, tmp_p
         assert killed.stdout
         session_file = Path(killed.stdout.readline().strip())
         killed.kill()
-    assert running_desks(tmp_path) == [session_file]
-    window = Window(DeskClient.attach(session_file))
+    assert running_services(tmp_path) == [session_file]
+    window = Window(ConnectionClient.attach(session_file))
     window.until_phase("running")
     before = window.client.status.acknowledged
     assert window.client.port == table and window.client.status.file == "part ç.nc"
@@ -204,7 +204,7 @@ def test_killed_window_does_not_stop_the_cut_and_a_new_one_attaches(table, tmp_p
 
 @pytest.mark.slow
 def test_second_launch_on_one_port_attaches_to_the_desk_that_is_there(window, tmp_path):
-    second = Window(DeskClient.launch(window.client.port, folder=tmp_path))
+    second = Window(ConnectionClient.launch(window.client.port, folder=tmp_path))
     second.until(lambda: second.client.phase == "connected")
     assert second.client.session_file == window.client.session_file
     window.client.detach()
@@ -220,7 +220,7 @@ def test_two_desks_started_at_one_moment_agree_on_one(window, tmp_path):
     path = new_session(tmp_path, DESK).with_name(f"99990101-000000-ff{DESK}")
     process = detached_process.start(sys.executable, WORKER, path, window.client.port, "115200")
     assert process.wait(LIMIT_S) == 1
-    late = Window(DeskClient.attach(path))
+    late = Window(ConnectionClient.attach(path))
     late.until(lambda: late.client.phase == "gone")
     assert late.client.error.code == "port-busy" and "in use" in str(late.client.error)
     window.look()
@@ -228,7 +228,7 @@ def test_two_desks_started_at_one_moment_agree_on_one(window, tmp_path):
 
 
 def test_port_that_is_not_there_is_gone_with_its_sentence(tmp_path):
-    window = Window(DeskClient.launch("/dev/no-such-port", folder=tmp_path))
+    window = Window(ConnectionClient.launch("/dev/no-such-port", folder=tmp_path))
     window.until(lambda: window.client.phase == "gone")
     assert window.client.error.code == "port-missing"
     assert window.heard("connection")[-1] == "gone" and window.client.poll() == []
@@ -236,7 +236,7 @@ def test_port_that_is_not_there_is_gone_with_its_sentence(tmp_path):
 
 def test_controller_that_vanishes_is_gone_with_its_sentence(tmp_path):
     with FakeServer() as server:
-        window = Window(DeskClient.launch(server.url, folder=tmp_path))
+        window = Window(ConnectionClient.launch(server.url, folder=tmp_path))
         window.until(lambda: window.client.phase == "connected")
     window.until(lambda: window.client.phase == "gone")
     assert window.client.error.code == "link-lost"
@@ -246,7 +246,7 @@ def test_without_a_python_the_launch_says_what_is_missing(monkeypatch, tmp_path)
     monkeypatch.setenv(python_finder.VARIABLE, str(tmp_path / "no python"))
     python_finder.find_python.cache_clear()
     try:
-        window = Window(DeskClient.launch("/dev/ttyX", folder=tmp_path))
+        window = Window(ConnectionClient.launch("/dev/ttyX", folder=tmp_path))
         window.until(lambda: window.client.phase == "gone")
     finally:
         python_finder.find_python.cache_clear()
@@ -254,24 +254,24 @@ def test_without_a_python_the_launch_says_what_is_missing(monkeypatch, tmp_path)
 
 
 def test_folder_that_cannot_be_written_is_said(tmp_path):
-    window = Window(DeskClient.launch("/dev/ttyX", folder=tmp_path / "none"))
+    window = Window(ConnectionClient.launch("/dev/ttyX", folder=tmp_path / "none"))
     window.until(lambda: window.client.phase == "gone")
     assert window.client.error.code == "desk-start" and "none" in str(window.client.error)
 
 
 @pytest.mark.slow
 def test_killed_desk_is_lost_with_its_position(table, tmp_path):
-    window = Window(DeskClient.launch(table, folder=tmp_path))
+    window = Window(ConnectionClient.launch(table, folder=tmp_path))
     window.until(lambda: window.client.phase == "connected")
     os.kill(process_of(window.client.session_file), signal.SIGKILL)
     window.until(lambda: window.client.phase == "gone")
     assert window.client.error.code == "desk-lost" and "position is unknown" in str(window.client.error)
-    assert running_desks(tmp_path) == []
+    assert running_services(tmp_path) == []
 
 
 @pytest.mark.slow
 def test_sigterm_stops_the_job_safely(table, tmp_path):
-    window = Window(DeskClient.launch(table, folder=tmp_path))
+    window = Window(ConnectionClient.launch(table, folder=tmp_path))
     window.until(lambda: window.client.phase == "connected")
     window.client.set_zero("XYZ")
     window.client.run(job_file(tmp_path, LONG), zero_confirmed=True)
@@ -315,7 +315,7 @@ def test_window_that_was_frozen_for_long_is_let_in_again(window):
 
 @pytest.mark.slow
 def test_desk_that_nobody_visits_ends_by_itself(table, tmp_path):
-    window = Window(DeskClient.launch(table, folder=tmp_path))
+    window = Window(ConnectionClient.launch(table, folder=tmp_path))
     window.until(lambda: window.client.phase == "connected")
     begin_s = time.monotonic()
     window.client.detach()
@@ -325,12 +325,12 @@ def test_desk_that_nobody_visits_ends_by_itself(table, tmp_path):
 
 def test_file_that_nobody_holds_is_no_running_desk(tmp_path):
     path = new_session(tmp_path, DESK)
-    owner = OwnFile(path)
+    owner = ProcessFile(path)
     owner.write({})
-    assert running_desks(tmp_path) == [path]
+    assert running_services(tmp_path) == [path]
     owner._file.close()  # as when its process is killed
-    assert running_desks(tmp_path) == []
-    client = DeskClient.attach(path)
+    assert running_services(tmp_path) == []
+    client = ConnectionClient.attach(path)
     client.poll()
     assert client.phase == "gone" and client.error.code == "desk-lost" and path.exists()
     new_session(tmp_path, DESK)
@@ -339,13 +339,13 @@ def test_file_that_nobody_holds_is_no_running_desk(tmp_path):
 
 def test_desk_is_found_by_its_port(tmp_path):
     path = tmp_path / f"a{DESK}"
-    owner = OwnFile(path)
+    owner = ProcessFile(path)
     owner.write({"machine_port": "COM3"})
     (tmp_path / f"b{DESK}").write_text('{"machine_port": "COM4"}')  # of a killed one
-    assert desk_at("COM3", tmp_path) == path
-    assert desk_at("COM4", tmp_path) is None
+    assert service_at("COM3", tmp_path) == path
+    assert service_at("COM4", tmp_path) is None
     owner.remove()
-    assert desk_at("COM3", tmp_path) is None
+    assert service_at("COM3", tmp_path) is None
 
 
 def test_ports_are_named_for_people(monkeypatch):

@@ -13,7 +13,7 @@ import pytest
 from cut_table import ROUNDING_MM, STANDS, STEP_MM, Cut, path_of, polyline, worst_distance_mm
 from desk_table import Person, Visit
 
-from CNCStepper.control.service.connection_service import Desk
+from CNCStepper.control.service.connection_service import ConnectionService
 from CNCStepper.control.session.command import Command
 from CNCStepper.control.session.status import DONE, STOPPED, Outcome
 
@@ -31,12 +31,12 @@ class DeskCut(Cut):
         self.outcomes: list[Outcome] = []
         self._job_file = folder / "a job ç.json"
         self._job_file.write_text(self.job.to_json(), "utf-8")
-        self.sender = Desk(
+        self.sender = ConnectionService(
             "table",
             spool=folder / "desk.wire",
             opener=lambda name, baud: self.table,
             clock=self.table.clock,
-            tell=self._hear,
+            tell=self._on_message,
             refuse=lambda command, error: self.refused.append(error),
             ended=self.outcomes.append,
         )

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from CNCStepper.control.service.position_trust_file import POSITION, BeliefFile
+from CNCStepper.control.service.position_trust_file import POSITION, PositionTrustFile
 from CNCStepper.control.session import files
 from CNCStepper.control.stream.position_trust import AT_HOME, LOST, NOTHING_AGAINST
 from CNCStepper.errors import JobError
@@ -18,8 +18,8 @@ HALF_ZEROED = LOST._replace(zeroed=frozenset("XY"))
 FROM_HERE = LOST._replace(counts_from_here=True)
 
 
-def kept(folder: Path, port: str = "COM3") -> BeliefFile:
-    return BeliefFile.of_port(folder, port)
+def kept(folder: Path, port: str = "COM3") -> PositionTrustFile:
+    return PositionTrustFile.of_port(folder, port)
 
 
 @pytest.mark.parametrize("belief", [LOST, HALF_ZEROED, FROM_HERE])
@@ -67,7 +67,7 @@ def test_a_full_disk_is_refused_in_words_told_once_and_changes_nothing(tmp_path,
     told = []
     file = kept(tmp_path)
     for _ in range(3):
-        file.keep_or_tell(LOST, lambda *words: told.append(words))
+        file.save_or_warn(LOST, lambda *words: told.append(words))
     assert [kind for kind, _ in told] == ["warning"] and "No space left" in told[0][1]
     with pytest.raises(JobError, match="make room"):
         kept(tmp_path).keep(LOST)
@@ -75,6 +75,6 @@ def test_a_full_disk_is_refused_in_words_told_once_and_changes_nothing(tmp_path,
 
 
 def test_without_a_path_nothing_is_written():
-    file = BeliefFile(None)
+    file = PositionTrustFile(None)
     file.keep(LOST)
     assert file.belief == LOST

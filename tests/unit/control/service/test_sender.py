@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from CNCStepper.control.preflight.controller_restart import check_zero_here
 from CNCStepper.control.program.send_job import SendJob
-from CNCStepper.control.protocol.grbl.connect import Found
+from CNCStepper.control.protocol.grbl.connect import ControllerInfo
 from CNCStepper.control.protocol.grbl.driver import Grbl
 from CNCStepper.control.protocol.grbl.readiness import expected_settings
 from CNCStepper.control.protocol.grbl.timeouts import Timing
@@ -429,7 +429,7 @@ def test_after_a_greeting_on_opening_no_word_makes_an_unknown_position_known(ben
 
 def test_only_the_work_systems_that_a_program_uses_are_looked_at():
     offsets = {"G54": (0.0, 0.0, 0.0), "G55": (1.0, 2.0, 3.0), "G59.1": (4.0, 0.0, 0.0)}
-    found = Found("", offsets=offsets, modes="G0 G54")
+    found = ControllerInfo("", offsets=offsets, modes="G0 G54")
     bench = restarted()
     driver = Grbl(bench.link, bench.clock)
     driver.settings[13] = 0.0  # reports in mm

@@ -17,9 +17,9 @@ from fake_controller import FakeServer
 
 from CNCStepper.control.processes import python_finder
 from CNCStepper.control.processes.bootstrap import BEHIND, python_version, see_packages
-from CNCStepper.control.processes.python_finder import candidates, checked, find_python, seek_python
+from CNCStepper.control.processes.python_finder import candidates, checked, find_python, find_python_in_background
 from CNCStepper.control.program.send_job import SendJob
-from CNCStepper.control.service.connection_client import DeskClient
+from CNCStepper.control.service.connection_client import ConnectionClient
 from CNCStepper.control.service.port_owner import check_free
 from CNCStepper.control.session.client import WORKER, SessionClient
 from CNCStepper.control.session.detached_process import start
@@ -81,7 +81,7 @@ def test_a_port_that_ones_own_job_has_is_refused_with_its_name(untouched, tmp_pa
     session = client.session_file.stem
     with pytest.raises(MachineRefusal, match=rf"held by a job of yours.*paused.*cncstepper back --session {session}"):
         check_free(server.url, folder)
-    desk = DeskClient.launch(server.url, folder=folder)
+    desk = ConnectionClient.launch(server.url, folder=folder)
     end_s = time.monotonic() + LIMIT_S
     while desk.phase != "gone" and time.monotonic() < end_s:
         desk.poll()
@@ -309,11 +309,11 @@ def test_a_python_that_lacks_nothing_keeps_to_its_own_packages(monkeypatch, tmp_
 def test_a_python_is_sought_without_waiting(monkeypatch):
     find_python.cache_clear()
     begin_s = time.monotonic()
-    answer = seek_python()
+    answer = find_python_in_background()
     assert time.monotonic() - begin_s < 0.05
     assert answer.result(LIMIT_S) == find_python()
     find_python.cache_clear()
     monkeypatch.setenv(python_finder.VARIABLE, "/no/such/python")
     with pytest.raises(MissingPackage, match="pyserial"):
-        seek_python().result(LIMIT_S)
+        find_python_in_background().result(LIMIT_S)
     find_python.cache_clear()

@@ -18,7 +18,7 @@ import pytest
 
 from CNCStepper.control.session import local_socket
 from CNCStepper.control.session.command import Command
-from CNCStepper.control.session.event_queue import LIMIT_BYTES, LIMIT_COUNT, TEXT_LIMIT, Backlog, News, line_of
+from CNCStepper.control.session.event_queue import LIMIT_BYTES, LIMIT_COUNT, TEXT_LIMIT, Backlog, EventQueue, line_of
 from CNCStepper.control.session.files import new_session
 from CNCStepper.control.session.local_socket import (  # fmt: skip
     LOOPBACK,
@@ -28,7 +28,7 @@ from CNCStepper.control.session.local_socket import (  # fmt: skip
     make_private,
     socket_paths,
 )
-from CNCStepper.control.session.server import KNOWN_LIMIT, STRANGER_LIMIT, SessionServer
+from CNCStepper.control.session.server import KNOWN_LIMIT, UNAUTHENTICATED_LIMIT, SessionServer
 from CNCStepper.control.session.status import SenderStatus
 
 LIMIT_S = 10.0
@@ -116,8 +116,8 @@ def test_the_oldest_peer_without_the_token_makes_room_and_none_that_has_shown_it
     known = served.connected()
     served.ask(known, "attach")
     events_until(known, lambda event: event["event"] == "status")
-    strangers = [served.connected() for _ in range(STRANGER_LIMIT)]
-    until(lambda: len(served.server._peers) == STRANGER_LIMIT + 1)
+    strangers = [served.connected() for _ in range(UNAUTHENTICATED_LIMIT)]
+    until(lambda: len(served.server._peers) == UNAUTHENTICATED_LIMIT + 1)
     assert all(map(is_open, strangers))
     late = [served.connected() for _ in range(3)]
     until(lambda: not any(map(is_open, strangers[:3])))
@@ -134,7 +134,7 @@ def test_a_token_that_is_on_its_way_counts_before_its_peer_makes_room(served, mo
     """The server was busy while it came: it looks once more."""
     monkeypatch.setattr(served.server, "_turn", lambda: time.sleep(0.005))
     first = served.connected()
-    others = [served.connected() for _ in range(STRANGER_LIMIT + 10)]
+    others = [served.connected() for _ in range(UNAUTHENTICATED_LIMIT + 10)]
     served.ask(first, "hold")
     monkeypatch.undo()
     until(lambda: served.job.asked == ["hold"])
@@ -376,7 +376,7 @@ def test_a_status_takes_the_place_of_the_one_before_and_keeps_its_turn():
 
 
 def test_one_text_is_cut_and_bytes_are_bounded_as_well_as_numbers():
-    news = News()
+    news = EventQueue()
     for _ in range(LIMIT_COUNT):
         news.put({"event": "message", "text": "\x1b" * 10 * TEXT_LIMIT})
     taken = news.take()

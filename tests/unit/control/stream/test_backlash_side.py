@@ -5,20 +5,20 @@ from __future__ import annotations
 
 import pytest
 
-from CNCStepper.control.stream.backlash_side import Gaps, gaps_of
+from CNCStepper.control.stream.backlash_side import BacklashTracker, backlash_tracker
 from CNCStepper.control.stream.planned_path import PlannedPath
 from CNCStepper.errors import JobError
 from CNCStepper.gcode.wire.encoder import prepare
 from CNCStepper.job.certify import send_job
-from CNCStepper.machine.backlash import Play
+from CNCStepper.machine.backlash import Backlash
 from CNCStepper.machine.profile import Machine, load_machine
 from CNCStepper.state import Start
 
-PLAY = Play((0.5, 0.25, 0.125), (-1, 1, -1), (80.0, 80.0, 400.0))
+PLAY = Backlash((0.5, 0.25, 0.125), (-1, 1, -1), (80.0, 80.0, 400.0))
 
 
-def left_by(*lines: str) -> Gaps:
-    gaps = Gaps(PLAY)
+def left_by(*lines: str) -> BacklashTracker:
+    gaps = BacklashTracker(PLAY)
     PlannedPath(lines, Start.at_zero(), gaps=gaps).read(len(lines))
     return gaps
 
@@ -63,14 +63,14 @@ def test_way_back_leads_aside_only_where_the_lines_have_been_as_high() -> None:
 
 
 def test_job_without_play_has_no_gaps() -> None:
-    assert gaps_of(job_on(load_machine("table-a"))) is None
+    assert backlash_tracker(job_on(load_machine("table-a"))) is None
 
 
 def test_profile_that_nobody_can_read_is_refused() -> None:
     job = job_on(load_machine("table-a"))
     job.retrace["machine"]["axis"]["x"]["backlash_mm"] = 0.1
-    assert gaps_of(job) is not None
+    assert backlash_tracker(job) is not None
     job.retrace["machine"]["axis"]["x"]["steps_per_mm"] = -1.0
     with pytest.raises(JobError) as caught:
-        gaps_of(job)
+        backlash_tracker(job)
     assert caught.value.code == "machine-profile"

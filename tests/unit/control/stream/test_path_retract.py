@@ -13,8 +13,8 @@ from cut_table import CORNERS_MM, ROUNDING_MM, STEP_MM, Cut, along_mm, path_of, 
 
 from CNCStepper.control.session.command import Command
 from CNCStepper.machine.profile import load_machine
-from CNCStepper.recovery.retract.path import Place, Way
-from CNCStepper.recovery.retract.prove import Held
+from CNCStepper.recovery.retract.path import Place, RetractPath
+from CNCStepper.recovery.retract.prove import HeldProgram
 
 pytestmark = pytest.mark.slow
 SQUARE = "G21 G90\nG0 Z-2\nG0 X-5 Y-5\nM3 S8000\nG1 Z-5 F600\nG1 X-25 F1200\nY-25\nX-5\nY-5\nG0 Z-2\nM5\nM2\n"
@@ -28,7 +28,7 @@ def held_on_side(cut: Cut):
 
 
 def found_by(cut: Cut):
-    found: list[Held] = []
+    found: list[HeldProgram] = []
     yield from cut.find(found)
     return found[0]
 
@@ -76,7 +76,7 @@ def test_beam_is_off_on_the_way_back_and_on_again_to_cut(tmp_path: Path) -> None
 
 def test_passes_are_told_apart_without_the_buffers_state(tmp_path: Path) -> None:
     program = THRICE
-    way = Way(path_of(program))
+    way = RetractPath(path_of(program))
     cut = Cut(tmp_path, program, settings={10: 1.0})
 
     def person():
@@ -134,7 +134,7 @@ def test_changed_leg_is_refused_and_the_machine_stays_held(tmp_path: Path) -> No
 
     assert cut.run(person).done
     assert [error.code for error in cut.refused] == ["certificate-changed"]
-    assert cut.length_mm == pytest.approx(along_mm(Way(path_of(SQUARE)), Place(7, 1.0)), abs=CORNERS_MM)
+    assert cut.length_mm == pytest.approx(along_mm(RetractPath(path_of(SQUARE)), Place(7, 1.0)), abs=CORNERS_MM)
 
 
 PAUSED = SQUARE.replace("X-5\nY-5\nG0 Z-2", "X-5\nM0\nY-5\nG0 Z-2")

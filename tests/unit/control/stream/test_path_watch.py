@@ -15,7 +15,7 @@ from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.protocol.grbl.driver import Grbl
 from CNCStepper.control.protocol.grbl.report import Status, Unknown, parse
 from CNCStepper.control.service.sender import Sender
-from CNCStepper.control.stream.path_watch import held_words
+from CNCStepper.control.stream.path_watch import held_modes
 from CNCStepper.control.stream.planned_path import PlannedPath, arc_points
 from CNCStepper.state import Start
 
@@ -67,7 +67,7 @@ def test_line_by_line_and_all_at_once_the_path_is_the_same():
 
 def test_line_after_a_stand_goes_on_with_the_arc_that_is_modal():
     path = PlannedPath(
-        ("G0Y1", "G2Y0J-.5F600", "X10I5"), Start.at_zero(), held_words({}, "G2 G54 G17 G21 G90 G94 F600"), 2
+        ("G0Y1", "G2Y0J-.5F600", "X10I5"), Start.at_zero(), held_modes({}, "G2 G54 G17 G21 G90 G94 F600"), 2
     )
     path.read(3)
     assert path.refused is None and path.line == 1

@@ -9,7 +9,7 @@ from fake_controller import FakeClock, FakeController, FakeLink
 
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.service.sender import Sender
-from CNCStepper.control.stream.path_watch import held_words
+from CNCStepper.control.stream.path_watch import held_modes
 from CNCStepper.control.stream.planned_path import PlannedPath
 from CNCStepper.state import Start
 from CNCStepper.virtual.grbl.firmware import FLUIDNC, GRBLHAL
@@ -74,7 +74,7 @@ def test_retract_mode_is_the_one_that_the_controller_holds():
 
 
 def test_hole_whose_depth_nobody_told_is_not_followed():
-    held = held_words({}, "G81 G54 G17 G21 G90 G94 G49 G98 F300")
+    held = held_modes({}, "G81 G54 G17 G21 G90 G94 G49 G98 F300")
     path = PlannedPath(("X9",), Start.at_zero(), held, dialect="grblhal")
     path.read(1)
     assert path.refused and path.lost_at == 0

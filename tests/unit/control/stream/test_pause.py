@@ -6,7 +6,7 @@ from __future__ import annotations
 import pytest
 from desk_table import Visit
 
-from CNCStepper.control.journal.replay import RUNNING, read_story
+from CNCStepper.control.journal.replay import RUNNING, read_replay
 from CNCStepper.control.session.status import DONE, FAILED
 from CNCStepper.control.stream.pause import way_back
 from CNCStepper.virtual.grbl.states import State
@@ -336,7 +336,7 @@ def test_journal_knows_the_zero_that_was_set_at_the_pause_before_the_next_line_g
             visit.ask("set_zero", axes=zero)
             yield lambda: ("message", f"zero of {zero} set in G54") in visit.told
         (journal,) = tmp_path.glob("*.journal")
-        visit.table.on_write = lambda data: seen.append(read_story(journal)) if data.startswith(b"M3") else None
+        visit.table.on_write = lambda data: seen.append(read_replay(journal)) if data.startswith(b"M3") else None
         visit.ask("resume")
         yield visit.ended()
 

@@ -8,7 +8,7 @@ from desk_table import Visit
 
 from CNCStepper.control.session.command import Command
 from CNCStepper.control.session.status import DONE
-from CNCStepper.control.stream.pause_id import StandCount
+from CNCStepper.control.stream.pause_id import PauseCounter
 from CNCStepper.errors import MachineRefusal
 from CNCStepper.virtual.grbl.input_pins import DOOR
 
@@ -26,7 +26,7 @@ def stand(visit: Visit) -> int:
 
 
 def test_each_stand_has_its_number_and_only_the_present_one_can_be_answered():
-    stands = StandCount()
+    stands = PauseCounter()
     for phase in ("running", "holding", "held", "held", "running", "paused", "retreated"):
         stands.enter(phase)
     assert stands.number == 3

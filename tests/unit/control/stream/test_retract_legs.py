@@ -16,7 +16,7 @@ import pytest
 from CNCStepper.control.program import long_json
 from CNCStepper.control.program.certificate import FORMAT, VERSION, Certificate, digest_of_lines
 from CNCStepper.control.program.send_job import SendJob
-from CNCStepper.control.stream.path_retract import REST, Retrace
+from CNCStepper.control.stream.path_retract import REST, PathRetract
 from CNCStepper.errors import CNCStepperError, JobError, Place
 from CNCStepper.state import Start
 
@@ -46,7 +46,7 @@ def write_leg(path: Path, lines: Sequence[str], **more: Any) -> Path:
 
 
 def test_the_job_is_the_proven_one_at_the_programs_lines(tmp_path: Path) -> None:
-    retrace = Retrace(PROGRAM)
+    retrace = PathRetract(PROGRAM)
     leg = retrace.read(write_leg(tmp_path / "leg ç.json", LINES), "held")
     job = leg.job
     assert tuple(job.lines) == LINES and job.place(1) == Place("peça.nc", 41) and job.messages == {1: "turn it"}
@@ -58,13 +58,13 @@ def test_the_job_is_the_proven_one_at_the_programs_lines(tmp_path: Path) -> None
 
 
 def test_what_is_kept_for_the_next_client_holds_no_lines(tmp_path: Path) -> None:
-    kept = Retrace(PROGRAM).read(write_leg(tmp_path / "leg.json", LINES, parts=[None]), "held").content
+    kept = PathRetract(PROGRAM).read(write_leg(tmp_path / "leg.json", LINES, parts=[None]), "held").content
     assert set(kept) == {"kind", "heads", "parts", "certificate"} and set(kept["certificate"]) == {"start"}
     assert json.dumps(kept)
 
 
 def test_the_lines_of_the_leg_under_way_stay_and_those_before_go(tmp_path: Path) -> None:
-    retrace, file = Retrace(PROGRAM), write_leg(tmp_path / "leg.json", LINES)
+    retrace, file = PathRetract(PROGRAM), write_leg(tmp_path / "leg.json", LINES)
     refused, under_way = (retrace.read(file, "held") for _ in range(2))
     retrace.start(under_way)
     coming = retrace.read(write_leg(file, LINES[:1]), "held")
@@ -86,19 +86,19 @@ def test_the_lines_of_the_leg_under_way_stay_and_those_before_go(tmp_path: Path)
 )
 def test_what_is_no_leg_is_refused(tmp_path: Path, more: dict[str, Any], code: str) -> None:
     with pytest.raises(JobError) as refused:
-        Retrace(PROGRAM).read(write_leg(tmp_path / "leg.json", LINES, **more), "held")
+        PathRetract(PROGRAM).read(write_leg(tmp_path / "leg.json", LINES, **more), "held")
     assert refused.value.code == code
 
 
 def test_a_line_that_holds_the_end_of_one_is_refused(tmp_path: Path) -> None:
     with pytest.raises(CNCStepperError) as refused:
-        Retrace(PROGRAM).read(write_leg(tmp_path / "leg.json", ["G1X1", "G1X2\nM3"]), "held")
+        PathRetract(PROGRAM).read(write_leg(tmp_path / "leg.json", ["G1X1", "G1X2\nM3"]), "held")
     assert refused.value.code == "acting-byte"
 
 
 def test_memory_does_not_grow_with_the_leg(tmp_path: Path) -> None:
     def most_bytes(count: int) -> int:
-        file, retrace = write_leg(tmp_path / f"{count}.json", ["G1X10.123Y20.456"] * count), Retrace(PROGRAM)
+        file, retrace = write_leg(tmp_path / f"{count}.json", ["G1X10.123Y20.456"] * count), PathRetract(PROGRAM)
         tracemalloc.start()
         retrace.read(file, "held")
         most = tracemalloc.get_traced_memory()[1]

@@ -15,7 +15,7 @@ from fake_controller import FakeServer
 from hypothesis import given
 from hypothesis import strategies as st
 
-from CNCStepper.control.protocol.grbl.connect import meet
+from CNCStepper.control.protocol.grbl.connect import handshake
 from CNCStepper.control.protocol.grbl.driver import Grbl
 from CNCStepper.control.protocol.grbl.motion_interlock import MotionInterlock
 from CNCStepper.control.protocol.grbl.timeouts import Timing
@@ -101,7 +101,7 @@ def talk(url: str) -> None:
     link = open_link(url)
     try:
         driver = Grbl(link, interlock=MotionInterlock(lambda: False))
-        assert meet(driver, Timing()).version == "1.1h.20190830"
+        assert handshake(driver, Timing()).version == "1.1h.20190830"
         assert driver.settings[110] == 5000 and driver.mpos_mm == (-90.0, -40.0, -10.0)
         driver.send("G1X1")
         driver.flush()

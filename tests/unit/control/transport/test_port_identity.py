@@ -14,12 +14,12 @@ from types import SimpleNamespace
 import pytest
 from fake_controller import FakeServer
 
-from CNCStepper.control.processes.process_file import OwnFile
+from CNCStepper.control.processes.process_file import ProcessFile
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.service.port_owner import check_free
-from CNCStepper.control.service.position_trust_file import POSITION, BeliefFile
+from CNCStepper.control.service.position_trust_file import POSITION, PositionTrustFile
 from CNCStepper.control.session.client import SessionClient
-from CNCStepper.control.session.files import desk_at, session_at, session_near, write_private
+from CNCStepper.control.session.files import service_at, session_at, session_near, write_private
 from CNCStepper.control.session.status import DONE, REFUSED
 from CNCStepper.control.stream.position_trust import AT_HOME, LOST, NOTHING_AGAINST
 from CNCStepper.control.transport import port_identity
@@ -43,8 +43,8 @@ def plugged(monkeypatch):
     return ports
 
 
-def kept(folder, port: str) -> BeliefFile:
-    return BeliefFile.of_port(folder, port)
+def kept(folder, port: str) -> PositionTrustFile:
+    return PositionTrustFile.of_port(folder, port)
 
 
 # --- names ---------------------------------------------------------------------------------------
@@ -333,7 +333,7 @@ def test_without_an_answer_nothing_is_forgotten(tmp_path, hosts, silent):
 
 def test_a_job_at_a_host_of_the_same_address_is_not_taken_for_ones_own(tmp_path, hosts):
     hosts.update(SHARED)
-    running = OwnFile(tmp_path / "one.session")
+    running = ProcessFile(tmp_path / "one.session")
     running.write({"machine_port": MILL, "port_identity": identify(MILL).to_json()})
     assert session_at(MILL, tmp_path) and not session_at(LATHE, tmp_path)
     assert session_near(LATHE, tmp_path) == tmp_path / "one.session"  # so that the port is not opened twice
@@ -392,16 +392,16 @@ def test_a_damaged_list_of_boards_homed_since_says_nothing(tmp_path, plugged, kn
 
 
 @pytest.mark.parametrize(
-    ("folder", "find"), [("one.session", session_at), ("one.desk", desk_at)], ids=["session", "desk"]
+    ("folder", "find"), [("one.session", session_at), ("one.desk", service_at)], ids=["session", "desk"]
 )
 def test_sessions_and_desks_are_found_by_any_name(tmp_path, folder, find, plugged):
-    running = OwnFile(tmp_path / folder)
+    running = ProcessFile(tmp_path / folder)
     running.write({"machine_port": "socket://localhost:2217", "port": 9, "token": ""})
     assert find("socket://127.0.0.1:2217", tmp_path) == tmp_path / folder
     assert find("socket://127.0.0.1:2218", tmp_path) is None
     identity = PortIdentity(frozenset(["/dev/ttyUSB0"]), None, "1a86:7523", "AB12CD34:1.0").to_json()
     running.remove()
-    running = OwnFile(tmp_path / folder)
+    running = ProcessFile(tmp_path / folder)
     running.write({"machine_port": "/dev/ttyUSB0", "port_identity": identity})
     plugged[:] = [usb("/dev/ttyUSB3", "AB12CD34", "1-1:1.0")]
     assert find("/dev/ttyUSB3", tmp_path) == tmp_path / folder

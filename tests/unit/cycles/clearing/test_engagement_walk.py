@@ -8,7 +8,7 @@ import math
 import numpy as np
 import pytest
 
-from CNCStepper.cycles.clearing.engagement.clearing_map import Chart, chart_of
+from CNCStepper.cycles.clearing.engagement.clearing_map import ClearingMap, clearing_map_of
 from CNCStepper.cycles.clearing.engagement.walk_kernels import walk, widened
 from CNCStepper.cycles.clearing.pattern import Area
 from CNCStepper.geometry.curve import from_points
@@ -41,9 +41,9 @@ def test_bends_may_have_no_more_than_is_said_and_straight_ways_nothing():
     assert widened(1.0, 0.05, -2.0) == pytest.approx(1.0)
 
 
-def _fronted() -> Chart:
+def _fronted() -> ClearingMap:
     """Return a room where the tool has gone along the middle, so that there are straight fronts on both sides."""
-    chart = chart_of(ROOM, Area(ROOM, TOOL_MM, 0.9, 0.01, True), 0.9)
+    chart = clearing_map_of(ROOM, Area(ROOM, TOOL_MM, 0.9, 0.01, True), 0.9)
     chart.add(np.column_stack([np.linspace(2.0, 38.0, 145), np.full(145, 10.0)]))
     chart.cut(0, chart.count)
     return chart

@@ -15,7 +15,7 @@ from plain_programs import PlainPrograms, Watched, outcome, refusals, seen
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.dialects import dialect_names
 from CNCStepper.gcode.interpreter.fast_path import policy
-from CNCStepper.gcode.interpreter.fast_path.compiled_reader import PlainReader
+from CNCStepper.gcode.interpreter.fast_path.compiled_reader import CompiledReader
 from CNCStepper.gcode.interpreter.flow.program_flow import refusals as refusals_of_all
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.wire.encoder import prepare
@@ -33,7 +33,7 @@ RECORDINGS = sorted((TESTS / "data" / "firmware").rglob("*.json"))
 def compiled(text: str, start: Start, dialect: str) -> tuple[Watched, list[ProgramError]]:
     reader = Watched(start, dialect, "part.nc")
     data = text.removeprefix("\ufeff").encode("utf-8", "surrogatepass")
-    return reader, list(PlainReader(reader).refused(data))
+    return reader, list(CompiledReader(reader).refused(data))
 
 
 def check_both(text: str, start: Start, dialect: str) -> Watched:

@@ -9,7 +9,7 @@ import pytest
 from rs274_runs import run_rs274, same_call
 
 from CNCStepper.errors import ProgramError
-from CNCStepper.gcode.interpreter.canonical_trace import BARE_UNIT_MM, bare_start, canonical_calls
+from CNCStepper.gcode.interpreter.canonical_trace import BARE_UNIT_MM, canonical_calls, default_start
 from CNCStepper.gcode.interpreter.functions.tools import read_tool_table
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.interpreter.state.parameter_file import read_parameters, with_parameters
@@ -39,7 +39,7 @@ def test_a_machine_that_remembers_is_read_as_rs274_reads_it(numbers, tmp_path):
     (tmp_path / "kept.var").write_text(file_of(numbers), "ascii")
     run = run_rs274(tmp_path, "-v", "kept.var", "program.ngc")
     theirs = [line.rstrip() for line in run.stdout.splitlines() if line.strip()]
-    start = with_parameters(bare_start(), read_parameters(file_of(numbers)))
+    start = with_parameters(default_start(), read_parameters(file_of(numbers)))
     ours = [call.rstrip() for call in canonical_calls(PROGRAM, start=start)]
     assert run.returncode == 0 and len(ours) == len(theirs)
     for mine, real in zip(ours, theirs, strict=True):
@@ -52,7 +52,7 @@ def test_tools_of_a_table_are_traced_as_rs274_traces_them(tmp_path):
     (tmp_path / "mill.tbl").write_text(table, "ascii")
     run = run_rs274(tmp_path, "-t", "mill.tbl", "program.ngc")
     theirs = [line.rstrip() for line in run.stdout.splitlines() if line.strip()]
-    ours = list(canonical_calls(program, start=replace(bare_start(), tools=read_tool_table(table, BARE_UNIT_MM))))
+    ours = list(canonical_calls(program, start=replace(default_start(), tools=read_tool_table(table, BARE_UNIT_MM))))
     assert run.returncode == 0 and all(same_call(*pair) for pair in zip(ours, theirs, strict=True))
     assert any("1.5000" in call or "38.1" in call for call in ours)
 

@@ -14,7 +14,7 @@ from CNCStepper.gcode.interpreter.canonical_trace import canonical_calls
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.interpreter.state.model import model_at
-from CNCStepper.gcode.interpreter.state.system_parameters import Known
+from CNCStepper.gcode.interpreter.state.system_parameters import SystemParameters
 from CNCStepper.gcode.syntax.expressions import Scanner
 from CNCStepper.gcode.syntax.words import pack
 from CNCStepper.state import Start
@@ -51,7 +51,7 @@ VALUES = {
 
 
 def value(text: str) -> float:
-    scanner = Scanner(*pack(text), Known(model_at(ZERO, dialect("linuxcnc")), 1))
+    scanner = Scanner(*pack(text), SystemParameters(model_at(ZERO, dialect("linuxcnc")), 1))
     result = scanner.value()
     assert scanner.ended
     return result

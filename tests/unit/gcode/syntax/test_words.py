@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpreter.interpret import interpret
-from CNCStepper.gcode.syntax.words import is_tape_mark, program_lines, split_line, words_of
+from CNCStepper.gcode.syntax.words import is_percent_mark, program_lines, split_line, words_of
 
 
 def test_blanks_may_stand_anywhere_and_columns_stay():
@@ -42,7 +42,7 @@ def test_a_semicolon_inside_a_comment_does_not_end_the_line():
 def test_block_delete_and_tape_mark():
     assert split_line(" /G0 X1").deleted
     assert not split_line("G0 X1").deleted
-    assert is_tape_mark(" % ") and not is_tape_mark("%1")
+    assert is_percent_mark(" % ") and not is_percent_mark("%1")
 
 
 @pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])

@@ -15,21 +15,21 @@ from play_paths import random_program
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.dialects import dialect, dialect_names
 from CNCStepper.gcode.interpreter.interpret import interpret
-from CNCStepper.gcode.wire.backlash_compensation import play_of
+from CNCStepper.gcode.wire.backlash_compensation import backlash_of
 from CNCStepper.gcode.wire.encoder import prepare
 from CNCStepper.gcode.wire.read_back import read_back
-from CNCStepper.machine.backlash import Play
+from CNCStepper.machine.backlash import Backlash
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.motion.planner.backlash import tool_moves
 from CNCStepper.simulation.tip_segments import segments
 from CNCStepper.state import Start
 
-PLAY = Play((0.05, 0.1, 0.02), (-1, 1, -1), (80.0, 80.0, 400.0))
+PLAY = Backlash((0.05, 0.1, 0.02), (-1, 1, -1), (80.0, 80.0, 400.0))
 AT_ZERO = Start.at_zero()
 MODES = "G21 G90 G17\nG1 F300\n"
 
 
-def sent(text: str, start: Start | None = AT_ZERO, play: Play = PLAY) -> list[str]:
+def sent(text: str, start: Start | None = AT_ZERO, play: Backlash = PLAY) -> list[str]:
     return list(prepare(MODES + text, "grbl", "", start, play).lines)[2:]
 
 
@@ -56,7 +56,7 @@ def test_a_rapid_crosses_the_gap_as_a_rapid() -> None:
 def test_a_laser_crosses_the_gap_as_a_rapid_in_which_its_beam_is_off() -> None:
     laser = load_machine("table-a")
     laser = laser.model_copy(update={"spindle": laser.spindle.model_copy(update={"laser": True})})
-    play = Play((0.05, 0.1, 0.02), (-1, 1, -1), (80.0, 80.0, 400.0), Play.of(laser).beam)
+    play = Backlash((0.05, 0.1, 0.02), (-1, 1, -1), (80.0, 80.0, 400.0), Backlash.of(laser).beam)
     assert sent("X10\nX4", play=play) == ["G0X0.05", "G1X10.05", "G0X10", "G1X4"]
 
 
@@ -186,7 +186,7 @@ def test_an_error_names_the_line_of_the_file() -> None:
 def test_a_probe_is_never_made_into_two(start: Start) -> None:
     """No language whose play is taken up has probes; one that had would be refused: the second began on contact."""
     grbl, linuxcnc = dialect("grbl"), dialect("linuxcnc")
-    assert not any("G38.2" in one.codes for one in map(dialect, dialect_names()) if not one.takes_up_play)
+    assert not any("G38.2" in one.codes for one in map(dialect, dialect_names()) if not one.compensates_backlash)
     probing = replace(grbl, codes={**grbl.codes, "G38.2": linuxcnc.codes["G38.2"]}, refused={})
     with pytest.raises(ProgramError) as caught:
         prepare("G21 G90 G94\nG38.2 Z-10 F50\n", probing, "", start, PLAY)
@@ -202,6 +202,6 @@ def test_who_takes_up_play_itself_is_left_alone() -> None:
     machine = load_machine("table-a")
     axes = {name: axis.model_copy(update={"backlash_mm": 0.1}) for name, axis in machine.axis.items()}
     loose = machine.model_copy(update={"axis": axes})
-    assert play_of(machine, "grbl") is None
-    assert play_of(loose, "grbl") == Play((0.1, 0.1, 0.1), (-1, -1, -1), (80.0, 80.0, 400.0))
-    assert play_of(loose, "linuxcnc") is None
+    assert backlash_of(machine, "grbl") is None
+    assert backlash_of(loose, "grbl") == Backlash((0.1, 0.1, 0.1), (-1, -1, -1), (80.0, 80.0, 400.0))
+    assert backlash_of(loose, "linuxcnc") is None

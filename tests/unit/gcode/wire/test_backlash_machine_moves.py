@@ -13,11 +13,11 @@ from play_paths import program_of_places, pushed
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.wire.encoder import prepare
 from CNCStepper.gcode.wire.read_back import read_back
-from CNCStepper.machine.backlash import Play
-from CNCStepper.recovery.retract.path import Way
+from CNCStepper.machine.backlash import Backlash
+from CNCStepper.recovery.retract.path import RetractPath
 from CNCStepper.state import Start
 
-PLAY = Play((0.05, 0.1, 0.02), (-1, 1, -1), (80.0, 80.0, 400.0))
+PLAY = Backlash((0.05, 0.1, 0.02), (-1, 1, -1), (80.0, 80.0, 400.0))
 STEP_MM = 0.018  # of X, Y and Z at once
 HOMES_MM = {5161: (3.0, 4.0, 9.0), 5181: (-6.0, 7.0, 2.0)}
 AT_ZERO = replace(
@@ -69,7 +69,7 @@ def test_every_feed_move_begins_and_ends_with_the_tool_where_the_text_says(seed:
     print("seed", seed)
     text = program_of_places(random.Random(seed), 20, ("G0", "G1", "G1", "G53G0", "G53G1", "G28", "G30"))
     motors, wanted = read_back(prepare(text, "grbl", "", AT_ZERO, PLAY), text, AT_ZERO), interpret(text, AT_ZERO)
-    way, own, tool_mm, judged = Way(motors), Way(wanted), np.zeros(3), 0
+    way, own, tool_mm, judged = RetractPath(motors), RetractPath(wanted), np.zeros(3), 0
     for number, line in enumerate(text.splitlines(), 1):
         rows = way.rows_of(number)
         for row in rows:

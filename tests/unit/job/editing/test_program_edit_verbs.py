@@ -44,12 +44,12 @@ def test_an_unknown_verb_is_refused() -> None:
 
 def test_the_worker_answers_with_the_difference_and_the_new_text(tmp_path: Path) -> None:
     here = Here(tmp_path, GOOD)
-    here.hear(3)
+    here.on_message(3)
     here.put({"edit": {"verb": "offset", "values": {"x_mm": 5.0}}})
-    (told,) = here.hear()
+    (told,) = here.on_message()
     assert told["edited"] == 1 and told["changes"] > 0 and told["more"] == 0
     assert "-G1 X40" in told["diff"] and "+G1 X45" in told["diff"]
     assert "G1 X45\n" in (tmp_path / told["text"]).read_text("utf-8")
     here.put({"edit": {"verb": "scale", "values": {"x": 2.0, "y": 1.0}}})
-    (refused,) = here.hear()
+    (refused,) = here.on_message()
     assert refused["error_of_edit"]["code"] and here.answers._text.lines == GOOD.splitlines()

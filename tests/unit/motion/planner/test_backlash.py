@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from CNCStepper.machine.backlash import Play
+from CNCStepper.machine.backlash import Backlash
 from CNCStepper.machine.profile import Machine, load_machine
 from CNCStepper.motion.planner.backlash import motor_moves, row_times_s, tool_moves
 from CNCStepper.motion.planner.plan import begun, sample, step_events, times_s
@@ -48,7 +48,7 @@ def test_every_pulse_through_the_gap_leaves_the_tool_on_its_way(seed: int, homin
     print("seed", seed)
     machine = loose(0.25, 0.1, 0.05, homing=homing)
     path = moves_of(random.Random(seed))
-    motors = motor_moves(path, Play.of(machine))
+    motors = motor_moves(path, Backlash.of(machine))
     scale = np.array([axis.steps_per_mm for axis in machine.axes])
     gap = np.round(np.array([axis.backlash_mm for axis in machine.axes]) * scale).astype(int)
     tool, places = np.zeros(3, int), []
@@ -70,7 +70,7 @@ def test_every_pulse_through_the_gap_leaves_the_tool_on_its_way(seed: int, homin
 
 def test_the_rows_lead_back_to_the_tool_s_own() -> None:
     path = moves_of(random.Random(3))
-    play = Play.of(loose(0.25, 0.1, 0.05))
+    play = Backlash.of(loose(0.25, 0.1, 0.05))
     motors = motor_moves(path, play)
     tool = tool_moves(motors, play)
     taken_up = np.abs(np.diff(np.vstack([tool.begins()[:1], tool.table().end]), axis=0)).max(axis=1) < 1e-9
@@ -90,22 +90,22 @@ def test_rows_take_their_time_with_what_takes_up_play_before_them() -> None:
     for x in (-5.0, -2.0, -6.0):
         table.feed((x, 0.0, 0.0), 600.0)
     path = table.toolpath()
-    with_play, without = row_times_s(path, machine, Play.of(machine)), row_times_s(path, machine)
+    with_play, without = row_times_s(path, machine, Backlash.of(machine)), row_times_s(path, machine)
     assert with_play[0] == pytest.approx(without[0], abs=0.1)
     assert (np.diff(with_play - without) > 0.03).all()
-    motors = motor_moves(path, Play.of(machine)).table().end[:, 0].tolist()
+    motors = motor_moves(path, Backlash.of(machine)).table().end[:, 0].tolist()
     assert motors == [-5.0, -4.5, -1.5, -2.0, -6.0]
 
 
 def test_machines_without_play_move_as_they_did() -> None:
     path = moves_of(random.Random(1))
-    assert motor_moves(path, Play.of(load_machine("table-a"))) is path
-    assert tool_moves(path, Play.of(load_machine("table-a"))) is path
+    assert motor_moves(path, Backlash.of(load_machine("table-a"))) is path
+    assert tool_moves(path, Backlash.of(load_machine("table-a"))) is path
 
 
 def test_an_axis_from_an_unknown_place_comes_in_its_true_sense() -> None:
     table = TableBuilder(Start())
     table.rapid((float("nan"), float("nan"), 5.0))
-    motors = motor_moves(table.toolpath(), Play.of(loose(0.1, 0.1, 0.1)))
+    motors = motor_moves(table.toolpath(), Backlash.of(loose(0.1, 0.1, 0.1)))
     assert motors.table().end[:, 2].tolist() == [5.1, 5.0]
     assert times_s(begun(motors), loose(0.1, 0.1, 0.1))[-1] > 0

@@ -9,7 +9,7 @@ import pytest
 
 from CNCStepper import toolpath
 from CNCStepper.gcode.interpreter.program_file import FileReading, interpret_file
-from CNCStepper.machine.backlash import Play
+from CNCStepper.machine.backlash import Backlash
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.motion.planner.backlash import motor_chunks, motor_moves, way_duration_s
 from CNCStepper.motion.planner.chunk_window import ChunkWindow
@@ -87,7 +87,7 @@ def test_a_program_that_is_read_meanwhile_gives_the_pulses_of_the_whole_table(tm
 
 def test_motors_with_play_are_led_while_the_program_is_read(tmp_path, monkeypatch):
     file = program(tmp_path)
-    play = Play((0.05, 0.1, 0.0), (-1, 1, -1), tuple(axis.steps_per_mm for axis in MACHINE.axes))
+    play = Backlash((0.05, 0.1, 0.0), (-1, 1, -1), tuple(axis.steps_per_mm for axis in MACHINE.axes))
     rows, switches = everything(pulse_stream(motor_moves(interpret_file(file, Start.at_zero()), play), MACHINE))
     monkeypatch.setattr(toolpath, "CHUNK_ROWS", 16)
     monkeypatch.setattr("CNCStepper.gcode.interpreter.file_chunks.PIECE", 300)
@@ -103,7 +103,7 @@ def test_motors_with_play_are_led_while_the_program_is_read(tmp_path, monkeypatc
     assert switched == switches and len(switches) > 20
 
 
-@pytest.mark.parametrize("play", [None, Play((0.05, 0.1, 0.0), (-1, 1, -1), (80.0, 80.0, 400.0))])
+@pytest.mark.parametrize("play", [None, Backlash((0.05, 0.1, 0.0), (-1, 1, -1), (80.0, 80.0, 400.0))])
 def test_a_way_is_timed_while_it_is_read_and_few_of_its_chunks_are_kept(tmp_path, monkeypatch, play):
     file = program(tmp_path)
     path = interpret_file(file, Start.at_zero())

@@ -11,7 +11,7 @@ from CNCStepper.errors import MachineRefusal
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.motion.planner.buffers import TICKS_PER_S
-from CNCStepper.motion.planner.feed_hold import REST_S, REST_TICKS, Reins
+from CNCStepper.motion.planner.feed_hold import REST_S, REST_TICKS, FeedHold
 from CNCStepper.motion.signals.parallel_port import pin_levels, port_chunks
 from CNCStepper.motion.signals.pulse_stream import moves_of, pulse_stream
 from CNCStepper.state import Start
@@ -46,7 +46,7 @@ def meddled(stream, reins, seed):
 
 @pytest.mark.parametrize("limits", RAMPS)
 def test_without_a_word_the_pulses_are_those_of_the_whole_pass(limits):
-    whole, held = (steps_of(pulse_stream(table_of(ZIGZAG), limits, reins=reins)) for reins in (None, Reins()))
+    whole, held = (steps_of(pulse_stream(table_of(ZIGZAG), limits, reins=reins)) for reins in (None, FeedHold()))
     assert (whole[0] == held[0]).all() and (whole[1] == held[1]).all()
 
 
@@ -55,7 +55,7 @@ def test_without_a_word_the_pulses_are_those_of_the_whole_pass(limits):
 def test_meddling_changes_no_pulse_but_its_time(limits, seed):
     """Each axis makes the same pulses in the same order, and none faster than it may."""
     _, places, _ = steps_of(pulse_stream(table_of(ZIGZAG), limits))
-    reins = Reins()
+    reins = FeedHold()
     ticks, seen, rest_s = steps_of(meddled(pulse_stream(table_of(ZIGZAG), limits, reins=reins), reins, seed))
     assert rest_s > 0 and (np.diff(ticks) > 0).all()
     for axis in range(2):
@@ -73,7 +73,7 @@ def speed_mm_s(ticks, at):
 
 def test_a_hold_brakes_as_hard_as_the_axis_may_and_comes_back_so():
     """At 50 mm/s and 250 mm/s² braking takes 5 mm and 0.2 s, and so does coming back."""
-    reins, path = Reins(), table_of([((-100.0, 0.0, 0.0), 3000, False)])
+    reins, path = FeedHold(), table_of([((-100.0, 0.0, 0.0), 3000, False)])
     ticks, rests = [], []
     for number, chunk in enumerate(pulse_stream(path, MACHINE, reins=reins)):
         ticks += chunk.ticks.tolist()
@@ -97,7 +97,7 @@ def test_a_hold_brakes_as_hard_as_the_axis_may_and_comes_back_so():
 def test_a_share_slows_feeds_and_rapids_and_is_never_above_what_was_tried():
     path = table_of([((-50.0, 0.0, 0.0), 1200, False), ((0.0, 0.0, 0.0), 0, True)])
     as_programmed = steps_of(pulse_stream(path, MACHINE))[0]
-    reins = Reins()
+    reins = FeedHold()
     reins.slow(0.5)
     slowed = steps_of(pulse_stream(path, MACHINE, reins=reins))[0]
     middle = (2000, 6000)  # the feed's and the rapid's
@@ -114,7 +114,7 @@ def test_a_beam_goes_out_in_a_hold_and_comes_back_with_the_pulses_a_spindle_turn
     spindle = MACHINE.spindle.model_copy(update={"laser": laser})
     machine = MACHINE.model_copy(update={"spindle": spindle})
     path = interpret("G21 G90 G17 G94\nM3 S100\nG1 X-20 F3000\nM5\nG0 X0\nM2\n", Start.at_zero(), "grbl", "job.nc")
-    reins, writes = Reins(), []
+    reins, writes = FeedHold(), []
     for number, chunk in enumerate(port_chunks(pulse_stream(path, machine, reins=reins), machine.signals)):
         writes += zip(chunk.data.tolist(), chunk.control.tolist(), strict=True)
         reins.held = 8 <= number < 20

@@ -8,7 +8,7 @@ from dataclasses import replace
 import pytest
 
 from CNCStepper.gcode.interpreter.interpret import interpret
-from CNCStepper.machine.backlash import Play
+from CNCStepper.machine.backlash import Backlash
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.motion.planner.backlash import motor_moves
 from CNCStepper.motion.planner.buffers import TICKS_PER_S
@@ -70,7 +70,7 @@ def test_the_beam_is_off_while_play_is_taken_up() -> None:
     first = MACHINE.axes[0].model_copy(update={"backlash_mm": 0.1, "homing": "min"})
     spindle = MACHINE.spindle.model_copy(update={"laser": True})
     machine = MACHINE.model_copy(update={"axis": MACHINE.axis | {"x": first}, "spindle": spindle})
-    motors = motor_moves(read("M3 S500\nG1 X5 F600\nX1\nM5\nM2\n"), Play.of(machine))
+    motors = motor_moves(read("M3 S500\nG1 X5 F600\nX1\nM5\nM2\n"), Backlash.of(machine))
     assert burning(motors) == [("feed", True), ("rapid", False), ("feed", True)]
 
 

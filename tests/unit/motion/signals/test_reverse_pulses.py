@@ -13,7 +13,7 @@ from CNCStepper.motion.planner.machine_limits import Limits
 from CNCStepper.motion.signals import reverse_pulses
 from CNCStepper.motion.signals.port_bytes import Board, read_board
 from CNCStepper.motion.signals.pulse_stream import PulseChunk, moved_steps, pulse_stream
-from CNCStepper.motion.signals.reverse_pulses import WayBack, turned_back
+from CNCStepper.motion.signals.reverse_pulses import ReversePulses, turned_back
 from CNCStepper.motion.signals.step_letters import byte_after, letters_back, letters_of, read_letters, steps_to
 from CNCStepper.state import Start
 from CNCStepper.toolpath import ARC_CCW, TableBuilder
@@ -44,7 +44,7 @@ def test_from_any_point_the_pulses_lead_back_to_the_begin(seed, monkeypatch):
     monkeypatch.setattr(plan, "SEGMENT_ROWS", 100)
     monkeypatch.setattr(reverse_pulses, "SEGMENTS_AT_ONCE", 7)
     path = random_path(seed)
-    way = WayBack(path, LIMITS)
+    way = ReversePulses(path, LIMITS)
     ticks, step, back = columns(pulse_stream(path, LIMITS))
     begin = np.rint(np.array(path.start.position_mm) * LIMITS.steps_per_mm).astype(int)
     rng = np.random.default_rng(seed)
@@ -75,7 +75,7 @@ def test_back_and_back_again_is_the_way_itself():
 
 
 def test_a_table_without_moves_has_no_way_back():
-    stream = WayBack(TableBuilder(Start.at_zero()).toolpath(), LIMITS).stream()
+    stream = ReversePulses(TableBuilder(Start.at_zero()).toolpath(), LIMITS).stream()
     assert list(stream) == [] and stream.begin_steps == (0, 0, 0)
 
 
@@ -105,7 +105,7 @@ def test_the_motors_of_a_board_return_to_their_places():
     path = random_path(4, 3)
     board = Board()
     there = b"".join(board.bytes_of(pulse_stream(path, LIMITS)))
-    back = b"".join(board.bytes_of(WayBack(path, LIMITS).stream()))
+    back = b"".join(board.bytes_of(ReversePulses(path, LIMITS).stream()))
     moves = read_board(there + back)
     assert moves.sum(axis=0).tolist() == [0, 0, 0] and len(moves) > 100
 
@@ -114,7 +114,7 @@ def test_a_stream_holds_less_than_its_pulses(monkeypatch):
     monkeypatch.setattr(plan, "SEGMENT_ROWS", 50)
     monkeypatch.setattr(reverse_pulses, "SEGMENTS_AT_ONCE", 5)
     path = random_path(6)
-    assert max(len(chunk) for chunk in WayBack(path, LIMITS).stream()) * 10 < sum(
+    assert max(len(chunk) for chunk in ReversePulses(path, LIMITS).stream()) * 10 < sum(
         len(chunk) for chunk in pulse_stream(path, LIMITS)
     )
 

@@ -17,7 +17,7 @@ from seeded_programs import MACHINE, Program, clean_program
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.recovery.restart.options import Options
-from CNCStepper.recovery.restart.places import Where
+from CNCStepper.recovery.restart.places import RequestedPlace
 from CNCStepper.recovery.restart.restart_program import Restart, restart
 from CNCStepper.simulation.checks.check_program import check
 from CNCStepper.simulation.prior_programs import followed
@@ -39,9 +39,9 @@ NOWHERE = {"restart-at-start", "restart-nothing-left"}
 def restarted(program: Program, pick: random.Random) -> Restart | None:
     """Return a restart at a random line or point; None where nothing is cut before, or after it."""
     options = Options(pick.choice(OVERLAPS_MM), spin_up_s=MACHINE.spindle.spin_up_s, tools=program.tools)
-    where = Where(line=pick.randint(1, len(program.blocks)))
+    where = RequestedPlace(line=pick.randint(1, len(program.blocks)))
     if pick.random() < 0.3:
-        where = Where(at_mm=(pick.uniform(-40, 40), pick.uniform(-30, 30), pick.uniform(-8, 0)))
+        where = RequestedPlace(at_mm=(pick.uniform(-40, 40), pick.uniform(-30, 30), pick.uniform(-8, 0)))
     try:
         return restart(program.text, where, "grbl", program.start, "p.nc", options)
     except ProgramError as error:

@@ -8,7 +8,7 @@ import pytest
 from programs import BALL, FLAT, begun
 from test_mesh_faces import flux_mm3
 
-from CNCStepper.simulation.meshes.changed_tiles import Relief
+from CNCStepper.simulation.meshes.changed_tiles import ChangedTiles
 from CNCStepper.simulation.meshes.mesh_faces import Faces, faces_of, step_of
 from CNCStepper.simulation.removal.heightmap import HeightMap
 from CNCStepper.simulation.removal.timeline import Timeline
@@ -26,12 +26,12 @@ def timeline(stock: Stock = STOCK, tool=FLAT) -> Timeline:
     return Timeline(toolpath, np.arange(1.0, len(toolpath) + 1), tool, stock, CELL_MM)
 
 
-def everything(relief: Relief) -> Faces:
+def everything(relief: ChangedTiles) -> Faces:
     parts = [relief.faces(number) for number in range(len(relief))]
     return Faces(np.concatenate([p.corners for p in parts]), np.concatenate([p.normals for p in parts]))
 
 
-def data(relief: Relief) -> list[bytes]:
+def data(relief: ChangedTiles) -> list[bytes]:
     return [faces.corners.tobytes() + faces.normals.tobytes() for faces in map(relief.faces, range(len(relief)))]
 
 
@@ -59,7 +59,7 @@ def pieces(faces: Faces, x_mm: np.ndarray, y_mm: np.ndarray) -> dict[tuple, np.n
 )
 def test_all_tiles_together_are_the_part_drawn_whole(tool, stock) -> None:
     part = timeline(stock, tool).at(1e9)
-    relief = Relief(part.part.grid)
+    relief = ChangedTiles(part.part.grid)
     relief.take(part.part)
     faces, whole = everything(relief), faces_of(part, 10**9)
     assert flux_mm3(faces) == pytest.approx(flux_mm3(whole), rel=1e-6)
@@ -69,7 +69,7 @@ def test_all_tiles_together_are_the_part_drawn_whole(tool, stock) -> None:
 
 def test_any_way_to_a_part_gives_the_same_faces_and_untouched_tiles_none() -> None:
     line = timeline()
-    relief = Relief(line.parts[0].grid)
+    relief = ChangedTiles(line.parts[0].grid)
     assert relief.take(line.at(0.0).part) == []
     times_s = np.random.default_rng(11).uniform(0, line.duration_s, 12)
     seen: dict[int, bytes] = dict(enumerate(data(relief)))
@@ -78,7 +78,7 @@ def test_any_way_to_a_part_gives_the_same_faces_and_untouched_tiles_none() -> No
         now = data(relief)
         assert {k for k, faces in enumerate(now) if faces != seen[k]} <= set(changed)
         seen = dict(enumerate(now))
-        fresh = Relief(line.parts[0].grid)
+        fresh = ChangedTiles(line.parts[0].grid)
         fresh.take(line.at(time_s).part)
         assert data(fresh) == now
     small = relief.take(line.at(4.0).part), relief.take(line.at(4.05).part)
@@ -90,7 +90,7 @@ def test_larger_cells_where_a_part_has_too_many_faces_and_narrow_last_tiles() ->
     part = line.at(1e9)
     step = step_of(part, 3000)
     assert step > 1
-    relief = Relief(part.part.grid, step)
+    relief = ChangedTiles(part.part.grid, step)
     relief.take(part.part)
     assert flux_mm3(everything(relief)) == pytest.approx(flux_mm3(faces_of(part, 3000)), rel=1e-6)
     assert min(len(relief.faces(number)) for number in range(len(relief))) == 0

@@ -5,8 +5,16 @@ from __future__ import annotations
 
 import pytest
 
-from CNCStepper.workbench.dock.model.controller_state import Moment, why_not
-from CNCStepper.workbench.dock.model.send_steps import AWAITED, ENDS, LAST_NUMBER, OUTCOMES, STEPS, Flow, why_not_onward
+from CNCStepper.workbench.dock.model.controller_state import ControllerSnapshot, why_not
+from CNCStepper.workbench.dock.model.send_steps import (
+    AWAITED,
+    ENDS,
+    LAST_NUMBER,
+    OUTCOMES,
+    STEPS,
+    Flow,
+    why_not_confirm,
+)
 
 
 def flow_at(*happenings: str) -> Flow:
@@ -27,19 +35,19 @@ def test_the_straight_road() -> None:
 
 def test_errors_stop_before_any_controller_is_asked_for() -> None:
     flow = flow_at("errors")
-    assert flow.step == "refused" and not flow.active and not flow.shown.onward
+    assert flow.step == "refused" and not flow.active and not flow.shown.confirm_step
     assert not any(flow.happen(what) for what in ("idle", "onward", "cutting", "clean"))
 
 
 def test_warnings_wait_for_a_person() -> None:
     flow = flow_at("warnings")
-    assert flow.awaits_person and not flow.happen("idle")
+    assert flow.awaits_answer and not flow.happen("idle")
     assert flow.happen("onward") and flow.step == "connect"
 
 
 def test_a_controller_set_up_differently_is_sent_to_only_when_somebody_decides() -> None:
     flow = flow_at("clean", "idle", "onward", "differences")
-    assert flow.step == "differs" and flow.awaits_person and not flow.anyway
+    assert flow.step == "differs" and flow.awaits_answer and not flow.anyway
     assert not flow.happen("cutting")
     flow.happen("onward")
     assert flow.step == "starting" and flow.anyway
@@ -73,10 +81,12 @@ def test_an_outcome_of_another_job_changes_nothing() -> None:
 
 def test_the_question_waits_for_an_idle_machine() -> None:
     flow = flow_at("clean", "idle")
-    assert why_not_onward(flow, Moment("idle")) == ""
-    assert why_not_onward(flow, Moment("alarm")) and why_not_onward(flow, Moment("jogging"))
+    assert why_not_confirm(flow, ControllerSnapshot("idle")) == ""
+    assert why_not_confirm(flow, ControllerSnapshot("alarm")) and why_not_confirm(flow, ControllerSnapshot("jogging"))
     connect = flow_at("clean")
-    assert why_not_onward(connect, Moment("off")) == "" and why_not_onward(connect, Moment("connecting"))
+    assert why_not_confirm(connect, ControllerSnapshot("off")) == "" and why_not_confirm(
+        connect, ControllerSnapshot("connecting")
+    )
 
 
 def test_every_step_can_be_reached_and_left() -> None:
@@ -88,7 +98,7 @@ def test_every_step_can_be_reached_and_left() -> None:
 def test_at_the_zero_the_program_may_be_checked_again() -> None:
     flow = flow_at("clean", "idle")
     flow.again = True
-    assert "checked with this work zero" in why_not_onward(flow, Moment("idle"))
+    assert "checked with this work zero" in why_not_confirm(flow, ControllerSnapshot("idle"))
     assert not flow.happen("clean")  # the question stands
     assert flow.happen("errors") and flow.step == "refused" and not flow.again
     assert flow_at("clean", "idle", "warnings").step == "warned"
@@ -111,12 +121,12 @@ def test_who_gives_up_or_loses_the_machine_waits_for_no_check() -> None:
 @pytest.mark.parametrize("happenings", [("clean", "idle"), ("clean", "idle", "onward", "differences")])
 def test_nothing_starts_while_the_position_is_unknown(happenings) -> None:
     flow = flow_at(*happenings)
-    assert "position is unknown" in why_not_onward(flow, Moment("idle", position_known=False))
-    assert not why_not_onward(flow, Moment("idle", position_known=True))
-    assert not why_not_onward(flow, Moment("idle"))  # nothing speaks against it
+    assert "position is unknown" in why_not_confirm(flow, ControllerSnapshot("idle", position_known=False))
+    assert not why_not_confirm(flow, ControllerSnapshot("idle", position_known=True))
+    assert not why_not_confirm(flow, ControllerSnapshot("idle"))  # nothing speaks against it
 
 
 def test_what_an_earlier_job_left_held_is_not_resumed_while_the_position_is_unknown() -> None:
-    assert "stop what it was doing" in why_not("resume", Moment("held", position_known=False))
-    assert not why_not("resume", Moment("held", job=True, position_known=False))
-    assert not why_not("resume", Moment("held"))
+    assert "stop what it was doing" in why_not("resume", ControllerSnapshot("held", position_known=False))
+    assert not why_not("resume", ControllerSnapshot("held", job=True, position_known=False))
+    assert not why_not("resume", ControllerSnapshot("held"))

@@ -14,7 +14,7 @@ from CNCStepper.control.journal.replay import KILLED
 from CNCStepper.control.program.certificate import digest_of_text
 from CNCStepper.control.session.status import DONE, FAILED, STOPPED
 from CNCStepper.errors import JobError
-from CNCStepper.workbench.dock.model.controller_state import Moment
+from CNCStepper.workbench.dock.model.controller_state import ControllerSnapshot
 from CNCStepper.workbench.dock.model.unfinished_job import NAMES, Reading, program_of, why_not_now
 
 WAIT_S = 30
@@ -39,8 +39,8 @@ def test_however_a_job_ended_it_has_a_word() -> None:
 
 
 def test_nothing_is_restarted_while_something_is_cut() -> None:
-    assert why_not_now(Moment("running", job=True)).endswith(".")
-    assert not why_not_now(Moment("idle")) and not why_not_now(Moment())
+    assert why_not_now(ControllerSnapshot("running", job=True)).endswith(".")
+    assert not why_not_now(ControllerSnapshot("idle")) and not why_not_now(ControllerSnapshot())
 
 
 def test_whoever_asks_does_not_wait() -> None:
