@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a journal tells of its job: how it ended, and between which lines it was when it did.
+"""Replays a journal: how its job ended, and between which lines.
 
 lines   0 ... finished | first ... last | may_be_sent ... total
         certainly cut  | not certain    | certainly not sent
@@ -95,7 +95,7 @@ class JobReplay:
 
 
 def read_replay(path: Path) -> JobReplay:
-    """Return what the journal of a file tells; raises JobError naming the file when it cannot be read."""
+    """Return the replay of a journal file; raises JobError naming the file when it cannot be read."""
     try:
         is_running = is_locked(path)
         if not path.is_file():  # of a pipe one would wait for the end

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The journals of a user: NAME.journal beside the files of the sessions, and which of them are kept."""
+"""The journals of a user, NAME.journal beside the session files, and which of them are kept."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def _is_of(header: Mapping[str, Any], port: str, identity: PortIdentity) -> bool
 
 
 def replays(folder: Path | None = None) -> Iterator[JobReplay]:
-    """Yield what each journal tells, the latest first; those that tell nothing are left out."""
+    """Yield the replay of each journal, the latest first; unreadable ones are left out."""
     for path in journals(folder):
         with suppress(CNCStepperError):  # `resume JOURNAL` says what is wrong with it
             yield read_replay(path)

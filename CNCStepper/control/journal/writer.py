@@ -84,11 +84,11 @@ class Journal:
         self._executor = self._executor or ThreadPoolExecutor(1, "journal", go_first)
 
     def on_message(self, received: list[Received]) -> None:
-        """Learn from what the controller says how much it holds."""
+        """Take the controller's buffer sizes from its messages."""
         self._capacity.on_message(received)
 
     def keep(self, sent: int, acknowledged: int, is_idle: bool) -> list[str]:
-        """Write what is due, and return what people must know now. is_idle: what was acknowledged is cut."""
+        """Write due records, and return warnings for the operator. is_idle: acknowledged lines are cut."""
         told = self._collected()
         if self._writing is None and self._is_due(sent):
             self._finished = max(self._finished, self._certain(acknowledged, is_idle))
@@ -97,7 +97,7 @@ class Journal:
         return told
 
     def note_zero(self, found: ControllerInfo, sent: int) -> None:
-        """Learn how a machine stands that a person had at a pause, all before line `sent` (from 0) being cut.
+        """Record the machine's state at a pause after which all lines before `sent` (from 0) are cut.
 
         Where its work zero is another one now, no line goes out before that is on the disk.
         """
@@ -116,11 +116,11 @@ class Journal:
         return bool(self._trouble) and self.permitted <= sent < len(self._job.lines)
 
     def doubt(self, line: int) -> None:
-        """Learn that a line (from 0) or one after it was cut otherwise than the program says: none is finished."""
+        """Mark a line (from 0) and all after it as not finished: it was cut otherwise than programmed."""
         self._doubted = min(self._doubted, line)
 
     def end(self, outcome: Outcome) -> list[str]:
-        """Write how the job ended, and return what people must know of that."""
+        """Write how the job ended, and return warnings for the operator."""
         if self._file is None:
             return []
         told = self._collected(wait=True)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The first move of a restart, straight up to its height: a tool that stands higher would dive, which nobody expects.
+"""The first move of a restart goes straight up to its height; a tool above that height would dive.
 
 {"system": "G54", "z_mm": 5.0, "height_mm": 5.0}    z_mm: of the machine from that system's zero, the tool's length with
                                                     it; height_mm: the same as --height tells it
@@ -20,7 +20,7 @@ HEIGHT_STEP_MM = 0.1  # in which another height is proposed
 
 
 def check_restart_height(job: SendJob, driver: Grbl, found: ControllerInfo, tell: Callable[[str, str], None]) -> None:
-    """Refuse a restart whose first move would go down from where the tool stands; raises MachineRefusal.
+    """Refuse a restart whose first move would go down from the tool's height; raises MachineRefusal.
 
     Where the machine homes itself first, its way down from there is told only: nobody has moved the tool since.
     """

@@ -59,7 +59,7 @@ def digest_of_lines(lines: Iterable[str]) -> str:
 
 @dataclass(frozen=True)
 class Certificate:
-    """What a proof says of a program; content: plain data with the keys that `job.certify` writes."""
+    """The result of a proof; content: plain data with the keys that `job.certify` writes."""
 
     content: Mapping[str, Any]
 
@@ -165,7 +165,7 @@ class Certificate:
 
 
 def is_certificate(content: Any) -> bool:
-    """Return whether JSON that was read says that it is a certificate."""
+    """Return whether JSON is marked as a certificate."""
     return isinstance(content, dict) and content.get("format") == FORMAT
 
 

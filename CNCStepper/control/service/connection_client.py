@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A window's side of a desk: launch or attach, look at it from a timer, ask. Nothing here ever waits.
+"""A window's client of a connection service: launch or attach, poll from a timer, ask. Nothing here blocks.
 
     client = ConnectionClient.launch("socket://127.0.0.1:2217")
     ... from a timer, about 20 times a second:
@@ -36,7 +36,7 @@ JOG_FEED_MM_MIN = 1000.0
 
 
 class ConnectionClient:
-    """One client of one desk; it may vanish and another attach at any time, a running job goes on.
+    """A client of one connection service; clients come and go, a running job goes on.
 
     phase: "starting", "connecting", "connected" or "gone": then `error` says why, None when it was left.
     status: the last one heard. outcome: of the last job, None while one runs. Not for several threads.
@@ -61,24 +61,24 @@ class ConnectionClient:
 
     @classmethod
     def launch(cls, port: str, baud: int = 115_200, folder: Path | None = None) -> ConnectionClient:
-        """Start a desk for a port and return at once; where one runs at that port already, attach to it."""
+        """Start a connection service for a port and return at once; attach to it if one runs there already."""
         return cls(port, connection_launch.launch(port, baud, folder))
 
     @classmethod
     def attach(cls, session_file: Path) -> ConnectionClient:
-        """Attach to a desk of `running_services`; one that has ended meanwhile is "gone"."""
+        """Attach to a service of `running_services`; the phase is "gone" when it has ended."""
         client = cls("", session_file=session_file)
         client._read_address(session_file)
         return client
 
     @property
     def is_caught_up(self) -> bool:
-        """Whether the desk's present has been heard since the client came."""
+        """Whether the service's present status has arrived since this client attached."""
         return self._caught_up
 
     @property
     def started_service(self) -> bool:
-        """Whether the desk was started for this client; it ends when this one leaves and nobody else is there."""
+        """Whether the service was started for this client; it ends when its last client leaves."""
         return self._process is not None
 
     def poll(self) -> list[dict[str, Any]]:
@@ -150,7 +150,7 @@ class ConnectionClient:
         self.ask("unlock")
 
     def type(self, text: str) -> None:
-        """Ask for a line that somebody typed; what came of it is an event "answer", or a refusal."""
+        """Send a typed line; its result is an event "answer", or a refusal."""
         self.ask("line", text=text)
 
     def override(self, kind: str, percent_step: int | str) -> None:
@@ -158,20 +158,20 @@ class ConnectionClient:
         self.ask("override", kind=kind, step=str(percent_step))
 
     def leave(self) -> None:
-        """Detach for good: the desk ends as soon as no job runs and nothing moves."""
+        """Detach for good: the service ends as soon as no job runs and nothing moves."""
         if self._socket:
             self._socket.send({"token": self._token, "command": "leave"})
         self.detach()
 
     def detach(self) -> None:
-        """Let go of the desk; it goes on, and ends by itself when nobody comes back."""
+        """Detach; the service goes on, and ends by itself when no client returns."""
         if self._socket:
             self._socket.close()
             self._socket = None
         self.phase = self._told_phase = "gone"
 
     def ask(self, command: str, **values: Any) -> None:
-        """Ask for any command of the desk, or its "status"; what is refused comes as an event "refused"."""
+        """Send a command of the service, or "status"; a refusal is an event "refused"."""
         request = {"command": command, **values}
         if self._socket and self._caught_up:
             self._socket.send({"token": self._token, **request})

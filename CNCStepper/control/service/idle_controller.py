@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a desk can do while no job runs: jog, set the zero, home, unlock, override, and see how the machine stands."""
+"""A controller between jobs: jog, set the zero, home, unlock, override, poll its status."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ CRITICAL = "Reset to continue"
 
 
 class IdleController:
-    """One machine between jobs; everything here happens on the desk's thread, `status` apart.
+    """One machine between jobs; runs on the service's thread, except for `status`.
 
     position_known, homed, counts_from_here: see `PositionTrust`.
     """
@@ -80,7 +80,7 @@ class IdleController:
 
     @property
     def belief(self) -> PositionTrust:
-        """What is held of the position; to be set again after a reset that has not cost it."""
+        """Position trust; set again after a reset that has kept the position."""
         return PositionTrust(self.position_known, self.homed, self.counts_from_here, frozenset(self._zeroed))
 
     @belief.setter
@@ -97,7 +97,7 @@ class IdleController:
 
     @property
     def phase(self) -> str:
-        """The phase of a desk without a job; see `SenderStatus`."""
+        """The phase of a service without a job; see `SenderStatus`."""
         if self._homing_since_s is not None:
             return "homing"
         state = self._driver.status.state if self._driver.status else ""
@@ -159,7 +159,7 @@ class IdleController:
         self._zeroed.clear()
 
     def meet(self, before: PositionTrust, greeted: bool) -> None:
-        """Take a controller as it was met. before: what was held of it until then; greeted: it has restarted."""
+        """Take over a connected controller. before: trust until then; greeted: it has restarted."""
         self.belief = trust_at_connect(before, self._driver, greeted)
 
     def stop(self) -> None:

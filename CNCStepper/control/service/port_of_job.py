@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Whether a job that was sent from a command line has a machine's port; a desk asks it before it is launched."""
+"""Finds the job of a command line that holds a machine's port, before a connection service is launched."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def check_over(file: Path, port: str, error: LinkError) -> None:
 
 
 def port_held_by_job(file: Path, port: str, status: SenderStatus) -> MachineRefusal:
-    """Return the refusal of a port that a job has, by the file of its session or desk."""
+    """Return the refusal for a port that a job holds, from the file of its session or service."""
     return MachineRefusal(
         "port-held",
         f"{port} is held by a job of yours, {status.file or 'a program'}, which is {status.phase}",

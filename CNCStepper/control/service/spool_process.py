@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Puts the job of a file into a spool in a process of its own, a block at a time, while the desk goes on.
+"""Writes a job's spool in a process of its own, a block at a time, while the connection service goes on.
 
 python -m CNCStepper.control.service.spool_process FILE SPOOL     standard input:  values for some fields of the job,
 as JSON
@@ -45,7 +45,7 @@ def spooled(file: Path, spool: Path, **instead: Any) -> SendJob:
 
 
 def main(arguments: list[str]) -> int:
-    """Write the spool of a file and tell its job, or why there is none; return the exit status."""
+    """Write the spool of a file and report its job, or the error; return the exit status."""
     file, spool = map(Path, arguments)
     try:
         answer = {"job": _written(file, spool, json.load(sys.stdin)).to_content()}

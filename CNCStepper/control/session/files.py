@@ -63,7 +63,7 @@ def session_folder() -> Path:
 
 
 def new_session(folder: Path | None = None, kind: str = SESSION) -> Path:
-    """Return the path for the file of a new session or desk, and remove what old ones left."""
+    """Return the path for a new session or service file, and remove stale ones."""
     folder = folder or session_folder()
     _prune(folder)
     return folder / f"{time.strftime('%Y%m%d-%H%M%S')}-{secrets.token_hex(4)}{kind}"
@@ -85,31 +85,31 @@ def session_near(machine_port: str, folder: Path | None = None) -> Path | None:
 
 
 def running_services(folder: Path | None = None) -> list[Path]:
-    """Return the files of the desks that run, oldest first."""
+    """Return the files of the running connection services, oldest first."""
     return _alive(folder, DESK)
 
 
 def service_at(machine_port: str, folder: Path | None = None) -> Path | None:
-    """Return the file of the desk that has this port; None where none has."""
+    """Return the file of the connection service at this port; None where there is none."""
     return _having(machine_port, running_services(folder))
 
 
 def closed_files(folder: Path | None = None) -> list[Path]:
-    """Return the files of sessions and desks that this user may not open: which ports theirs are nobody can tell."""
+    """Return the session and service files that this user cannot open: their ports are unknown."""
     folder = folder or session_folder()
     return sorted(path for kind in (SESSION, DESK) for path in folder.glob(f"*{kind}") if is_closed(path))
 
 
 def service_near(machine_port: str, folder: Path | None = None) -> Path | None:
-    """Return the file of the desk that has this port, or one at a host that shares an address with its host."""
+    """Return the file of the service at this port, or of one at a host that shares an address with its host."""
     return _having(machine_port, running_services(folder), PortIdentity.is_near)
 
 
 class ServiceFile(ProcessFile):
-    """The file of a desk, in the hands of its own process."""
+    """The file of a connection service, owned by its process."""
 
     def elder(self, machine_port: str) -> Path | None:
-        """Return the file of a desk that was before this one at the same port, as far as that can be known."""
+        """Return the file of an earlier service at the same port, if it can be found."""
         for path in running_services(self._path.parent):
             if path.name < self._path.name and _having(machine_port, [path], PortIdentity.is_near):
                 return path

@@ -36,11 +36,11 @@ class LegJournal:
         return sys.maxsize if self._lines_before is None else self.program.permitted - self._lines_before
 
     def on_message(self, received: list[Received]) -> None:
-        """Learn from what the controller says how much it holds."""
+        """Take the controller's buffer sizes from its messages."""
         self.program.on_message(received)
 
     def keep(self, sent: int, acknowledged: int, is_idle: bool) -> list[str]:
-        """Write what is due of the program, and return what people must know now."""
+        """Write due records of the program, and return warnings for the operator."""
         if self._lines_before is None:
             return self.program.keep(self.sent, self.acknowledged, False)
         self.sent = max(0, self._lines_before + sent)
@@ -48,7 +48,7 @@ class LegJournal:
         return self.program.keep(self.sent, self.acknowledged, is_idle)
 
     def note_zero(self, found: ControllerInfo, sent: int) -> None:
-        """Learn how a machine stands that a person had at a pause."""
+        """Record the machine's state at a pause."""
         self.program.note_zero(found, self.sent if self._lines_before is None else max(0, self._lines_before + sent))
 
     def holds(self, sent: int) -> bool:
@@ -56,11 +56,11 @@ class LegJournal:
         return self._lines_before is not None and self.program.holds(max(0, self._lines_before + sent))
 
     def doubt(self, line: int) -> None:
-        """Learn that a line of the leg, or one after it, was cut otherwise than it says."""
+        """Mark a line of the leg and all after it as not finished: it was cut otherwise than programmed."""
         if self._lines_before is not None:
             self.program.doubt(max(0, self._lines_before + line))
 
     def end(self, outcome: Outcome) -> list[str]:
-        """Write how the job ended, and return what people must know of that."""
+        """Write how the job ended, and return warnings for the operator."""
         status = replace(outcome.status, sent=self.sent, acknowledged=self.acknowledged)
         return self.program.end(outcome if self._lines_before is not None else replace(outcome, status=status))

@@ -63,12 +63,12 @@ class Leg:
 
     @property
     def begin_mm(self) -> Vector:
-        """Where the machine must stand."""
+        """The position at which the leg begins."""
         return tuple(self.content["certificate"]["start"]["state"]["position_mm"])
 
     @property
     def ahead_mm(self) -> Vector:
-        """How far the motors stand ahead of the tool there; further than their gaps after a jog."""
+        """How far the motors are ahead of the tool there; more than the backlash after a jog."""
         return tuple(self.content["ahead_mm"])
 
 
@@ -90,7 +90,7 @@ class PathRetract:
         return len(self.program.lines) - len(self.leg.job.lines) if self.leg and self.leg.is_rest else 0
 
     def begin(self, driver: Grbl, found: connect.ControllerInfo) -> None:
-        """Note where the machine stands before the first line, and with which offsets."""
+        """Note the machine's position before the first line, and its offsets."""
         offsets_mm = {name: driver.mm(offset) for name, offset in found.offsets.items()}
         self._origin = {
             "position_mm": driver.mpos_mm,
@@ -102,7 +102,7 @@ class PathRetract:
             self._blocks = driver.status.buffer[0]
 
     def note(self, driver: Grbl, feeder: Feeder, phase: str) -> None:
-        """Keep the status just received, where it tells another place than the one before."""
+        """Keep the status just received when its position differs from the last one."""
         status, position_mm = driver.status, driver.mpos_mm
         if status is None or position_mm is None or phase == RETREATED:
             return
@@ -209,7 +209,7 @@ def _content_of(job: SendJob) -> dict[str, Any]:
 
 
 def reset_at_rest(driver: Grbl, timing: Timing) -> connect.ControllerInfo:
-    """Reset a machine that stands, and return what it is then; raises LinkError when its position is lost by it."""
+    """Reset a machine at rest, and return its state then; raises LinkError when that loses its position."""
     if not stop_sequence.reset(driver, timing):
         what = "the controller has not kept its position through the reset at standstill"
         raise LinkError("position-lost", what, advice="home the machine or set its zero again")
@@ -217,7 +217,7 @@ def reset_at_rest(driver: Grbl, timing: Timing) -> connect.ControllerInfo:
 
 
 def check_place(driver: Grbl, leg: Leg) -> None:
-    """Refuse a leg that begins elsewhere than the machine stands; raises MachineRefusal."""
+    """Refuse a leg that does not begin at the machine's position; raises MachineRefusal."""
     position_mm = driver.mpos_mm
     far_mm = dist(position_mm, leg.begin_mm) if position_mm else float("inf")
     if far_mm > SAME_PLACE_MM:

@@ -103,14 +103,14 @@ class PathWatch:
         return min(passed, acknowledged)
 
     def restart_from_here(self, found: ControllerInfo, sent: int) -> None:
-        """Compare from here on: the machine stands, all lines sent are cut, and its zero may be another one."""
+        """Compare from here on: the machine is at rest, all lines sent are cut, its zero may have changed."""
         self._offsets = OffsetWatch(self._job.lines)
         if self._path and not self._told:
             self._path = self._planned(found, sent)
 
     @property
     def left_line(self) -> int | None:
-        """The line, from 0, at or after which the path was left; None while no report says that."""
+        """The line, from 0, at or after which the path was left; None while no report shows that."""
         return max(self._path.line, 0) if self._path and self.excursion else None
 
     def check(self) -> None:
@@ -129,7 +129,7 @@ class PathWatch:
         return status is None or not status.spindle or any(TURNS_ON.search(line) for line in lines)
 
     def check_end(self, sent: int) -> None:
-        """Raise MachineRefusal unless the machine, idle after the last answer, stands at the path's end."""
+        """Raise MachineRefusal unless the machine, idle after the last answer, is at the path's end."""
         place = self._driver.mpos_mm
         if self._path and (place is None or not self._path.ends_at(place[:3], self._near_mm)):
             raise self._leave(place, sent)
@@ -172,7 +172,7 @@ class PathWatch:
 
 
 def start_of(driver: Grbl, found: ControllerInfo) -> Start:
-    """Return where a machine stands that was just met, and its offsets."""
+    """Return the position and offsets of a machine that was just connected."""
     return start_from(offsets_of(driver, found), found.modes, driver.mpos_mm)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The way from where somebody jogged to back to where the tool stood: up, over, and slowly down.
+"""The return path from a jogged position to the held tool position: up, over, and slowly down.
 
 over  ┌───────────────┐   at the height of the highest
 up    │               │   down, slowly
@@ -70,7 +70,7 @@ def back_over_backlash(
 
 
 def landed_mm(there_mm: Point, play: Backlash) -> Point:
-    """Return where the motors stand that have come to a place of the tool by `over_backlash`."""
+    """Return the motors' position after they came to a place of the tool by `over_backlash`."""
     return there_mm[0], there_mm[1], there_mm[UP] + play.ahead_mm(UP, DOWNWARDS)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a driver last heard of its machine, as a status to tell."""
+"""The last report of a driver as a status snapshot."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ HOMING = 22  # the setting that switches homing on
 
 
 def status_snapshot(driver: Grbl | None, phase: str, message: str = "") -> SenderStatus:
-    """Return the status of this moment; None stands for a machine that was not met yet."""
+    """Return the present status; None is for a machine not connected yet."""
     if driver is None or driver.status is None:
         return SenderStatus(phase=phase, message=message)
     seen = driver.status
@@ -34,7 +34,7 @@ def status_snapshot(driver: Grbl | None, phase: str, message: str = "") -> Sende
 
 
 def forward_messages(received: Iterable[Received], tell: Callable[[str, str], None]) -> None:
-    """Pass on the controller's own messages, and as warnings what it cannot have said."""
+    """Pass on the controller's own messages; impossible ones become warnings."""
     for report in received:
         if isinstance(report, Feedback) and report.tag in ("MSG", "echo"):
             tell("message", report.text)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A client that leads a held job back along its cut, forward again, and lets it go on: of a session or of a desk."""
+"""A client that moves a held job back along its cut, forward again, and resumes it."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ ANSWER_LIMIT_S = 60.0  # a long program is told in seconds
 
 
 class RetractClient:
-    """Speaks with one session or desk; what it refuses is raised as its error."""
+    """A client of one session or service; its refusals are raised as its error."""
 
     def __init__(self, client: SessionClient | ConnectionSession, machine: Machine | None = None):
         self._client = client
@@ -61,7 +61,7 @@ class RetractClient:
             self._await("retrace", "phase", "running")
 
     def wait_for_leg(self) -> SenderStatus:
-        """Wait for the end of the leg, or until somebody holds on the way, and return the status."""
+        """Wait for the end of the leg or a hold on it, and return the status."""
         return self._until(lambda status: status.phase in STANDS)
 
     def _await(self, command: str, kind: str, text: str) -> None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a held session tells of its program and its controller, as the core's own values."""
+"""The program and controller of a held session as the core's own values."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ class SessionContext:
 
     @classmethod
     def of(cls, told: Mapping[str, Any], machine: Machine | None) -> SessionContext:
-        """Return it from what a session told; machine: where the session was started without one.
+        """Return the program of a session's status; machine: of a session started without one.
 
         Raises JobError where there is none.
         """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where on its way a held machine stands, though passes may lie on top of each other.
+"""Finds the place of a held machine on its path, though passes may lie on top of each other.
 
     rows      | finished |  in the planner, at most its blocks  | read, not acknowledged | not sent
                          ^--- only here the position is looked for ---^
@@ -72,7 +72,7 @@ class PossiblePlaces(NamedTuple):
 
 
 def find(way: RetractPath, reports: Sequence[PositionReport], controller: Controller) -> PossiblePlaces:
-    """Return where the machine stands by the last of its reports; raises ProgramError where that is not on its way."""
+    """Return the machine's place by its last report; raises ProgramError where that is not on its path."""
     if not len(way):
         what = "nothing has been cut yet, so there is no way back"
         raise ProgramError("retreat-begin", what, advice="resume, and hold once the machine moves")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How much a controller says without being asked: a damaged or hostile one would keep the sender from its work."""
+"""Limits unsolicited lines: a damaged or hostile controller would keep the sender from its work."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ MOST_OF_AN_ANSWER = 10_000  # to a `$` command, which may list all settings
 
 
 class FloodLimit:
-    """Counts the lines that nobody asked for; clock: in s."""
+    """Counts unsolicited lines; clock: in s."""
 
     def __init__(self, clock: Callable[[], float]):
         self._clock = clock
