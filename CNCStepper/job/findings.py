@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a job says of its own program: notes of its files, feeds out of range, warnings of its cycles."""
+"""Findings of a job about its own program: notes of its files, feeds out of range, warnings of its cycles."""
 
 from __future__ import annotations
 

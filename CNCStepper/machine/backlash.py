@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The play (backlash) of the axes: how far a motor must stand ahead of what it moves, and when it takes that up.
+"""The backlash of the axes: how far a motor is ahead of its axis, and when it is taken up.
 
     motor   -->|#####|        going +: the motor stands `ahead` of the tool's place
     tool        |   |

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How a worker process hears questions and tells answers, each a line of JSON, until nobody asks any more."""
+"""The protocol of a worker process: a JSON line per question and per answer, until its input closes."""
 
 from __future__ import annotations
 

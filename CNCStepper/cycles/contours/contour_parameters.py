@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a contour is told, as a job file names it."""
+"""The parameters of a contour, as a job file names them."""
 
 from __future__ import annotations
 

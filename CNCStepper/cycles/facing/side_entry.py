@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-r"""Leads: straight ways into the stock from beside it, where the tool goes down in the air.
+r"""Side entry: straight leads into the stock from outside, where the tool plunges in the air.
 
       .---.      stock
 ---- (  o  )  ------+         o  the begin of a run, inside or at the stock

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where holes stand: points, lines, grids, bolt circles, arcs, and the circles of a drawing.
+"""Hole patterns: points, lines, grids, bolt circles, arcs, and the circles of a drawing.
 
 points   points_mm                            bolt_circle   centre_mm radius_mm count start_deg
 line     start_mm end_mm count                arc           centre_mm radius_mm start_deg end_deg count

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What each line of a program means where it is executed: the modes in force, and where the tool stands before it."""
+"""The state at each executed line of a program: the modes in force and the tool's position."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The words of a line where they stand in its text, so that one can be changed and all else stays as it is written.
+"""The words of a line with their columns, so that one is changed and the rest of the text stays.
 
     N20 G1 X 10.5 (to the edge) Y[#1 + 2]
     ^   ^  ^ ^  ^               ^^       ^

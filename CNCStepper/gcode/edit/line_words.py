@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A line whose words are being changed: what its words say, and how new values take their places."""
+"""A line under edit: the values of its words, and where new values go."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One block while it is executed: what its words say, and the moves that it makes.
+"""One block while it is executed: the values of its words, and its moves.
 
 The codes of a block are functions that take it (`modal_codes.py`, `motion_codes.py`), and `execute.py` calls them.
 """

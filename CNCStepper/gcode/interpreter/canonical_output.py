@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a block tells the table and the trace: all of it waits until the block is good.
+"""Canonical output of a block to the table and the trace, committed when the whole block is valid.
 
 event, call, comments ──► moves held back by compensation?  yes ──► waits among them (move_queue.py)
                                                              no ──► actions ──commit──► table, canon

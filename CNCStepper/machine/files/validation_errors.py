@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is wrong with the content of a file that a model refuses: the key, the table it stands in, and what to do."""
+"""Validation errors of a file: the key, its table, and the remedy."""
 
 from __future__ import annotations
 

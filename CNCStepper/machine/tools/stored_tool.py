@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A tool as another program's file holds it: what of it we understand, all that stands there, what is to be told."""
+"""A tool in another program's file: the keys understood, all keys kept, and notes."""
 
 from __future__ import annotations
 

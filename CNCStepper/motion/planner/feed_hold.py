@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Hold, resume and override of a pass through a table whose pulses are being sent: heard between two of its pieces.
+"""Hold, resume and override of a pass through a table while its pulses are sent, between two segments.
 
     speed  ‾‾‾‾‾‾\\              /‾‾‾‾‾       the pass brakes along the path, over corners too; while it is held the
                   \\____....____/             clock goes on by REST_S at a time, and no pulse, no place is lost

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-r"""Moves beside their path, as LinuxCNC compensates the radius of the cutter: corners of lines and arcs.
+r"""Cutter compensation as LinuxCNC does it: offset moves and corners of lines and arcs.
 
     convex corner: an arc about it         concave corner: both moves end where their parallels meet
 
