@@ -167,11 +167,11 @@ def require_straight(text: str, dialect: Dialect, file: str) -> None:
 
 
 def is_compensated(reader: Interpreter) -> bool:
-    """Whether the tool's radius is compensated (G41, G42), so that moves do not end where the words say."""
+    """Whether cutter compensation is on (G41, G42), so that moves end beside their words' values."""
     return reader.model.compensation is not None
 
 
 def work_place(reader: Interpreter) -> tuple[float, ...]:
-    """Return where the tool stands, in work coordinates, mm."""
+    """Return the tool's position in work coordinates, mm."""
     model = reader.model
     return tuple(value - zero for value, zero in zip(model.position, model.offset, strict=False))

@@ -89,7 +89,7 @@ def changed(text: str, edits: Iterable[Edit]) -> str:
 
 
 def first_place(text: str) -> int:
-    """Return where the first word of a line stands, after blanks, "/" and the N word; its end where there is none."""
+    """Return the index of a line's first word, after blanks, "/" and the N word; its end when there is none."""
     return next((token.begin for token in tokens_of(text) if token.letter != "N"), len(text.rstrip()))
 
 

@@ -34,7 +34,7 @@ SET_FEED = "SET_FEED_RATE({})"
 
 
 class Canon(Protocol):
-    """Who wants to hear the canonical calls of a program (`canonical_trace.py`)."""
+    """A receiver of the canonical calls of a program (`canonical_trace.py`)."""
 
     def call(self, text: str) -> None:
         """Hear a call whose arguments are part of its text."""

@@ -87,7 +87,7 @@ def diameter(block: Block, code: Code) -> None:
 
 
 def dwell(block: Block, code: Code) -> None:
-    """G4: stand still."""
+    """G4: wait without motion."""
     seconds = block.not_negative("P") * block.dialect.dwell_unit_s
     block.event("dwell", seconds)
     block.call(f"DWELL({seconds:.4f})")

@@ -26,7 +26,7 @@ MOTIONS = frozenset(MOTION_NAMES)
 
 
 def crossing(model: Model, stood_mm: Sequence[float], end_mm: Sequence[float], feed_mm_min: float | None = None) -> str:
-    """Return the line by which the motors that stand elsewhere go to `end_mm`, in the modes of `model`.
+    """Return the line that takes the motors from elsewhere to `end_mm`, in the modes of `model`.
 
     feed_mm_min: None is a rapid.
     """
