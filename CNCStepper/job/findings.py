@@ -26,7 +26,7 @@ def findings_of(
     file: str,
     first: int = 0,
 ) -> Iterator[Finding]:
-    """Yield all that a job says of its program, of which `lines` and `spans` were read back.
+    """Yield all findings of a job on its program, of which `lines` and `spans` were read back.
 
     answers: those of its operations. first: how many of the job's operations the programs before this one hold.
     """

@@ -101,7 +101,7 @@ def read_question(folder: Path) -> tuple[str, Job, Machine]:
 
 
 def proven_file(folder: Path) -> str:
-    """Return the program's file as the proof had it: subroutines are looked for beside it."""
+    """Return the path of the proven program's file; subroutines are looked for in its folder."""
     return str(json.loads((folder / RESULT).read_text("utf-8"))["program"])
 
 
@@ -126,7 +126,7 @@ def write_part(folder: Path, part: HeightMap) -> None:
 
 
 def write_answer(folder: Path, proof: Proof, job: Job, send_json: str) -> None:
-    """Write the answer but for the part; the result, which says that all is there, comes last."""
+    """Write the answer except for the part; the result comes last and marks it complete."""
     from CNCStepper.simulation.meshes.tool_outline import outlines_mm
     from CNCStepper.simulation.views.path_lines import lines_in_space
 

@@ -17,7 +17,7 @@ Questions = SimpleQueue[dict[str, Any]]
 
 
 def serve(answer: Callable[[Questions], None], code: str, doing: str) -> int:
-    """Let `answer` take the questions of standard input for ever; tell the error that ends it, and return 1.
+    """Let `answer` take the questions of standard input until an error; report that error, and return 1.
 
     code, doing: of a fault of ours, as in "timeline-fault" and "the timeline".
     """

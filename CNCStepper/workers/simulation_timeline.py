@@ -37,7 +37,7 @@ def main(arguments: list[str]) -> int:
 
 
 class Answers:
-    """The timeline of a proven program and what was told of it."""
+    """The timeline of a proven program and the answers sent about it."""
 
     def __init__(self, folder: Path):
         from CNCStepper.simulation.meshes.changed_tiles import ChangedTiles

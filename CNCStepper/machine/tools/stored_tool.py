@@ -47,6 +47,6 @@ def tool_or_note(content: dict[str, Any]) -> tuple[Tool | None, tuple[str, ...]]
 
 
 def given_keys(tool: Tool) -> dict[str, Any]:
-    """Return the keys of a tool that say something: those that are not as where nothing is said."""
+    """Return the keys of a tool whose values are not the defaults."""
     fields = type(tool).model_fields
     return {key: value for key, value in tool.model_dump().items() if value != fields[key].default}

@@ -39,7 +39,7 @@ class FeedHold:
         self.share = 1.0
 
     def hold(self) -> None:
-        """Ask to brake along the path and to stand."""
+        """Request a feed hold along the path."""
         self.held = True
 
     def resume(self) -> None:
@@ -55,7 +55,7 @@ class FeedHold:
         self.share = share
 
     def segments(self, run: Run) -> Iterator[np.recarray]:
-        """Yield the segments of a pass, few at a time, as `Run.segments` does; none: it stands for REST_S."""
+        """Yield the segments of a pass, few at a time, as `Run.segments` does; none: at rest for REST_S."""
         whole, rows, in_force = run.table, PIECE_ROWS, 1.0
         while True:
             run.table = whole[:rows].view(np.recarray)

@@ -50,7 +50,7 @@ def tools_known(subject: CheckContext, tools: Tools, seen: set[int]) -> Iterator
 
 
 def unknown_place_cuts(subject: CheckContext, stock: Stock) -> Iterator[Finding]:
-    """Yield moves below the stock's top whose place in X or Y is not known: nobody can say what they cut."""
+    """Yield moves below the stock's top at an unknown X or Y: their cut is unknown."""
     unknown = np.isnan(subject.end[:, :2]).any(axis=1) | np.isnan(subject.begin[:, :2]).any(axis=1)
     rows = np.flatnonzero(unknown & (subject.low_mm < stock.top_mm - RUB_MM))
     if len(rows):
@@ -61,7 +61,7 @@ def unknown_place_cuts(subject: CheckContext, stock: Stock) -> Iterator[Finding]
 
 
 class StockChecks:
-    """The checks of a program, or of a part of it, that need to know what the moves before have left.
+    """The checks of a program, or of a part of it, against the stock that earlier moves have left.
 
     before: the cutting paths of the parts before.
     """

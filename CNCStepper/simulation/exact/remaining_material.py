@@ -45,7 +45,7 @@ Cuts = list[tuple[Cutter, Segments]]  # the path below the stock's top, by cutte
 
 @dataclass(frozen=True)
 class Island:
-    """Material that stands alone inside a removal: its thickest place and how thick it is."""
+    """An island of material inside a removal: its thickest place and how thick it is."""
 
     place_mm: tuple[float, float, float]
     thickness_mm: float
