@@ -63,7 +63,7 @@ def main(arguments: list[str]) -> int:
 def _run(desk: ConnectionService, service_file: ServiceFile) -> CNCStepperError | None:
     """Return the error that ended the desk, if one did; a fault of this program goes to the log too."""
     try:
-        if service_file.elder(desk.port):
+        if service_file.previous_service(desk.port):
             raise LinkError(
                 "port-busy", f"{desk.port} is in use by another window's connection", advice="attach to that one"
             )

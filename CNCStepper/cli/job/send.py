@@ -133,7 +133,7 @@ def command(
     with ExitStack() as files:
         if certificate:
             job = _certified(certificate, wanted, dialect, despite_certificate, files)
-            _check_spoken(job.dialect, wanted.machine)
+            _check_dialect(job.dialect, wanted.machine)
         else:
             job = _checked(wanted, dialect_name(dialect, wanted.machine), unchecked)
         job = replace(job, port=port, baud=baud, allow_differences=allow_differences)
@@ -184,7 +184,7 @@ class _Wanted:
         )
 
 
-def _check_spoken(dialect: str, machine: Machine | None) -> None:
+def _check_dialect(dialect: str, machine: Machine | None) -> None:
     """Refuse, before a port is opened, what the machine's controller would read as other moves."""
     from CNCStepper.control.preflight.dialect import check_sendable
 
@@ -261,7 +261,7 @@ def _checked(wanted: _Wanted, dialect: str, unchecked: bool) -> SendJob:
     from CNCStepper.simulation.finding import refused
     from CNCStepper.toolpath import require_straight_axes
 
-    _check_spoken(dialect, wanted.machine)
+    _check_dialect(dialect, wanted.machine)
     wire, motors, toolpath = wire_round_trip(wanted.program.text, wanted.machine, dialect, wanted.file, wanted.start)
     require_straight_axes(motors, wanted.file)
     if wanted.machine and not unchecked:

@@ -85,7 +85,7 @@ def _note_position(port: str, driver: Grbl, greeted: bool) -> None:
     from CNCStepper.control.stream.position_trust import trust_at_connect
 
     kept = PositionTrustFile.of_port(session_folder(), port)
-    kept.keep(trust_at_connect(kept.belief, driver, greeted))
+    kept.keep(trust_at_connect(kept.trust, driver, greeted))
 
 
 def _told(found: ControllerInfo, receive_bytes: int) -> str:

@@ -115,7 +115,7 @@ class Journal:
         """Return whether the job must be held: no further line can be put on the disk."""
         return bool(self._trouble) and self.permitted <= sent < len(self._job.lines)
 
-    def doubt(self, line: int) -> None:
+    def mark_uncertain(self, line: int) -> None:
         """Mark a line (from 0) and all after it as not finished: it was cut otherwise than programmed."""
         self._doubted = min(self._doubted, line)
 

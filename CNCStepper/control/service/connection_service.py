@@ -114,12 +114,12 @@ class ConnectionService:
     def status(self) -> SenderStatus:
         """Return this moment."""
         stand = self._stands.number  # before the words of that stand
-        run, idle, belief = self._run, self._idle, self._trust
+        run, idle, trust = self._run, self._idle, self._trust
         if idle is None or not self._connected:
             return SenderStatus()
-        if run is None or belief is None or (status := run.status()).phase == "connecting":
+        if run is None or trust is None or (status := run.status()).phase == "connecting":
             return replace(idle.status(), stand=stand, **self._zero)
-        return replace(status, position_known=belief.position_known, homed=belief.homed, **self._zero)
+        return replace(status, position_known=trust.position_known, homed=trust.homed, **self._zero)
 
     def run(self) -> None:
         """Connect and serve until `stop` or until no client is left; raises LinkError when the link breaks."""
@@ -142,7 +142,7 @@ class ConnectionService:
         """Return whether the position is lost now; before the machine was met nothing may move it."""
         if self._idle is None or not self._connected:
             return True
-        return is_lost(self._trust if self._run and self._trust else self._idle.belief)
+        return is_lost(self._trust if self._run and self._trust else self._idle.trust)
 
     # --- the loop ------------------------------------------------------------------------------
 
@@ -151,7 +151,7 @@ class ConnectionService:
         if greeted:
             self._tell("warning", "the controller restarted when its port was opened; it counts from where it stands")
         self._learn(driver, idle)
-        idle.meet(self._kept.belief, greeted)
+        idle.meet(self._kept.trust, greeted)
         self._connected = True
 
     def _serve(self, driver: Grbl, idle: IdleController) -> None:
@@ -181,7 +181,7 @@ class ConnectionService:
 
     def _save_trust(self, idle: IdleController) -> None:
         """Keep what is held of the position; homing that does not come to its end costs it."""
-        self._kept.save_or_warn(LOST if idle.phase == "homing" else idle.belief, self._tell)
+        self._kept.save_or_warn(LOST if idle.phase == "homing" else idle.trust, self._tell)
 
     def _learn(self, driver: Grbl, idle: IdleController) -> None:
         """Read what the controller is as soon as it stands; one that moves is not asked."""
@@ -267,7 +267,7 @@ class ConnectionService:
         self._run_job(idle, job)
 
     def _run_job(self, idle: IdleController, job: SendJob) -> None:
-        self._trust = belief = idle.belief
+        self._trust = trust = idle.trust
         self._run = run = JobRun(
             job,
             self._inbox,
@@ -289,7 +289,7 @@ class ConnectionService:
                 idle.lose_position()
             outcome = replace(outcome, position_known=outcome.position_known and idle.position_known is not False)
         else:
-            idle.belief = belief  # the reset at the end of a job does not cost it
+            idle.trust = trust  # the reset at the end of a job does not cost it
             if not outcome.position_known:
                 idle.lose_position()
         self._last_done = job if outcome.done else None
@@ -302,7 +302,7 @@ class ConnectionService:
         self._run.driver = self._driver
         self._idle.check_no_jog()
         check_state(fresh_status(self._driver, self._timing))
-        check_program(self._idle.belief)
+        check_program(self._idle.trust)
         found = connect.learn(self._driver, self._timing)
         self._take_zero(found.offsets, found.modes)
         self._kept.keep(LOST)  # until the job has ended well

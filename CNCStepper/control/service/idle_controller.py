@@ -79,14 +79,14 @@ class IdleController:
         }
 
     @property
-    def belief(self) -> PositionTrust:
+    def trust(self) -> PositionTrust:
         """Position trust; set again after a reset that has kept the position."""
         return PositionTrust(self.position_known, self.homed, self.counts_from_here, frozenset(self._zeroed))
 
-    @belief.setter
-    def belief(self, belief: PositionTrust) -> None:
-        self.position_known, self.homed, self.counts_from_here = belief[:3]
-        self._zeroed = set(belief.zeroed)
+    @trust.setter
+    def trust(self, trust: PositionTrust) -> None:
+        self.position_known, self.homed, self.counts_from_here = trust[:3]
+        self._zeroed = set(trust.zeroed)
 
     @property
     def busy(self) -> bool:
@@ -160,7 +160,7 @@ class IdleController:
 
     def meet(self, before: PositionTrust, greeted: bool) -> None:
         """Take over a connected controller. before: trust until then; greeted: it has restarted."""
-        self.belief = trust_at_connect(before, self._driver, greeted)
+        self.trust = trust_at_connect(before, self._driver, greeted)
 
     def stop(self) -> None:
         """Bring to rest whatever moves: a jog keeps its position, homing loses it."""
@@ -171,9 +171,9 @@ class IdleController:
         elif self._jogger.active or self.phase == "jogging":
             self._jogger.cancel()
         elif self.phase in ("busy", "held", "door"):
-            belief = self.belief
+            trust = self.trust
             if stop_sequence.hold_and_reset(self._driver, self._timing):
-                self.belief = belief  # a reset at rest does not cost it
+                self.trust = trust  # a reset at rest does not cost it
             else:
                 self.lose_position()
         else:
@@ -239,9 +239,9 @@ class IdleController:
     def _unlock(self) -> None:
         self.check_at_rest()
         asleep = self.status().machine_state == "Sleep"
-        belief = self.belief
+        trust = self.trust
         actions.unlock(self._driver, self._timing, self._wants_reset or asleep)
-        self.belief = belief  # a reset at rest does not cost it
+        self.trust = trust  # a reset at rest does not cost it
         if asleep:  # its motors had let go
             self.homed = self.counts_from_here = False
 

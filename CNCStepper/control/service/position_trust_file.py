@@ -52,7 +52,7 @@ class PositionTrustFile:
         self._near = near
         self._looked_up: dict[PortIdentity, PortIdentity] = {}
         self._written: Path | None = None
-        self.belief = self._said()
+        self.trust = self._said()
 
     @classmethod
     def of_port(cls, folder: Path, port: str) -> PositionTrustFile:
@@ -62,33 +62,33 @@ class PositionTrustFile:
         near = frozenset(_path(folder, name) for name in address_names(identity))
         return cls(_path(folder, identity.key), identity, aliases, near)
 
-    def keep(self, belief: PositionTrust) -> None:
+    def keep(self, trust: PositionTrust) -> None:
         """Save the present trust; on return it is on the disk. Raises JobError when it cannot be saved."""
-        kept = belief if belief.position_known is False else NOTHING_AGAINST
-        if kept == self.belief and (kept is NOTHING_AGAINST or self._path is None or self._is_written()):
+        kept = trust if trust.position_known is False else NOTHING_AGAINST
+        if kept == self.trust and (kept is NOTHING_AGAINST or self._path is None or self._is_written()):
             return
-        self.belief = kept
+        self.trust = kept
         if self._path:
             try:
                 self._write(self._path, kept)
             except OSError as error:
                 raise _unwritable(self._path, error) from error
 
-    def save_or_warn(self, belief: PositionTrust, tell: Callable[[str, str], None]) -> None:
+    def save_or_warn(self, trust: PositionTrust, tell: Callable[[str, str], None]) -> None:
         """Save the present trust; warn once when it cannot be saved."""
         try:
-            self.keep(belief)
+            self.keep(trust)
         except JobError as error:
             tell("warning", str(error))
 
     # --- inside --------------------------------------------------------------------------------
 
-    def _write(self, path: Path, belief: PositionTrust) -> None:
-        if belief.position_known is False:
+    def _write(self, path: Path, trust: PositionTrust) -> None:
+        if trust.position_known is False:
             identity = {"port_identity": self._identity.to_json()} if self._identity else {}
-            zeroed = "".join(sorted(belief.zeroed))
+            zeroed = "".join(sorted(trust.zeroed))
             self._written = self._own_place(path)
-            write_durably(self._written, {"counts_from_here": belief.counts_from_here, "zeroed": zeroed} | identity)
+            write_durably(self._written, {"counts_from_here": trust.counts_from_here, "zeroed": zeroed} | identity)
             self._drop_older(self._written)
             return
         closed = []

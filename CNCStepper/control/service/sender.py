@@ -60,7 +60,7 @@ class Sender:
         self._tell = tell
         self._inbox = Inbox(clock)
         self._kept = kept or PositionTrustFile(None)
-        self._trust = self._kept.belief
+        self._trust = self._kept.trust
         self._greeted = False  # while connecting
         self._early: list[Command] = []  # asked while connecting
         self._connecting = True
@@ -140,12 +140,12 @@ class Sender:
 
     def _save_trust(self, outcome: Outcome) -> None:
         """Keep what is held of the position now; a job that was not begun may have met an alarm or a restart."""
-        belief = self._trust
+        trust = self._trust
         if self._connecting and self._run.driver:
-            belief = trust_at_connect(belief, self._run.driver, self._greeted)
+            trust = trust_at_connect(trust, self._run.driver, self._greeted)
         elif outcome.kind != REFUSED and not outcome.position_known:
-            belief = LOST
-        self._kept.save_or_warn(belief, self._tell)
+            trust = LOST
+        self._kept.save_or_warn(trust, self._tell)
 
     def _listen(self, received: list[Received]) -> None:
         """Tell and count what came; a stop is done at once, while connecting all else waits for the first line."""

@@ -108,7 +108,7 @@ def service_near(machine_port: str, folder: Path | None = None) -> Path | None:
 class ServiceFile(ProcessFile):
     """The file of a connection service, owned by its process."""
 
-    def elder(self, machine_port: str) -> Path | None:
+    def previous_service(self, machine_port: str) -> Path | None:
         """Return the file of an earlier service at the same port, if it can be found."""
         for path in running_services(self._path.parent):
             if path.name < self._path.name and _having(machine_port, [path], PortIdentity.is_near):

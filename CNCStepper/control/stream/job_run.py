@@ -167,7 +167,7 @@ class JobRun:
         outcome = self._begun(connected) or self._streamed()
         self._may_stop = False
         if self._path and (left_line := self._path.left_line) is not None:
-            self._journal.doubt(left_line)
+            self._journal.mark_uncertain(left_line)
         self._warn(self._journal.end(outcome))
         self._phases.set(outcome.kind)
         return outcome

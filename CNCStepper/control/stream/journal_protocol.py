@@ -35,7 +35,7 @@ class ActiveJournal(Protocol):
     def holds(self, sent: int) -> bool:
         """Return whether the job must be held: no further line can be put on the disk."""
 
-    def doubt(self, line: int) -> None:
+    def mark_uncertain(self, line: int) -> None:
         """Mark a line (from 0) and all after it as not finished: it was cut otherwise than programmed."""
 
     def end(self, outcome: Outcome) -> list[str]:
@@ -84,7 +84,7 @@ class NoJournal:
         """Return False."""
         return False
 
-    def doubt(self, line: int) -> None:
+    def mark_uncertain(self, line: int) -> None:
         """Do nothing."""
 
     def end(self, outcome: Outcome) -> list[str]:

@@ -55,10 +55,10 @@ class LegJournal:
         """Return whether the leg must be held: no further line of the program can be put on the disk."""
         return self._lines_before is not None and self.program.holds(max(0, self._lines_before + sent))
 
-    def doubt(self, line: int) -> None:
+    def mark_uncertain(self, line: int) -> None:
         """Mark a line of the leg and all after it as not finished: it was cut otherwise than programmed."""
         if self._lines_before is not None:
-            self.program.doubt(max(0, self._lines_before + line))
+            self.program.mark_uncertain(max(0, self._lines_before + line))
 
     def end(self, outcome: Outcome) -> list[str]:
         """Write how the job ended, and return warnings for the operator."""

@@ -52,16 +52,16 @@ def counts_steps(driver: Grbl | None) -> bool:
     return driver is not None and driver.status is not None and driver.status.state in COUNTING
 
 
-def is_lost(belief: PositionTrust, restart_counts: bool = False) -> bool:
+def is_lost(trust: PositionTrust, restart_counts: bool = False) -> bool:
     """Return whether the position is lost, so that no program may move the machine.
 
     restart_counts: a machine that was restarted and not moved since may be trusted, where its zero was set in an
     earlier connection (`check_zero_here`). A connection that stays open asks for the zero instead.
     """
-    return belief.position_known is False and not (restart_counts and belief.counts_from_here)
+    return trust.position_known is False and not (restart_counts and trust.counts_from_here)
 
 
-def check_program(belief: PositionTrust, restart_counts: bool = False) -> None:
+def check_program(trust: PositionTrust, restart_counts: bool = False) -> None:
     """Raise MachineRefusal when the position is lost (see `is_lost`)."""
-    if is_lost(belief, restart_counts):
+    if is_lost(trust, restart_counts):
         raise position_unknown()

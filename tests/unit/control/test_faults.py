@@ -64,8 +64,8 @@ def forgets(bench: FaultBench, run: Run) -> str:
     """Return what is wrong with what the next connection finds of the position after a job, "" where nothing is."""
     if bench.folder is None or bench.journal.path is None or run.claim.refused:
         return ""
-    belief = PositionTrustFile.of_port(bench.folder, bench.link.name).belief
-    return f"kept is {belief}, told {run.claim}" if (belief == LOST) == run.claim.position_known else ""
+    trust = PositionTrustFile.of_port(bench.folder, bench.link.name).trust
+    return f"kept is {trust}, told {run.claim}" if (trust == LOST) == run.claim.position_known else ""
 
 
 @pytest.mark.slow

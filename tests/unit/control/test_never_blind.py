@@ -134,7 +134,7 @@ def test_zero_of_all_axes_makes_it_known_for_those_who_come_later(shop):
     lose(shop)
     shop.visit(zero)
     assert shop.visit(look).known is None and shop.send().kind == DONE
-    assert shop.kept.belief == NOTHING_AGAINST and not list(shop.folder.glob("*.position"))
+    assert shop.kept.trust == NOTHING_AGAINST and not list(shop.folder.glob("*.position"))
 
 
 def test_zeros_may_be_set_one_after_another(shop):
@@ -164,7 +164,7 @@ def test_after_its_desk_was_killed_in_a_job_a_machine_takes_none(shop):
 
     with pytest.raises(Killed):
         shop.visit(person)
-    assert PositionTrustFile.of_port(shop.folder, "table").belief == LOST
+    assert PositionTrustFile.of_port(shop.folder, "table").trust == LOST
 
 
 def test_a_locked_machine_is_unknown_also_when_it_was_unlocked_by_those_before(tmp_path):
@@ -184,22 +184,22 @@ def test_a_machine_met_in_alarm_without_a_greeting_is_unknown(tmp_path, first):
     shop = Workshop(tmp_path, homing=True)
     shop.greet_nobody()
     first(shop)
-    assert shop.kept.belief == LOST
+    assert shop.kept.trust == LOST
 
 
 def test_homing_makes_it_known(tmp_path):
     shop = Workshop(tmp_path, homing=True)
     shop.visit(unlock)
-    assert shop.send(home_first=True).kind == DONE and shop.kept.belief == NOTHING_AGAINST
+    assert shop.send(home_first=True).kind == DONE and shop.kept.trust == NOTHING_AGAINST
 
     def person(visit: Visit) -> Person:
         visit.ask("home")
         yield visit.at("homing")
-        assert shop.kept.belief == LOST  # for whoever finds it killed
+        assert shop.kept.trust == LOST  # for whoever finds it killed
         yield visit.at("idle")
 
     shop.visit(person)
-    assert shop.kept.belief == NOTHING_AGAINST
+    assert shop.kept.trust == NOTHING_AGAINST
 
 
 def test_homing_that_was_stopped_leaves_it_unknown(tmp_path):
@@ -210,16 +210,16 @@ def test_homing_that_was_stopped_leaves_it_unknown(tmp_path):
         yield lambda: table.board.state.value == "Home"
         shop.sender.stop()
 
-    assert shop.send(person, home_first=True).kind == STOPPED and shop.kept.belief == LOST
+    assert shop.send(person, home_first=True).kind == STOPPED and shop.kept.trust == LOST
 
 
 def test_homing_that_is_not_set_up_or_cannot_begin_costs_nothing(shop):
-    assert shop.send(home_first=True).kind == REFUSED and shop.kept.belief == NOTHING_AGAINST
+    assert shop.send(home_first=True).kind == REFUSED and shop.kept.trust == NOTHING_AGAINST
     shop.board.receive(b"G1X-5F600\n")
     shop.board.advance(0.1)
     shop.greet_nobody()
     busy = shop.send(home_first=True)
-    assert busy.error.code == "machine-run" and shop.kept.belief == NOTHING_AGAINST
+    assert busy.error.code == "machine-run" and shop.kept.trust == NOTHING_AGAINST
 
 
 def test_a_greeting_mends_nothing_that_was_lost_before(shop):
@@ -246,7 +246,7 @@ def test_a_stop_and_a_job_that_was_refused_cost_nothing(shop):
 
     assert shop.send(person).kind == STOPPED
     assert shop.send(expected={110: 1.0}).error.code == "settings-differ"
-    assert shop.kept.belief == NOTHING_AGAINST and shop.send().kind == DONE
+    assert shop.kept.trust == NOTHING_AGAINST and shop.send().kind == DONE
 
 
 def test_a_desk_that_loses_its_link_at_rest_has_lost_the_position(shop):
@@ -256,7 +256,7 @@ def test_a_desk_that_loses_its_link_at_rest_has_lost_the_position(shop):
 
     with pytest.raises(LinkError):
         shop.visit(person)
-    assert shop.kept.belief == LOST
+    assert shop.kept.trust == LOST
 
 
 def test_what_a_job_left_held_does_not_go_on_where_the_position_is_unknown(shop):
@@ -311,7 +311,7 @@ def test_what_the_machine_says_while_a_job_is_prepared_costs_the_position_beside
     visit = shop.visit(person)
     assert visit.outcomes[0].kind == (STOPPED if stops else REFUSED)
     assert not visit.outcomes[0].position_known and visit.known is False
-    assert shop.kept.belief == LOST and shop.send().error.code == UNKNOWN
+    assert shop.kept.trust == LOST and shop.send().error.code == UNKNOWN
 
 
 def test_a_stop_while_a_job_is_prepared_costs_nothing(shop):

@@ -171,12 +171,12 @@ def test_newcomer_asks_homes_jogs_zeroes_and_types(port, monkeypatch, tmp_path):
     asked = called("ports", "--ask", port)
     assert asked.returncode == 0 and "grbl 1.1 1.1h.20190830" in asked.stdout and "Alarm" in asked.stdout
     assert "128 bytes" in asked.stdout
-    assert PositionTrustFile.of_port(session_folder(), port).belief == LOST
+    assert PositionTrustFile.of_port(session_folder(), port).trust == LOST
     refused = called("jog", "X-1", "--port", port)
     assert refused.returncode == 1 and "home the machine" in refused.stderr
     homed = called("home", "--port", port)
     assert homed.returncode == 0 and "the machine is homed" in homed.stdout
-    assert PositionTrustFile.of_port(session_folder(), port).belief == NOTHING_AGAINST
+    assert PositionTrustFile.of_port(session_folder(), port).trust == NOTHING_AGAINST
     jogged = called("jog", "X-2", "Y-3", "--port", port, "--feed", "2000")
     assert jogged.returncode == 0 and "X-3.000 Y-4.000" in jogged.stdout.splitlines()[-1]
     zeroed = called("zero", "xy", "--port", port)

@@ -90,7 +90,7 @@ def killed(address: str, folder, moves: int, **job):
     finally_mm = machine.at_rest()
     machine.leave()
     kept = PositionTrustFile.of_port(folder, address)
-    assert kept.belief == LOST
+    assert kept.trust == LOST
     kept.keep(NOTHING_AGAINST)  # as when a person has looked, and set the zero
     return running, machine.lines_made(then_mm), machine.lines_made(finally_mm), read_replay(path)
 

@@ -247,11 +247,11 @@ def test_a_closed_file_of_a_position_stays_and_is_told(folder, close):
     (path,) = folder.iterdir()
     close(path)
     told: list[str] = []
-    assert PositionTrustFile.of_port(folder, "COM4").belief.position_known is None
-    for belief in (LOST._replace(counts_from_here=True), AT_HOME):
+    assert PositionTrustFile.of_port(folder, "COM4").trust.position_known is None
+    for trust in (LOST._replace(counts_from_here=True), AT_HOME):
         file = PositionTrustFile.of_port(folder, "COM3")
-        assert file.belief == LOST
-        file.save_or_warn(belief, lambda kind, text: told.append(text))
+        assert file.trust == LOST
+        file.save_or_warn(trust, lambda kind, text: told.append(text))
     assert list(folder.iterdir()) == [path]
     assert len(told) == 1 and str(path) in told[0] and f"remove it as {path.owner()}" in told[0]
 

@@ -22,18 +22,18 @@ def kept(folder: Path, port: str = "COM3") -> PositionTrustFile:
     return PositionTrustFile.of_port(folder, port)
 
 
-@pytest.mark.parametrize("belief", [LOST, HALF_ZEROED, FROM_HERE])
-def test_what_is_unknown_is_found_again_by_whoever_comes_next(tmp_path, belief):
-    kept(tmp_path).keep(belief)
-    assert kept(tmp_path).belief == belief
-    assert kept(tmp_path, "COM4").belief == NOTHING_AGAINST
+@pytest.mark.parametrize("trust", [LOST, HALF_ZEROED, FROM_HERE])
+def test_what_is_unknown_is_found_again_by_whoever_comes_next(tmp_path, trust):
+    kept(tmp_path).keep(trust)
+    assert kept(tmp_path).trust == trust
+    assert kept(tmp_path, "COM4").trust == NOTHING_AGAINST
 
 
-@pytest.mark.parametrize("belief", [NOTHING_AGAINST, AT_HOME])
-def test_what_is_known_again_leaves_no_file(tmp_path, belief):
+@pytest.mark.parametrize("trust", [NOTHING_AGAINST, AT_HOME])
+def test_what_is_known_again_leaves_no_file(tmp_path, trust):
     kept(tmp_path).keep(LOST)
-    kept(tmp_path).keep(belief)
-    assert kept(tmp_path).belief == NOTHING_AGAINST and not list(tmp_path.iterdir())
+    kept(tmp_path).keep(trust)
+    assert kept(tmp_path).trust == NOTHING_AGAINST and not list(tmp_path.iterdir())
 
 
 def test_names_of_ports_stay_in_the_folder_and_apart(tmp_path):
@@ -55,7 +55,7 @@ def test_a_damaged_file_still_says_that_the_position_was_lost(tmp_path, text):
     kept(tmp_path).keep(FROM_HERE)
     (path,) = tmp_path.iterdir()
     path.write_bytes(text.encode("latin-1"))
-    assert kept(tmp_path).belief == LOST
+    assert kept(tmp_path).trust == LOST
 
 
 def test_a_full_disk_is_refused_in_words_told_once_and_changes_nothing(tmp_path, monkeypatch):
@@ -71,10 +71,10 @@ def test_a_full_disk_is_refused_in_words_told_once_and_changes_nothing(tmp_path,
     assert [kind for kind, _ in told] == ["warning"] and "No space left" in told[0][1]
     with pytest.raises(JobError, match="make room"):
         kept(tmp_path).keep(LOST)
-    assert kept(tmp_path).belief == HALF_ZEROED and len(list(tmp_path.iterdir())) == 1
+    assert kept(tmp_path).trust == HALF_ZEROED and len(list(tmp_path.iterdir())) == 1
 
 
 def test_without_a_path_nothing_is_written():
     file = PositionTrustFile(None)
     file.keep(LOST)
-    assert file.belief == LOST
+    assert file.trust == LOST

@@ -191,8 +191,8 @@ def test_a_board_with_a_serial_number_is_the_same_at_another_name(tmp_path, plug
     plugged[:] = [usb("/dev/ttyUSB0", "AB12CD34", "1-1:1.0")]
     kept(tmp_path, "/dev/ttyUSB0").keep(LOST)
     plugged[:] = [usb("/dev/ttyUSB1", "AB12CD34", "1-7:1.0"), usb("/dev/ttyUSB0", "EF56AB78", "1-1:1.0")]
-    assert kept(tmp_path, "/dev/ttyUSB1").belief == LOST
-    assert kept(tmp_path, "/dev/ttyUSB0").belief == NOTHING_AGAINST  # another board has that name now
+    assert kept(tmp_path, "/dev/ttyUSB1").trust == LOST
+    assert kept(tmp_path, "/dev/ttyUSB0").trust == NOTHING_AGAINST  # another board has that name now
     kept(tmp_path, "/dev/ttyUSB1").keep(AT_HOME)
     assert not list(tmp_path.glob(f"*{POSITION}"))
 
@@ -209,16 +209,16 @@ def test_boards_that_look_alike_are_never_mixed_up(tmp_path, plugged, serial):
     plugged[:] = [first, second]
     assert not is_same_port("/dev/ttyUSB0", "/dev/ttyUSB1")
     kept(tmp_path, "/dev/ttyUSB0").keep(FROM_HERE)
-    assert kept(tmp_path, "/dev/ttyUSB0").belief == FROM_HERE
-    assert kept(tmp_path, "/dev/ttyUSB1").belief == LOST  # it may be the one, moved; its zero is not the other's
+    assert kept(tmp_path, "/dev/ttyUSB0").trust == FROM_HERE
+    assert kept(tmp_path, "/dev/ttyUSB1").trust == LOST  # it may be the one, moved; its zero is not the other's
     kept(tmp_path, "/dev/ttyUSB1").keep(AT_HOME)
-    assert kept(tmp_path, "/dev/ttyUSB1").belief == NOTHING_AGAINST
-    assert kept(tmp_path, "/dev/ttyUSB0").belief == FROM_HERE  # that one was not homed
+    assert kept(tmp_path, "/dev/ttyUSB1").trust == NOTHING_AGAINST
+    assert kept(tmp_path, "/dev/ttyUSB0").trust == FROM_HERE  # that one was not homed
     first.device, second.device = "/dev/ttyUSB1", "/dev/ttyUSB0"  # the computer has started anew
-    assert kept(tmp_path, "/dev/ttyUSB1").belief == FROM_HERE
-    assert kept(tmp_path, "/dev/ttyUSB0").belief == NOTHING_AGAINST
+    assert kept(tmp_path, "/dev/ttyUSB1").trust == FROM_HERE
+    assert kept(tmp_path, "/dev/ttyUSB0").trust == NOTHING_AGAINST
     plugged[:] = [usb("/dev/ttyUSB2", serial, "1-9:1.0")] * 2
-    assert kept(tmp_path, "/dev/ttyUSB2").belief == LOST  # moved to where none was homed since
+    assert kept(tmp_path, "/dev/ttyUSB2").trust == LOST  # moved to where none was homed since
 
 
 def test_what_a_board_loses_later_counts_again_for_one_that_was_homed(tmp_path, plugged):
@@ -227,24 +227,24 @@ def test_what_a_board_loses_later_counts_again_for_one_that_was_homed(tmp_path, 
     kept(tmp_path, "/dev/ttyUSB1").keep(AT_HOME)
     again = kept(tmp_path, "/dev/ttyUSB0")
     again.keep(LOST)  # in another connection
-    assert kept(tmp_path, "/dev/ttyUSB1").belief == LOST
+    assert kept(tmp_path, "/dev/ttyUSB1").trust == LOST
     kept(tmp_path, "/dev/ttyUSB1").keep(AT_HOME)
     again.keep(LOST)  # as at each turn of that connection
-    assert kept(tmp_path, "/dev/ttyUSB1").belief == NOTHING_AGAINST
+    assert kept(tmp_path, "/dev/ttyUSB1").trust == NOTHING_AGAINST
 
 
 def test_a_board_of_another_kind_at_the_same_name_is_another(tmp_path, plugged):
     plugged[:] = [usb("/dev/ttyUSB0", None, "1-1:1.0")]
     kept(tmp_path, "/dev/ttyUSB0").keep(LOST)
     plugged[:] = [usb("/dev/ttyUSB0", None, "1-1:1.0", board=(0x2341, 0x0043))]
-    assert kept(tmp_path, "/dev/ttyUSB0").belief == NOTHING_AGAINST
+    assert kept(tmp_path, "/dev/ttyUSB0").trust == NOTHING_AGAINST
 
 
 def test_a_serial_number_that_is_not_read_this_time_changes_nothing(tmp_path, plugged):
     plugged[:] = [usb("COM3", "AB12CD34", None)]
     kept(tmp_path, "COM3").keep(LOST)
     plugged.clear()
-    assert kept(tmp_path, "com3").belief == LOST
+    assert kept(tmp_path, "com3").trust == LOST
 
 
 # --- hosts that share an address -----------------------------------------------------------------
@@ -260,10 +260,10 @@ def test_what_one_host_has_lost_is_not_forgotten_at_another_of_its_address(tmp_p
     kept(tmp_path, MILL).keep(FROM_HERE)
     hosts.clear()
     hosts.update(later)
-    assert kept(tmp_path, LATHE).belief == LOST  # it may be the mill
+    assert kept(tmp_path, LATHE).trust == LOST  # it may be the mill
     kept(tmp_path, LATHE).keep(AT_HOME)
-    assert kept(tmp_path, LATHE).belief == NOTHING_AGAINST
-    assert kept(tmp_path, MILL).belief == FROM_HERE  # that one was not homed
+    assert kept(tmp_path, LATHE).trust == NOTHING_AGAINST
+    assert kept(tmp_path, MILL).trust == FROM_HERE  # that one was not homed
     kept(tmp_path, MILL).keep(AT_HOME)
     assert not list(tmp_path.iterdir())
 
@@ -272,9 +272,9 @@ def test_a_loss_that_comes_later_counts_again_for_the_host_that_was_homed(tmp_pa
     hosts.update(SHARED)
     kept(tmp_path, MILL).keep(LOST)
     kept(tmp_path, LATHE).keep(AT_HOME)
-    assert kept(tmp_path, LATHE).belief == NOTHING_AGAINST
+    assert kept(tmp_path, LATHE).trust == NOTHING_AGAINST
     kept(tmp_path, MILL).keep(LOST)  # in another connection
-    assert kept(tmp_path, LATHE).belief == LOST
+    assert kept(tmp_path, LATHE).trust == LOST
 
 
 def test_each_host_of_an_address_has_a_file_of_its_own(tmp_path, hosts):
@@ -283,7 +283,7 @@ def test_each_host_of_an_address_has_a_file_of_its_own(tmp_path, hosts):
         kept(tmp_path, url).keep(LOST)
     assert len(list(tmp_path.iterdir())) == 3
     kept(tmp_path, LATHE).keep(AT_HOME)
-    assert len(list(tmp_path.iterdir())) == 2 and kept(tmp_path, MILL).belief == LOST
+    assert len(list(tmp_path.iterdir())) == 2 and kept(tmp_path, MILL).trust == LOST
 
 
 def test_a_file_of_an_earlier_version_under_a_shared_address_is_not_overwritten(tmp_path, hosts):
@@ -296,7 +296,7 @@ def test_a_file_of_an_earlier_version_under_a_shared_address_is_not_overwritten(
     write_private(path, {"port_identity": identity, "counts_from_here": True, "zeroed": ""})
     kept(tmp_path, "socket://192.0.2.7:23").keep(LOST)
     kept(tmp_path, "socket://192.0.2.7:23").keep(AT_HOME)
-    assert list(tmp_path.iterdir()) == [path] and kept(tmp_path, MILL).belief == FROM_HERE
+    assert list(tmp_path.iterdir()) == [path] and kept(tmp_path, MILL).trust == FROM_HERE
 
 
 def test_an_older_file_of_an_address_alone_is_in_doubt_for_its_host(tmp_path, hosts):
@@ -304,9 +304,9 @@ def test_an_older_file_of_an_address_alone_is_in_doubt_for_its_host(tmp_path, ho
     url = "socket://192.0.2.7:23"
     path = tmp_path / _old_name(url, hashlib.sha256(url.encode("utf-8")).hexdigest()[:16])
     write_private(path, {"counts_from_here": True, "zeroed": ""})
-    assert kept(tmp_path, MILL).belief == LOST
+    assert kept(tmp_path, MILL).trust == LOST
     kept(tmp_path, MILL).keep(AT_HOME)
-    assert kept(tmp_path, MILL).belief == NOTHING_AGAINST and kept(tmp_path, url).belief == FROM_HERE
+    assert kept(tmp_path, MILL).trust == NOTHING_AGAINST and kept(tmp_path, url).trust == FROM_HERE
 
 
 def test_names_of_one_host_share_what_is_known(tmp_path, hosts):
@@ -314,9 +314,9 @@ def test_names_of_one_host_share_what_is_known(tmp_path, hosts):
     kept(tmp_path, MILL).keep(LOST)
     hosts.update(dict.fromkeys(hosts, ("192.0.2.9",)))  # both have moved
     fraese = kept(tmp_path, "socket://fraese:23")
-    assert fraese.belief == LOST
+    assert fraese.trust == LOST
     fraese.keep(LOST._replace(zeroed=frozenset("XY")))
-    assert kept(tmp_path, MILL).belief == LOST._replace(zeroed=frozenset("XY")) and len(list(tmp_path.iterdir())) == 1
+    assert kept(tmp_path, MILL).trust == LOST._replace(zeroed=frozenset("XY")) and len(list(tmp_path.iterdir())) == 1
     kept(tmp_path, MILL).keep(AT_HOME)
     assert not list(tmp_path.iterdir())
 
@@ -326,9 +326,9 @@ def test_without_an_answer_nothing_is_forgotten(tmp_path, hosts, silent):
     hosts.update(SHARED)
     kept(tmp_path, MILL).keep(FROM_HERE)
     hosts[silent] = None
-    assert kept(tmp_path, LATHE).belief == LOST
+    assert kept(tmp_path, LATHE).trust == LOST
     kept(tmp_path, LATHE).keep(AT_HOME)
-    assert kept(tmp_path, MILL).belief == FROM_HERE and kept(tmp_path, LATHE).belief == NOTHING_AGAINST
+    assert kept(tmp_path, MILL).trust == FROM_HERE and kept(tmp_path, LATHE).trust == NOTHING_AGAINST
 
 
 def test_a_job_at_a_host_of_the_same_address_is_not_taken_for_ones_own(tmp_path, hosts):
@@ -358,8 +358,8 @@ def test_files_of_earlier_versions_are_found_under_other_names(tmp_path, plugged
     digest = hashlib.sha256(old.encode("utf-8")).hexdigest()[:16]
     write_private(tmp_path / f"old-{digest}{POSITION}", {"counts_from_here": False, "zeroed": "XY"})
     (tmp_path / f"old-{digest}{POSITION}").rename(tmp_path / _old_name(old, digest))
-    assert kept(tmp_path, new).belief == LOST._replace(zeroed=frozenset("XY"))
-    assert kept(tmp_path, "socket://192.0.2.99:4").belief == NOTHING_AGAINST
+    assert kept(tmp_path, new).trust == LOST._replace(zeroed=frozenset("XY"))
+    assert kept(tmp_path, "socket://192.0.2.99:4").trust == NOTHING_AGAINST
     kept(tmp_path, new).keep(AT_HOME)
     assert not list(tmp_path.iterdir())
 
@@ -386,9 +386,9 @@ def test_a_damaged_list_of_boards_homed_since_says_nothing(tmp_path, plugged, kn
     path.unlink()
     content = {"port_identity": identify("/dev/ttyUSB0").to_json(), "counts_from_here": False, "zeroed": ""}
     write_private(path, content | {"known_at": known_at})
-    assert kept(tmp_path, "/dev/ttyUSB1").belief == LOST
+    assert kept(tmp_path, "/dev/ttyUSB1").trust == LOST
     kept(tmp_path, "/dev/ttyUSB1").keep(AT_HOME)
-    assert kept(tmp_path, "/dev/ttyUSB1").belief == NOTHING_AGAINST
+    assert kept(tmp_path, "/dev/ttyUSB1").trust == NOTHING_AGAINST
 
 
 @pytest.mark.parametrize(
