@@ -35,7 +35,7 @@ class Tabs(BaseModel):
 
 
 class Lead(BaseModel):
-    """The way to or from a contour, in the scrap beside it.
+    """The way to or from a contour, through the scrap.
 
     A line of length_mm meets the contour at angle_deg (90: square to it); an arc of radius_mm meets it along its
     tangent and turns by angle_deg.

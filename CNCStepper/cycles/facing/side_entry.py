@@ -34,7 +34,7 @@ class Surroundings:
 
 
 def lead_to(curve: Curve, around: Surroundings) -> np.ndarray | None:
-    """Return from where a straight way leads to the begin of a curve, the tool beside the stock there; None if nowhere.
+    """Return the begin of a straight lead to a curve, with the tool outside the stock; None if there is none.
 
     The way goes along the curve's own direction or square to it, and covers nothing that is to stay.
     """

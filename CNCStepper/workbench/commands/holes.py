@@ -14,7 +14,7 @@ class Holes(Operation):
     """Adds an operation that makes holes."""
 
     def values(self, job: Any, tool: Any, is_drawn: bool) -> dict[str, Any]:
-        """Return values that fit the stock: in a pattern in its middle, or where the drawing says."""
+        """Return values that fit the stock: in a pattern in its middle, or at the drawing's places."""
         return default_values.holes(tuple(job.StockSize), job.StockOrigin, is_drawn)
 
 

@@ -11,7 +11,7 @@ from CNCStepper.workbench.services.translation import tr
 
 
 class ClosingGuard(QtCore.QObject):
-    """Watches one window; `link` is asked whether a job runs, told to stop it, and left when FreeCAD ends."""
+    """Guards one window; `link` is asked for a running job, stopped, and left when FreeCAD ends."""
 
     def __init__(self, window: Any, link: Any):
         super().__init__(window)
@@ -21,7 +21,7 @@ class ClosingGuard(QtCore.QObject):
         QtCore.QCoreApplication.instance().aboutToQuit.connect(self._quit)
 
     def eventFilter(self, watched: Any, event: Any) -> bool:
-        """Keep the window open when a job runs and somebody thinks better of closing it."""
+        """Keep the window open when a job runs and the user cancels the closing."""
         if not isinstance(event, QtCore.QEvent) or event.type() != QtCore.QEvent.Type.Close:
             return False  # PySide2 may take an event for a deleted object that lay at its address
         if not self._link.moment.job_runs:

@@ -51,7 +51,7 @@ class Drawn:
     doubled: tuple[tuple[DrawnCurve, DrawnCurve], ...]
 
     def remarks(self) -> list[str]:
-        """Return what a person should know of them."""
+        """Return remarks on the drawings."""
         pairs = dict.fromkeys((out.label, kept.label) for out, kept in self.doubled)
         said = [f"'{out}' is drawn where '{kept}' is, and counts once" for out, kept in pairs]
         heights = [each.height_mm for each in self.curves]

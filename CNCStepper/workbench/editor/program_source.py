@@ -63,7 +63,7 @@ class FileSource:
         return _ended(text)
 
     def language(self, machine: Any) -> Language:
-        """Return how it is read, on a machine's profile."""
+        """Return the dialect and settings of its job."""
         return Language(machine.controller, str(self.path or ""), machine)
 
     def save(self, text: str) -> FileSource:

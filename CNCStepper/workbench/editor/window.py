@@ -34,7 +34,7 @@ class EditorDock(QtGui.QDockWidget):
         self._name()
 
     def closeEvent(self, event: Any) -> None:
-        """Go, unless somebody thinks better of losing what is not saved."""
+        """Close, unless the user cancels because of unsaved text."""
         if not messages.guarded(self.panel.may_close)():
             event.ignore()
             return
@@ -62,7 +62,7 @@ class ClosingGuard(QtCore.QObject):
         QtCore.QCoreApplication.instance().aboutToQuit.connect(self._quit)
 
     def eventFilter(self, watched: Any, event: Any) -> bool:
-        """Keep the window open when somebody thinks better of closing it."""
+        """Keep the window open when the user cancels the closing."""
         if not isinstance(event, QtCore.QEvent) or event.type() != QtCore.QEvent.Type.Close:
             return False  # PySide2 may take an event for a deleted object that lay at its address
         for dock in docks():

@@ -32,7 +32,7 @@ def save_as(job: Any) -> None:
 
 
 def proposed(job: Any) -> Path:
-    """Return the file that is proposed: beside the document, named as the job."""
+    """Return the proposed file: in the document's folder, named as the job."""
     folder = Path(job.Document.FileName).parent if job.Document.FileName else Path.home()
     return folder / f"{job.Label.replace('/', '-')}.nc"
 

@@ -69,7 +69,7 @@ class RestartPanel(QtGui.QWidget):
         self._more.setVisible(bool(more))
 
     def show_choice(self, where: RequestedPlace) -> None:
-        """Say which place is chosen, and mark it where it stands in the list."""
+        """Show the chosen place, and mark it in the list."""
         text, values = chosen(where, self.places.rows)
         self._choice.setText(tr(text).format(*values))
         self.places.mark(row_of(where, self.places.rows))
@@ -77,7 +77,7 @@ class RestartPanel(QtGui.QWidget):
             self._set(self.line, line)
 
     def ask_time(self, asked: bool) -> None:
-        """Let a person say which of its runs is meant, for a line that is run more than once."""
+        """Ask which run of a line is meant, for a line that is run more than once."""
         if not asked:
             self._set(self.time, 0)
         for widget in (self.time, self._time_label):

@@ -42,14 +42,14 @@ class Row:
 
 
 def rows_of(told: Mapping[str, Any]) -> list[Row]:
-    """Return the list of what `recovery/restart/place_list.py` tells: each operation before its contours."""
+    """Return the rows of `recovery/restart/place_list.py`: each operation before its contours."""
     operations = [Row(OPERATION, number, line, name) for number, line, name in told["operations"]]
     contours = [Row(CONTOUR, *contour) for contour in told["contours"]]
     return list(merge(operations, contours, key=attrgetter("line")))
 
 
 def chosen(where: RequestedPlace, rows: Sequence[Row]) -> tuple[str, tuple[object, ...]]:
-    """Return the sentence, still to be translated, that says which place is chosen, and its values."""
+    """Return the sentence for the chosen place, still to be translated, and its values."""
     if where.at_mm:
         return CHOSEN["point"], (" ".join(f"{axis}{mm:.3f}" for axis, mm in zip("XYZ", where.at_mm, strict=False)),)
     if where.contour:

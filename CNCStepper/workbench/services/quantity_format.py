@@ -33,7 +33,7 @@ def clock_text(time_s: float) -> str:
 
 
 def steps_text(steps: Sequence[int]) -> str:
-    """Return where the motors stand, in steps."""
+    """Return the motors' positions as text, in steps."""
     places = (f"{name} {count}" for name, count in zip("XYZ", steps, strict=False))
     return tr("Motor steps: {0}").format("  ".join(places))
 

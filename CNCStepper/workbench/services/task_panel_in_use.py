@@ -7,7 +7,7 @@ from CNCStepper.errors import JobError
 
 
 def require_free() -> None:
-    """Raise JobError when another task stands open in the task panel."""
+    """Raise JobError when another task is open in the task panel."""
     import FreeCADGui
 
     if FreeCADGui.Control.activeDialog():

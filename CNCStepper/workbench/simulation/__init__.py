@@ -7,7 +7,7 @@ from typing import Any
 
 
 def open_simulation(job_object: Any) -> Any:
-    """Open the task panel of a job's simulation and return it; another task panel that stands open is left alone.
+    """Open the task panel of a job's simulation and return it; another open task panel is left alone.
 
     Raises JobError when there is one.
     """

@@ -40,7 +40,7 @@ class TypedLine(QtGui.QLineEdit):
 
 
 class ConsoleView(QtGui.QWidget):
-    """What was said, and below it the line to type; `send` gets each line."""
+    """The messages, and below them the line to type; `send` gets each line."""
 
     def __init__(self, send: Callable[[str], None]):
         super().__init__()
@@ -65,7 +65,7 @@ class ConsoleView(QtGui.QWidget):
         widgets.lock(self.line, why_not("console", moment), RULES["console"].does)
 
     def on_message(self, text: str) -> None:
-        """Show what the controller has said, or why a line was not sent."""
+        """Show a message of the controller, or why a line was not sent."""
         self.said.appendPlainText(text)
 
     def _typed(self) -> None:

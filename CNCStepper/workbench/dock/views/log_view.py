@@ -28,6 +28,6 @@ class LogView(QtGui.QPlainTextEdit):
         self.setMinimumHeight(self.fontMetrics().lineSpacing() * LINES_SHOWN)
 
     def say(self, kind: str, text: str) -> None:
-        """Add a sentence with the time of day; a warning says that it is one."""
+        """Add a sentence with the time of day; warnings are marked."""
         sentence = tr("{0}: {1}").format(tr(KINDS[kind]), text) if kind in KINDS else text
         self.appendPlainText(f"{time.strftime('%H:%M:%S')}  {sentence}")

@@ -30,7 +30,7 @@ def joined(earlier: Change | None, first: int, removed: int, added: int) -> Chan
 
 
 def moved(line: int, first: int, removed: int, added: int) -> int:
-    """Return where a line stands after a change, all counted from 1 but `first`, from 0; lines that went are at it."""
+    """Return a line's number after a change, all counted from 1 but `first`, from 0; removed lines give `first`."""
     if line <= first:
         return line
     if line <= first + removed:
