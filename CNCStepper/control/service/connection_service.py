@@ -89,9 +89,7 @@ class ConnectionService:
         self._driver: Grbl | None = None
         self._idle: IdleController | None = None
         self._run: JobRun | None = None
-        self._trust: PositionTrust | None = (
-            None  # with which the job began: its own resets at standstill do not change it
-        )
+        self._trust: PositionTrust | None = None  # at the job's begin: its own resets at standstill keep it
         self._last_done: SendJob | None = None  # what a start button lets run again
         self._stands = PauseCounter()
         self._connected = False

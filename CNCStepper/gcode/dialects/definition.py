@@ -119,9 +119,7 @@ class Dialect:
     cancel_yields: bool = False  # G80 may share a line with another motion, which counts
     cancel_takes_no_axes: bool = False  # beside G80 on the line, not even those of G43.1
     # motion
-    compensates_backlash: bool = (
-        False  # the controller knows the backlash of its axes, so that a sender leaves it alone
-    )
+    compensates_backlash: bool = False  # the controller compensates the backlash of its axes itself
     first_motion: int = NO_MOTION
     repeats: frozenset[int] = frozenset((RAPID, LINE, ARC_CW, ARC_CCW)) | CYCLES
     arc_needs_plane_axis: bool = False
