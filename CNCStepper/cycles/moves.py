@@ -46,7 +46,7 @@ class Track:
 
 
 class Moves:
-    """Appends movements to a table and knows where the tool stands."""
+    """Appends movements to a table and keeps the tool's position."""
 
     def __init__(self, table: TableBuilder, setup: Setup):
         self._table = table
@@ -55,7 +55,7 @@ class Moves:
 
     @property
     def z_mm(self) -> float:
-        """The height at which the tool stands."""
+        """The tool's height."""
         return self.position[2]
 
     def approach(self, xy: Point) -> None:
@@ -78,7 +78,7 @@ class Moves:
         self._feed((*xy, z_mm), self.sinking_feed(feed_mm_min, run_mm, self.z_mm - z_mm))
 
     def follow(self, curve: Curve, feed_mm_min: float) -> None:
-        """Run along `curve`, which begins where the tool stands, at this height."""
+        """Run along `curve`, which begins at the tool's position, at this height."""
         z_mm = self.z_mm
         rows = zip(curve.xy[1:].tolist(), curve.bulge.tolist(), curve.centres.tolist(), strict=True)
         for (x, y), bulge, (i, j) in rows:
@@ -88,7 +88,7 @@ class Moves:
                 self._feed((x, y, z_mm), feed_mm_min)
 
     def run(self, track: Track, feed_mm_min: float) -> None:
-        """Run along a track, which begins where the tool stands, at this height."""
+        """Run along a track, which begins at the tool's position, at this height."""
         z_mm = self.z_mm
         self._table.add_cuts(
             track.kind, np.column_stack([track.xy, np.full(len(track.xy), z_mm)]), track.centre, feed_mm_min
@@ -96,7 +96,7 @@ class Moves:
         self.position = (*track.end, z_mm)
 
     def slope(self, curve: Curve, z_mm: float, feed_mm_min: float) -> None:
-        """Run along `curve`, which begins where the tool stands, with even fall to `z_mm` (as slowly as it must)."""
+        """Run along `curve`, which begins at the tool's position, with even fall to `z_mm` (as slowly as it must)."""
         top_mm, length_mm = self.z_mm, curve.length_mm
         feed_mm_min = self.sinking_feed(feed_mm_min, length_mm, top_mm - z_mm)
         heights = (top_mm + (z_mm - top_mm) * curve.before_mm[1:] / length_mm).tolist()
@@ -109,13 +109,13 @@ class Moves:
                 self._feed((x, y, height), feed_mm_min)
 
     def hop(self, curve: Curve, lift_mm: float) -> None:
-        """Go up and by rapids along straight lines, there to stay; `curve` begins where the tool stands."""
+        """Go up and by rapids along straight lines, and stay up; `curve` begins at the tool's position."""
         z_mm = self.z_mm + lift_mm
         for xy in curve.xy.tolist():
             self._rapid((*xy, z_mm))
 
     def turn(self, centre: Point, z_mm: float, feed_mm_min: float, *, clockwise: bool = False) -> None:
-        """Run one full turn about `centre`, counter-clockwise unless told, ending at height `z_mm`."""
+        """Run one full turn about `centre`, counter-clockwise by default, ending at height `z_mm`."""
         radius_mm = math.dist(centre, self.position[:2])
         feed_mm_min = self.sinking_feed(feed_mm_min, 2.0 * math.pi * radius_mm, self.z_mm - z_mm)
         end = (*self.position[:2], z_mm)

@@ -18,7 +18,7 @@ def require_flat(tool: Tool) -> None:
 
 
 def require_stepover(stepover_mm: float, tool: Tool, says: str = "stepover_mm (ae)") -> None:
-    """Raise CycleError when passes are farther apart than the tool is wide; says: how the key is called."""
+    """Raise CycleError when passes are farther apart than the tool is wide; says: the key's name."""
     if stepover_mm > tool.diameter_mm:
         raise CycleError(
             "stepover-wide",

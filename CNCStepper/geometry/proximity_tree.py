@@ -151,7 +151,7 @@ def near_neighbours(rows, own, x, y, limit):
 
 @njit
 def looks(rows, spines, places, own, limit, dead):
-    """Return what `look` says of each place, float64[m, 2], with its own `dead`, float64[m], and row, int64[m]."""
+    """Return the result of `look` for each place, float64[m, 2], with its own `dead`, float64[m], and row, int64[m]."""
     found, stack = np.empty(len(places), np.int64), np.empty(DEEPEST, np.int64)
     for place in range(len(places)):
         x, y = places[place, 0], places[place, 1]

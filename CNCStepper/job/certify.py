@@ -63,7 +63,7 @@ class Sent(Protocol):
 
     @property
     def messages(self) -> Mapping[int, str]:
-        """What to tell the operator before lines, by their index from 0."""
+        """Messages to the operator, by the index (from 0) of the line after them."""
 
     @property
     def sha256(self) -> str:
@@ -71,7 +71,7 @@ class Sent(Protocol):
 
 
 class Proven(Protocol):
-    """What a certificate says of a proof; plan: as `milestones` gives it, cell_mm: of the cut part, None for none."""
+    """A proof in a certificate; plan: from `milestones`, cell_mm: of the cut part, None for none."""
 
     @property
     def wire(self) -> Sent:

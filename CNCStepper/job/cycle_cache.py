@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A cycle that is cut once for all who ask with the same setup: its operation for the figures, its job for the program.
+"""Caches a cut cycle by its setup: its operation for the figures, its job for the program.
 
 An operation's proxy keeps the one it cut last. It holds the moves of that cut; whoever asks again gets a copy
 of them in his own table.

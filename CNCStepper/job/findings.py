@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a job says of its own program: notes of its files, feeds out of range, warnings of its cycles."""
+"""Findings of a job about its own program: notes of its files, feeds out of range, warnings of its cycles."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def findings_of(
     file: str,
     first: int = 0,
 ) -> Iterator[Finding]:
-    """Yield all that a job says of its program, of which `lines` and `spans` were read back.
+    """Yield all findings of a job on its program, of which `lines` and `spans` were read back.
 
     answers: those of its operations. first: how many of the job's operations the programs before this one hold.
     """

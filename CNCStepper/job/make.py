@@ -99,7 +99,7 @@ def _removals(answers: list[Answer]) -> list[Removal]:
 
 
 def operation_name(operation: Cycle) -> str:
-    """Return the words by which a person knows the operation."""
+    """Return the operation's name for people."""
     return operation.cycle.replace("_", " ")
 
 

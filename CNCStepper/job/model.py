@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The job: what a job file or a FreeCAD document says, checked whole before anything is made."""
+"""The job model: the content of a job file or a FreeCAD document, validated whole before use."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The planned times that a sender is given: enough to tell what remains, however long the program is."""
+"""The planned times for a sender: enough for the remaining time of a program of any length."""
 
 from __future__ import annotations
 

@@ -103,7 +103,7 @@ def read_question(folder: Path) -> tuple[str, Job, Machine]:
 
 
 def proven_file(folder: Path) -> str:
-    """Return the program's file as the proof had it: subroutines are looked for beside it."""
+    """Return the path of the proven program's file; subroutines are looked for in its folder."""
     return str(json.loads((folder / RESULT).read_text("utf-8"))["program"])
 
 

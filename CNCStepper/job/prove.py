@@ -292,7 +292,7 @@ def operations_before(job: Job, parts: int) -> int:
 
 
 def with_answers(proof: AnyProof, answers: Sequence[Answer]) -> AnyProof:
-    """Return a proof whose report tells what its job's cycles answered."""
+    """Return a proof whose report has the answers of its job's cycles."""
     told = [
         operation | {"figures": answer.figures, "rest_corners": [asdict(corner) for corner in answer.corners]}
         for operation, answer in zip(proof.report["operations"], answers, strict=False)
@@ -301,7 +301,7 @@ def with_answers(proof: AnyProof, answers: Sequence[Answer]) -> AnyProof:
 
 
 def with_findings(proof: AnyProof, more: Sequence[Finding]) -> AnyProof:
-    """Return a proof in which more was found; its report tells of it too."""
+    """Return a proof with further findings, in its report too."""
     findings = worst_first([*proof.findings, *more])
     counts = {f"{kind}s": sum(one.severity == kind for one in findings) for kind in ("error", "warning")}
     told = {"findings": [finding.as_dict() for finding in findings]}

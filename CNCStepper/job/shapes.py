@@ -125,7 +125,7 @@ WAYS = ("polygon_mm", "circle_mm", "rectangle_mm", "ellipse_mm", "points", "dxf"
 
 @dataclass(frozen=True)
 class Shapes:
-    """The curves of each shape by name, and what a person should know of the drawings they came from."""
+    """The curves of each shape by name, and notes on their drawings."""
 
     curves: dict[str, tuple[Curve, ...]] = field(default_factory=dict)
     notes: tuple[str, ...] = ()

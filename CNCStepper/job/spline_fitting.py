@@ -125,7 +125,7 @@ KINDS: dict[str, type[Line]] = {"Ellipse": Ellipse, "Spline": Spline}
 
 
 def fit_of(line: Line, tolerance_mm: float) -> Curve:
-    """Return arcs and lines that stand for a line, those that are kept or new ones; raises GeometryError."""
+    """Return arcs and lines in place of a line, cached or new ones; raises GeometryError."""
     key = line.key(tolerance_mm)
     if key not in _fits:
         _keep(key, line.fit(tolerance_mm * SAMPLED))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Whether an operation fits into the stock, said of its parameters alone, before anything is computed.
+"""Checks that an operation fits into the stock, from its parameters alone, before any calculation.
 
 depth_mm, through_mm ──► below the stock's bottom?      what is drawn, seen from above ──► outside the stock's outline?
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The tools of a job that stand in a file of their own: `tools = "shop.fctl"` beside the `[[tool]]` tables.
+"""The tools of a job in a file of their own: `tools = "shop.fctl"` beside the `[[tool]]` tables.
 
     tools = "shop.fctl"                                   FreeCAD's library, or one bit: "mill.fctb"
     tools = { file = "tool.tbl", unit_mm = 25.4 }         LinuxCNC's table; its unit is a mm where nothing is said

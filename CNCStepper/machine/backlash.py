@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The play (backlash) of the axes: how far a motor must stand ahead of what it moves, and when it takes that up.
+"""The backlash of the axes: how far a motor is ahead of its axis, and when it is taken up.
 
     motor   -->|#####|        going +: the motor stands `ahead` of the tool's place
     tool        |   |
@@ -51,11 +51,11 @@ class Backlash:
         return any(self.backlash_mm)
 
     def ahead_mm(self, axis: int, sense: int) -> float:
-        """Return how far the motor of an axis that goes in a sense stands ahead of its tool, with its sign."""
+        """Return how far the motor of an axis that goes in a sense is ahead of its tool, with its sign."""
         return 0.0 if sense in (0, self.true_sense[axis]) else sense * self.backlash_mm[axis]
 
     def ahead_after(self, axis: int, ahead_mm: float, way_mm: float) -> float:
-        """Return how far a motor stands ahead of its tool after a way that nobody takes up: only a side pushes."""
+        """Return how far a motor is ahead of its tool after an uncompensated move: only one side pushes."""
         low, high = sorted(self.ahead_mm(axis, sense) for sense in (1, -1))
         return min(max(ahead_mm + way_mm, low), high)
 
@@ -80,7 +80,7 @@ class Backlash:
 
 
 class Motors:
-    """Where the motors stand while the tool goes its way; NaN where that is not known."""
+    """The motors' positions during a tool path; NaN where unknown."""
 
     def __init__(self, play: Backlash, position_mm: Sequence[float]):
         self.play = play

@@ -85,7 +85,7 @@ def feeds_of(tool: Tool, material: Material, machine: Machine | None = None) -> 
 
 
 def remarks_on(tool: Tool, material: Material, machine: Machine | None = None) -> tuple[Remark, ...]:
-    """Return what is to be said of a tool in a material, also where it is of no use there."""
+    """Return the remarks on a tool in a material, also where it is of no use there."""
     try:
         return () if tool.shape in BEAMS else feeds_of(tool, material, machine).remarks
     except JobError as error:

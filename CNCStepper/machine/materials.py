@@ -79,7 +79,7 @@ class Material(_Checked):
 
 
 def material_names() -> list[str]:
-    """Return the names that `material` knows."""
+    """Return the names of all materials."""
     return list(_materials())
 
 

@@ -193,7 +193,7 @@ class Retreat(_Checked):
 
 
 class Machine(_Checked):
-    """A whole machine profile; the unit of each value stands in its name.
+    """A whole machine profile; the unit of each value is in its name.
 
     tool_change: "pause" (retract, M5, a message, M0), "split" (a file a tool) or "m6". tool_length: what is done about
     the length of a new tool: "touch_off" (the operator sets the Z zero with it), "table" (its length offset: G43 H, or

@@ -53,7 +53,7 @@ class Cutter:
         return self.form.corner_mm or (self.radius_mm - self.floor_mm) * self.form.slope
 
     def discs(self, up_to_mm: float = np.inf, step_mm: float = DISC_STEP_MM) -> tuple[np.ndarray, np.ndarray]:
-        """Return heights above the tip and radii of the discs that stand for the cutter, rising.
+        """Return heights above the tip and radii of discs that approximate the cutter, rising.
 
         up_to_mm: higher ones are left out, but for the next one. step_mm: along the profile.
         """

@@ -112,7 +112,7 @@ class Cylinder(Stock):
         return shapely.Point(*self._axis_mm).buffer(self.size_mm[0] / 2, quad_segs=64)
 
     def tops_mm(self, x_mm: np.ndarray, y_mm: np.ndarray) -> np.ndarray:
-        """Return the height of the top at the cells' centres; beside the cylinder it is the bottom."""
+        """Return the height of the top at the cells' centres; outside the cylinder it is the bottom."""
         steps = [float(c[1] - c[0]) if len(c) > 1 else self.size_mm[0] for c in (x_mm, y_mm)]
         return np.where(self.shares(x_mm, y_mm, (steps[0], steps[1])) > 0.0, self.top_mm, self.bottom_mm)
 

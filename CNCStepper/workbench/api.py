@@ -159,7 +159,7 @@ def add_freehand(
 
 
 def require_valid(job: Any) -> None:
-    """Raise JobError when the job or what it stands on has an error, or has changed since it was recomputed."""
+    """Raise JobError when the job or an object it depends on has an error, or has changed since its recompute."""
     require_parts([*job.OutListRecursive, job])
     stale = [obj.Label for obj in [job, *job.OutListRecursive] if "Touched" in obj.State]
     if stale:

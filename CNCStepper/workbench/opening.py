@@ -22,7 +22,7 @@ def first(workbench: Any) -> None:
 
 @guarded
 def every() -> None:
-    """Look what is missing, and say so the first time; take up a machine that a window before this one left.
+    """Report missing packages the first time; attach to a machine that an earlier window left connected.
 
     What a first cut needs is compiled, where it is not.
     """

@@ -63,7 +63,7 @@ def missing(*names: str) -> list[str]:
 
 
 def require(*names: str) -> None:
-    """Raise MissingPackage, which says how to get them, when one of the packages cannot be found."""
+    """Raise MissingPackage with install instructions when one of the packages cannot be found."""
     if _found.issuperset(names or NEEDED):
         return
     lacking = missing(*(names or NEEDED))

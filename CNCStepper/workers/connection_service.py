@@ -28,7 +28,7 @@ from CNCStepper.workers.sender import SWITCH_S
 
 
 def main(arguments: list[str]) -> int:
-    """Be the desk whose file is `arguments[0]`; return the exit status, 0 when it was left or told to end."""
+    """Run the service of the file `arguments[0]`; return the exit status, 0 when it was left or stopped."""
     sys.setswitchinterval(SWITCH_S)
     go_first()
     path, port, baud = Path(arguments[0]), arguments[1], int(arguments[2])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How a worker process hears questions and tells answers, each a line of JSON, until nobody asks any more."""
+"""The protocol of a worker process: a JSON line per question and per answer, until its input closes."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ Questions = SimpleQueue[dict[str, Any]]
 
 
 def serve(answer: Callable[[Questions], None], code: str, doing: str) -> int:
-    """Let `answer` take the questions of standard input for ever; tell the error that ends it, and return 1.
+    """Let `answer` take the questions of standard input until an error; report that error, and return 1.
 
     code, doing: of a fault of ours, as in "timeline-fault" and "the timeline".
     """

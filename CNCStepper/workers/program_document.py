@@ -67,7 +67,7 @@ class ProgramText:
         self._todo = [self._read, self._time]
 
     def go_on(self, tell: Tell, go_on: GoOn) -> None:
-        """Find the next thing out and tell it; raises Abandoned when a newer text has come meanwhile."""
+        """Compute the next result and report it; raises Abandoned when a newer text has come."""
         self._todo[0](tell, go_on)
         if not go_on():
             raise Abandoned

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The process that knows the part at any moment: `python -m CNCStepper.workers.simulation_timeline FOLDER`.
+"""The process of the simulation timeline: `python -m CNCStepper.workers.simulation_timeline FOLDER`.
 
 FOLDER is one in which a proof was answered (`proof_folder`). Each line on standard input asks for one thing, in JSON;
 each is answered by one line on standard output, in the same order:
@@ -37,7 +37,7 @@ def main(arguments: list[str]) -> int:
 
 
 class Answers:
-    """The timeline of a proven program and what was told of it."""
+    """The timeline of a proven program and the answers sent about it."""
 
     def __init__(self, folder: Path):
         from CNCStepper.simulation.meshes.changed_tiles import ChangedTiles

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The process that tells a window of the job that did not end: `python -m CNCStepper.workers.unfinished_job`.
+"""The process that summarizes the unfinished job: `python -m CNCStepper.workers.unfinished_job`.
 
 Each line on standard input asks once, in JSON; each is answered by one line on standard output, in the same order:
 

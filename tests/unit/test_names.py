@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Modules have the field's words: none has a name that was given up, and the glossary has each word once."""
+"""Modules, classes and functions have the field's words: no name was given up; the glossary has each word once."""
 
 from __future__ import annotations
 
@@ -15,6 +15,27 @@ GIVEN_UP_WORDS = """
     saved_modes simple speech stand stored story subject surface suspension take_up tape tell telling told watch
     ways wire_and_ways wishes
 """
+GIVEN_UP_NAMES = """
+    Asker awaits_person awake back_over_gaps BackFlow Backing BackView bare_start begin_anew Belief BeliefFile
+    beside beside_selected blamed blind Busiest Chart chart_of check_lift check_spoken contours_told CutOnce
+    cuts_at_granted_speed cuts_into_loose dark_while_held Desk desk_at desk_near DeskClient DeskFile DeskSession
+    dress earlier_parts earlier_proofs end_held_at Entering EnteringFields Entrance entrance_of FaultyWay
+    FaultyWords file_beside Front g92_kept Gaps gaps_of goes_beyond_words goes_on_at granted_modes greet greeted
+    greeted_by Ground HaltView Hand hear hear_and_turn hears_no_more heed Held held_by_job held_words
+    hurt_warnings is_tape_mark keep_or_tell Keeping keeps_moves Kept KeptCuts KeptPath Laid lay_below lay_near
+    lay_row Leader leads_to_stand leave_stand Led looks_at_others made_with MadeWith meanwhile Meanwhile met
+    Moment Moments News nothing_met obey onward outlive over_gaps Overheard OwnFile Page patience PlainReader
+    Play play_of poke ProgramWatch Questioner Reached read_story Recovery RecoveryView Reins Relief RestartTold
+    Retrace Rooms rooms_of run_anew running_desks said_before_cut said_modes say_rotation say_work_offset
+    seek_python Seen Sight small_letters spoil spoken Stand stand_message stand_reset StandCount stands_at
+    stands_here started_desk stories Story stream_of_rounds Suspension take_lock_soon TakeUp Talk Tape
+    tell_closed tell_once tell_outcome tell_words Telling told told_by told_of Typed unlink_soon want_back
+    want_more want_rest wanting Warming WayBack Where why_not_onward wire_and_ways WireAndWays wish_of
+    wish_of_machine Wishes with_take_up
+"""
+GIVEN_UP_STEMS = "belief desk desks farewell hear hears heed obey obeys overheard reins stranger wishes"
+DEFINITION = re.compile(r"^ *(?:async def|def|class) (\w+)", re.MULTILINE)
+WORD = re.compile(r"[A-Z]?[a-z0-9]+|[A-Z]+(?![a-z])")
 COLUMNS = 4  # English, Portuguese, meaning, source
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Which option helps against a refusal: the core, which knows no options, cannot say it."""
+"""Option hints for errors: the core knows no options."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A line that says what is being done, once it takes longer than a person likes to wait unknowing."""
+"""A progress line for work that takes longer than a moment."""
 
 from __future__ import annotations
 

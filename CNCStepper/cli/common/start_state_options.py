@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The state in which the machine stands before the first line, as the options of all verbs tell it."""
+"""The options of the start state: the machine's state before the first line."""
 
 from __future__ import annotations
 

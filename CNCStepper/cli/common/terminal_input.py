@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Lines that a person types while other work goes on; where nobody types there is nothing to hear.
+"""Lines typed at a terminal while other work goes on.
 
 A thread reads them, since that is the one way that works with terminals, pipes and the consoles of Windows alike.
 """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""`cncstepper go`: lets a job go on that stands, from any terminal."""
+"""`cncstepper go`: resumes a paused or held job from any terminal."""
 
 from __future__ import annotations
 

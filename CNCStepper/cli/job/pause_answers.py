@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a person may answer while a job stands: go on, stop, jog, set the zero, override, end stepping."""
+"""The answers to a pause of a job: go on, stop, jog, set the zero, override, end stepping."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Asks the person at a terminal about each stand of a job, and lets an answer count for that stand alone."""
+"""Prompts at a terminal for each pause of a job; an answer counts for that pause alone."""
 
 from __future__ import annotations
 

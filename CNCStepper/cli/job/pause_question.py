@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a person is asked about a stand of a job, and what is said where nobody is there to be asked."""
+"""The question at a pause of a job, and the message without a terminal to ask."""
 
 from __future__ import annotations
 

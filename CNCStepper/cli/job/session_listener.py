@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What becomes of a job while a person is asked about it: said at once, above the answer that is being typed.
+"""Session events while the operator is asked: printed at once, above the answer being typed.
 
 One thread waits for the answer, as it can on every system; another one hears the session meanwhile, and only meanwhile.
 """

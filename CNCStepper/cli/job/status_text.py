@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a terminal says of a moment of a job, below its progress bar."""
+"""The status lines of a job below its progress bar."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a controller says while a person types at a console: shown as it comes, above the line that is being typed.
+"""Controller messages while a console line is typed: printed at once, above that line.
 
 One thread waits for the line, as it can on every system; another one hears the desk meanwhile, and only meanwhile.
 """

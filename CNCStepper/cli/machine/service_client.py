@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the verbs that stand at a machine share: they ask the desk at its port, and wait for what comes of it.
+"""What machine verbs share: commands to the connection service at a port, and their results.
 
 A desk that runs at that port already, a window's for example, is asked; else one is started, and ends with the verb.
 """

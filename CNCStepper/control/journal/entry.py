@@ -11,7 +11,7 @@ from CNCStepper.control.protocol.grbl.report import Vector
 
 @dataclass(frozen=True)
 class Group:
-    """Counts of wire lines from the job's first, and where these stand in the file.
+    """Counts of wire lines from the job's first, and their offsets in the file.
 
     time_s: since 1970. may_be_sent: no line from here on has gone out. acknowledged: the controller took these.
     finished: these are certainly cut. first_line: the file's line of the first that is not; 0 when all are.

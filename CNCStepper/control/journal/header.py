@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a journal says before the first line: the program, what it was proven by, the machine and its zero."""
+"""The first record of a journal: the program, its certificate, the machine and its work zero."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where on the program's path a job was when its journal ended: its interval as places, and the last report beside it.
+"""The end of a journal as places on the program's path: the progress interval and the last status report.
 
 lines    certainly cut | first ... ○ ... last | not sent
 path     ──────────────●━━━━━━━━━━━○━━━━━━━━━━●─────────     begin and end of the interval, and where it was seen

@@ -41,7 +41,7 @@ def to_line(number: int, content: Mapping[str, Any]) -> bytes:
 
 
 def read_records(data: bytes) -> Records:
-    """Return the records of a whole file; damage is told, never raised."""
+    """Return the records of a whole file; damage is reported in words, never raised."""
     *lines, tail = data.split(b"\n")
     contents = [_content(line) for line in lines]
     last = _content(tail) or _content(tail[:-1])  # only its line end is missing or wrong

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a journal tells of its job: how it ended, and between which lines it was when it did.
+"""Replays a journal: how its job ended, and between which lines.
 
 lines   0 ... finished | first ... last | may_be_sent ... total
         certainly cut  | not certain    | certainly not sent

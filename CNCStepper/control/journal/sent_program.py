@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The text of the program that a journal tells of, as far as it is still there as it was sent."""
+"""The program text named by a journal, if its file still holds what was sent."""
 
 from __future__ import annotations
 

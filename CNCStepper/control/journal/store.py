@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The journals of a user: NAME.journal beside the files of the sessions, and which of them are kept."""
+"""The journals of a user, NAME.journal beside the session files, and which of them are kept."""
 
 from __future__ import annotations
 

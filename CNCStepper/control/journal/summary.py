@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a journal tells of its job, in words for people: how it ended, what is certain of its lines and of the place."""
+"""The summary of a journal for people: how the job ended, which lines are finished, where the machine was."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How many lines ahead of the sent ones a journal allows: enough never to hold the stream back, few enough to tell.
+"""How many lines a journal records ahead of the lines sent: never so few that the stream waits.
 
 A slow line after slow ones says nothing of the next, which may be one of many short ones: so never fewer are allowed
 than the line can carry while a slow disk writes.

@@ -88,7 +88,7 @@ class Journal:
         self._capacity.on_message(received)
 
     def keep(self, sent: int, acknowledged: int, is_idle: bool) -> list[str]:
-        """Write what is due, and return what people must know now. is_idle: what was acknowledged is cut."""
+        """Write due records, and return warnings for the operator. is_idle: acknowledged lines are cut."""
         told = self._collected()
         if self._writing is None and self._is_due(sent):
             self._finished = max(self._finished, self._certain(acknowledged, is_idle))
@@ -120,7 +120,7 @@ class Journal:
         self._doubted = min(self._doubted, line)
 
     def end(self, outcome: Outcome) -> list[str]:
-        """Write how the job ended, and return what people must know of that."""
+        """Write how the job ended, and return warnings for the operator."""
         if self._file is None:
             return []
         told = self._collected(wait=True)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a person does at a machine that stands: set the zero, unlock. Each act is asked, answered, and looked at."""
+"""Operator actions at an idle machine: set the zero, unlock. Each is sent, answered and verified."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def unlock(driver: Grbl, timing: Timing, asleep_or_critical: bool) -> None:
 
 
 def soft_reset(driver: Grbl, timing: Timing) -> None:
-    """Reset a machine that stands and wait for its greeting; raises LinkError when none comes."""
+    """Reset a machine at rest and wait for its greeting; raises LinkError when none comes."""
     driver.reset()
     end_s = driver.clock() + timing.wake_s
     while not has_greeting(driver.receive(timing.quick_poll_s)):

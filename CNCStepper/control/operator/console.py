@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The lines that people type, one at a time: sent, answered, and done when the machine stands again.
+"""Console lines, one at a time: sent, answered, and done when the machine is at rest again.
 
 line ──► sent ──► what the controller says ("console") ──► ok or error:n ──► at rest ──► "answer"
 """
@@ -18,7 +18,7 @@ AT_REST = ("Idle", "Alarm", "Check")
 
 
 class Console:
-    """One line at a time; `tell` hears "console" (the controller's words) and "answer" ("ok", or why not)."""
+    """One line at a time; `tell` gets "console" (the controller's words) and "answer" ("ok", or why not)."""
 
     def __init__(self, driver: Grbl, tell: Callable[[str, str], None]):
         self._driver = driver

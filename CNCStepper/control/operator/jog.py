@@ -82,7 +82,7 @@ class ContinuousJog:
 
 
 def check_in_time(command: Command, now_s: float) -> None:
-    """Raise MachineRefusal for a jog that was asked too long ago: whoever asked may have turned away."""
+    """Raise MachineRefusal for a jog asked too long ago: the operator may have turned away."""
     late_s = now_s - command.asked_s
     if command.name in ("jog", "jog_on") and late_s > LAPSE_S:
         raise MachineRefusal("jog-late", "the jog came too late to be safe", value=f"{late_s:.1f} s")
@@ -156,7 +156,7 @@ class Jogger:
         self._steps.extend(ways)
 
     def turn(self) -> None:
-        """Cancel what nobody renews, then send what is due."""
+        """Cancel jogs that are not renewed, then send due ones."""
         now_s = self._driver.clock()
         if self._held and now_s - self._held.renewed_s > LAPSE_S:
             self.cancel()

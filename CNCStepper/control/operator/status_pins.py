@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The status pins of a parallel port, looked at by a thread of their own; or a file that stands for them.
+"""The status pins of a parallel port, polled by a thread; or a file in place of a port.
 
 base + 1   status    bits 3 to 7   pins 15 13 12 10 11; the port turns 11 round: a 1 is low
 """

@@ -31,12 +31,12 @@ WHAT_TO_DO = (
 
 
 def counts_from_here(driver: Grbl) -> bool:
-    """Return whether a controller that has just greeted has its machine position 0 where it stands."""
+    """Return whether a freshly greeted controller has machine position 0 at its present place."""
     return driver.mpos_mm is not None and _is_zero(driver.mpos_mm)
 
 
 def check_counts_from_here(driver: Grbl) -> None:
-    """Refuse a controller that was reset without counting anew: where its zero is nobody knows; MachineRefusal."""
+    """Refuse a controller whose reset kept its count: its zero is unknown; raises MachineRefusal."""
     if not counts_from_here(driver):
         raise _refusal("its machine position is not 0", _words(driver.mpos_mm or ()))
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Whether the lines of a job mean to the controller what they meant to the proof: they are sent as they stand.
+"""Checks that the controller reads the lines of a job as the proof did: they are sent unchanged.
 
 G90 X40 Y0 F300      a cut at F300 in the language of thesis A, a rapid to grbl that has just begun
 """

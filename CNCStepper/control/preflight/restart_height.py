@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The first move of a restart, straight up to its height: a tool that stands higher would dive, which nobody expects.
+"""The first move of a restart goes straight up to its height; a tool above that height would dive.
 
 {"system": "G54", "z_mm": 5.0, "height_mm": 5.0}    z_mm: of the machine from that system's zero, the tool's length with
                                                     it; height_mm: the same as --height tells it

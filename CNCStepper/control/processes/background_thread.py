@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Work beside a window that must not wait for it: files to read and write, programs to look for."""
+"""Background work of a window: files to read and write, programs to find."""
 
 from __future__ import annotations
 

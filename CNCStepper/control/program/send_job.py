@@ -82,7 +82,7 @@ class SendJob:
             )
 
     def place(self, index: int) -> Place:
-        """Return where wire line `index` (from 0) stands in the file."""
+        """Return the place in the file of wire line `index` (from 0)."""
         return Place(self.file, int(self.file_lines[index]) if len(self.file_lines) else index + 1)
 
     def last_line(self, count: int) -> int:

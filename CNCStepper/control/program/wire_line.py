@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a sender must know of a wire line before it is sent: whether it may be, and how to wait for it."""
+"""Properties of a wire line before it is sent: whether it may be sent, and how to wait for it."""
 
 from __future__ import annotations
 

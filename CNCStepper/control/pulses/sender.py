@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Gives the writes of a port to the process that sends them (`pulse_output.py`), and tells how late they were."""
+"""Hands the writes of a port to the process that sends them (`pulse_output.py`) and measures their lateness."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A window's side of a desk: launch or attach, look at it from a timer, ask. Nothing here ever waits.
+"""A window's client of a connection service: launch or attach, poll from a timer, ask. Nothing here blocks.
 
     client = ConnectionClient.launch("socket://127.0.0.1:2217")
     ... from a timer, about 20 times a second:
@@ -73,7 +73,7 @@ class ConnectionClient:
 
     @property
     def is_caught_up(self) -> bool:
-        """Whether the desk's present has been heard since the client came."""
+        """Whether the service's present status has arrived since this client attached."""
         return self._caught_up
 
     @property
@@ -150,7 +150,7 @@ class ConnectionClient:
         self.ask("unlock")
 
     def type(self, text: str) -> None:
-        """Ask for a line that somebody typed; what came of it is an event "answer", or a refusal."""
+        """Send a typed line; its result is an event "answer", or a refusal."""
         self.ask("line", text=text)
 
     def override(self, kind: str, percent_step: int | str) -> None:
@@ -158,20 +158,20 @@ class ConnectionClient:
         self.ask("override", kind=kind, step=str(percent_step))
 
     def leave(self) -> None:
-        """Detach for good: the desk ends as soon as no job runs and nothing moves."""
+        """Detach for good: the service ends as soon as no job runs and nothing moves."""
         if self._socket:
             self._socket.send({"token": self._token, "command": "leave"})
         self.detach()
 
     def detach(self) -> None:
-        """Let go of the desk; it goes on, and ends by itself when nobody comes back."""
+        """Detach; the service goes on, and ends by itself when no client returns."""
         if self._socket:
             self._socket.close()
             self._socket = None
         self.phase = self._told_phase = "gone"
 
     def ask(self, command: str, **values: Any) -> None:
-        """Ask for any command of the desk, or its "status"; what is refused comes as an event "refused"."""
+        """Send a command of the service, or "status"; a refusal is an event "refused"."""
         request = {"command": command, **values}
         if self._socket and self._caught_up:
             self._socket.send({"token": self._token, **request})

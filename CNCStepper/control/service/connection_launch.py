@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Starts a desk's process beside the window's thread: looking for a Python and starting it take their time."""
+"""Starts a connection service on a thread: finding a Python and starting it take time."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ Launched = tuple[Path, subprocess.Popen | None]
 
 
 def launch(port: str, baud: int, folder: Path | None) -> Future[Launched]:
-    """Return at once what will be the file of the desk at `port` and its process, None when it runs already.
+    """Return a future of the service's file at `port` and its process; None when it runs already.
 
     Its exception is MissingPackage when no Python can be the desk's, MachineRefusal while a job that was sent from a
     command line has the port, or LinkError when it cannot be started.

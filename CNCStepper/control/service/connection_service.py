@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The desk: stays connected to one controller, obeys what people ask, and lets jobs run over its open link.
+"""The connection service: holds one controller's port, carries out commands, runs jobs over the open link.
 
     connecting --> idle <--> jogging, homing, alarm ...        (`IdleController`)
                     ^  `---> a job's phases ---'               (`JobRun`)
@@ -109,7 +109,7 @@ class ConnectionService:
         self._inbox.put(command)
 
     def stop(self) -> None:
-        """End the desk: a job or a motion is stopped safely first."""
+        """End the service; a job or a motion is stopped safely first."""
         self._ending = True
         self._inbox.put(Command("end"))
 
@@ -124,7 +124,7 @@ class ConnectionService:
         return replace(status, position_known=trust.position_known, homed=trust.homed, **self._zero)
 
     def run(self) -> None:
-        """Connect and serve until told to end, or left alone; raises LinkError when the link breaks."""
+        """Connect and serve until `stop` or until no client is left; raises LinkError when the link breaks."""
         link = open_unless(lambda: self._ending, self._opener, self.port, self._baud)
         if link is None:
             return

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A desk spoken to as a session is: every call waits for its answer; for processes that have nothing else to do."""
+"""A blocking client of a connection service, used as a session client is."""
 
 from __future__ import annotations
 
@@ -37,11 +37,11 @@ class ConnectionSession:
 
     @property
     def outcome(self) -> Outcome | None:
-        """How the desk's last job ended; None while one runs, and before the first."""
+        """How the service's last job ended; None while one runs, and before the first."""
         return self._client.outcome
 
     def status(self) -> SenderStatus:
-        """Return this moment of the desk."""
+        """Return the service's present status."""
         self._client.ask("status")
         self._until(lambda events: any(event["event"] == "status" for event in events), ANSWER_LIMIT_S)
         return self._client.status
@@ -55,11 +55,11 @@ class ConnectionSession:
         self._client.stop()
 
     def ask(self, command: str, **values: Any) -> None:
-        """Ask for any command of the desk; what is refused comes as an event "refused" with its error."""
+        """Send a command of the service; a refusal is an event "refused" with its error."""
         self._client.ask(command, **values)
 
     def poll(self, wait_s: float) -> list[dict[str, Any]]:
-        """Return the events that came, after `wait_s` where none has; raises the error that ended the desk."""
+        """Return new events, after `wait_s` if there are none; raises the error that ended the service."""
         events = self._client.poll()
         if self._client.phase == "gone":
             raise self._client.error or LinkError("desk-gone", "the desk has ended", advice="connect again")
@@ -75,7 +75,7 @@ class ConnectionSession:
                 raise silent(self._client.session_file or Path())
 
     def close(self) -> None:
-        """Detach; the desk goes on."""
+        """Detach; the service goes on."""
         self._client.detach()
 
     def __enter__(self) -> ConnectionSession:
@@ -91,7 +91,7 @@ def attach(file: Path) -> SessionClient | ConnectionSession:
 
 
 def jobs_running(folder: Path | None = None) -> list[Path]:
-    """Return the files of the sessions, and of the desks in which a job runs, oldest first.
+    """Return the files of the sessions and of the connection services that run a job, oldest first.
 
     Where there are none, those of the desks that live and do not answer: a job may run in each.
     """

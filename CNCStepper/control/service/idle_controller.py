@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a desk can do while no job runs: jog, set the zero, home, unlock, override, and see how the machine stands."""
+"""A controller between jobs: jog, set the zero, home, unlock, override, poll its status."""
 
 from __future__ import annotations
 
@@ -97,7 +97,7 @@ class IdleController:
 
     @property
     def phase(self) -> str:
-        """The phase of a desk without a job; see `SenderStatus`."""
+        """The phase of a service without a job; see `SenderStatus`."""
         if self._homing_since_s is not None:
             return "homing"
         state = self._driver.status.state if self._driver.status else ""

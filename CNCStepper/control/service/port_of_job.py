@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Whether a job that was sent from a command line has a machine's port; a desk asks it before it is launched."""
+"""Finds the job of a command line that holds a machine's port, before a connection service is launched."""
 
 from __future__ import annotations
 

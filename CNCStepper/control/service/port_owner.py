@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Who of this user has a machine's port already: a job that runs or stands, or a desk (a window, a console).
+"""Finds the owner of a machine's port: a running or paused job, or a connection service of this user.
 
 A second opening would get nothing from a serial port, and from a network port a connection that breaks at once: both
 look as if the cable were at fault.
@@ -19,7 +19,7 @@ from CNCStepper.errors import LinkError, MachineRefusal, Text
 
 
 def check_free(port: str, folder: Path | None = None) -> None:
-    """Raise MachineRefusal where a job or a desk of this user has the port."""
+    """Raise MachineRefusal when a job or a connection service of this user holds the port."""
     check_no_job(port, folder)
     if desk := service_near(port, folder):
         _check_service(desk, port)

@@ -70,7 +70,7 @@ class Sender:
         )
 
     def hold(self) -> None:
-        """Ask for a feed hold: the machine slows down and stands, nothing is lost."""
+        """Request a feed hold: the machine decelerates to rest, nothing is lost."""
         self.ask(Command("hold"))
 
     def resume(self) -> None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where the work zero of a connected machine lies, from what its desk tells, as the start state of a proof."""
+"""The work zero of a connected machine, from its service's status, as the start state of a proof."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from CNCStepper.state import WORK_SYSTEMS, Start
 
 
 def start_of(status: SenderStatus | None) -> Start | None:
-    """Return the start state of a machine, its position left open, or None while it cannot be said.
+    """Return the start state of a machine, its position left open; None while it is unknown.
 
     Work offsets are machine coordinates. Only a machine that was homed has these; one that counts from where it was
     switched on, or whose tool length stands in the offset, gives no place on the table.

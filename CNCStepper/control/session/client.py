@@ -88,7 +88,7 @@ class SessionClient:
         self._send("hold")
 
     def resume(self, stand: int | None = None) -> None:
-        """Ask to go on from the stand of that number in `SenderStatus`; None: from whichever there is."""
+        """Resume from the pause with that id in `SenderStatus`; None: from any."""
         self._send("resume", stand=stand)
 
     def stop(self) -> None:

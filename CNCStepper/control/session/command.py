@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What people ask of a sender or a desk, as it comes over the loopback and waits for the thread of the link."""
+"""Commands to a sender or a connection service, queued from the loopback for the thread of the link."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ VALUES: dict[str, dict[str, Any]] = {  # of each command: its values and their t
 
 @dataclass(frozen=True)
 class Command:
-    """A wish; asked_s: when it came, by the clock of its `Inbox`."""
+    """A request; asked_s: when it arrived, by the clock of its `Inbox`."""
 
     name: str
     values: Mapping[str, Any] = field(default_factory=dict)

@@ -62,7 +62,7 @@ def session_folder() -> Path:
 
 
 def new_session(folder: Path | None = None, kind: str = SESSION) -> Path:
-    """Return the path for the file of a new session or desk, and remove what old ones left."""
+    """Return the path for a new session or service file, and remove stale ones."""
     folder = folder or session_folder()
     _prune(folder)
     return folder / f"{time.strftime('%Y%m%d-%H%M%S')}-{secrets.token_hex(4)}{kind}"
@@ -94,7 +94,7 @@ def service_at(machine_port: str, folder: Path | None = None) -> Path | None:
 
 
 def closed_files(folder: Path | None = None) -> list[Path]:
-    """Return the files of sessions and desks that this user may not open: which ports theirs are nobody can tell."""
+    """Return the session and service files that this user cannot open: their ports are unknown."""
     folder = folder or session_folder()
     return sorted(path for kind in (SESSION, DESK) for path in folder.glob(f"*{kind}") if is_closed(path))
 

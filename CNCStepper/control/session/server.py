@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The ear of a sender's or a desk's process: a socket where clients that know the token watch and command.
+"""The server of a sender or connection service: a socket for clients that show the token.
 
 One JSON object a line, both ways:
 
@@ -131,7 +131,7 @@ class SessionServer:
         self._thread.start()
 
     def tell(self, kind: str, text: str) -> None:
-        """Pass on what the served one tells, from any thread; never blocks."""
+        """Send an event of the served process to all clients, from any thread; never blocks."""
         self._news.put({"event": kind, "text": text})
 
     def refuse(self, command: Command, error: CNCStepperError) -> None:
@@ -153,7 +153,7 @@ class SessionServer:
         return any(peer.attached for peer in list(self._peers.values()))
 
     def finish(self) -> None:
-        """Tell all attached clients what is still to be told, then close."""
+        """Send pending events to all attached clients, then close."""
         self._ended.set()
         self._thread.join(2 * CLOSE_LIMIT_S + STATUS_EVERY_S)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a session tells while it runs (`SenderStatus`) and how it ended (`Outcome`), both as JSON too."""
+"""The status of a session (`SenderStatus`) and its result (`Outcome`), both as JSON too."""
 
 from __future__ import annotations
 

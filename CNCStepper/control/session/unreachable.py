@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a client says where it cannot reach a session or a desk: it has ended, was killed, is closed, or is silent."""
+"""Errors of a client without a session or service: ended, killed, closed, or silent."""
 
 from __future__ import annotations
 

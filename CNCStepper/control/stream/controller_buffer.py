@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How many moves a controller holds that it has acknowledged and not made, from what it says of itself."""
+"""How many acknowledged moves a controller still holds, from its own reports."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from CNCStepper.control.stream.executed_lines import SEGMENTS
 
 
 class Capacity:
-    """`moves` is the most that was heard of."""
+    """`moves` is the largest number reported."""
 
     def __init__(self) -> None:
         self._blocks = 0

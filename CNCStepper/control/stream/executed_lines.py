@@ -31,7 +31,7 @@ Words = list[tuple[str, float]]
 
 
 def finished_lines(lines: Sequence[str], acknowledged: int, blocks: int, step_mm: float) -> int:
-    """Return how many of the acknowledged lines are certainly cut; 0 when that cannot be said.
+    """Return how many of the acknowledged lines are certainly cut; 0 when that is unknown.
 
     blocks: how many moves the controller holds at most. step_mm: the longest step of an axis. Going back from the
     last line but one, each stretch of lines over which an axis goes some way holds a move at least.

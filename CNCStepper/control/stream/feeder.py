@@ -45,7 +45,7 @@ class Feeder:
         return self.acknowledged == self.total
 
     def feed(self, driver: Grbl, idle: bool) -> int:
-        """Send what fits and return how many lines; `idle` says that the machine was just seen idle."""
+        """Send what fits and return how many lines; `idle`: the machine was just reported idle."""
         before = self.sent
         permitted = self._journal.permitted
         while self.sent < self.total:
@@ -79,7 +79,7 @@ class Feeder:
                 self._tool_words, self._message = self._message, ""
 
     def refusal(self, answered: Answered, firmware: Firmware) -> MachineRefusal:
-        """Return what `error:n` says about its line, in words and with its place in the file."""
+        """Return the meaning of `error:n` for its line, in words and with its place in the file."""
         code = firmware.error(answered.error)
         return MachineRefusal(
             f"{firmware.key}-error-{answered.error}",
@@ -117,7 +117,7 @@ class Feeder:
         self._released = self.sent
 
     def place_at_work(self) -> Place:
-        """Return where the first line stands that was not acknowledged, or the last one."""
+        """Return the place of the first line not acknowledged, or of the last one."""
         return self.job.place(min(self.acknowledged, self.total - 1))
 
     def dwell_s(self, driver: Grbl) -> float:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One job's run over an open connection; it ends only when the machine stands still and why is known.
+"""Runs one job over an open connection; it ends only when the machine is at rest and the reason is known.
 
     connecting --> running <--> holding --> held          `!` and `~`, asked for here or at the machine
         |             |  `--------- leg ----> retreated   back along the cut and forward again (`path_retract.py`)

@@ -24,7 +24,7 @@ class ActiveJournal(Protocol):
         """Learn from what the controller says how much it holds."""
 
     def keep(self, sent: int, acknowledged: int, is_idle: bool) -> list[str]:
-        """Write what is due, and return what people must know now. is_idle: what was acknowledged is cut."""
+        """Write due records, and return warnings for the operator. is_idle: acknowledged lines are cut."""
 
     def note_zero(self, found: ControllerInfo, sent: int) -> None:
         """Learn how a machine stands that a person had at a pause, all before line `sent` (from 0) being cut.
@@ -39,7 +39,7 @@ class ActiveJournal(Protocol):
         """Learn that a line (from 0) or one after it was cut otherwise than the program says: none is finished."""
 
     def end(self, outcome: Outcome) -> list[str]:
-        """Write how the job ended, and return what people must know of that."""
+        """Write how the job ended, and return warnings for the operator."""
 
 
 def check_not_held(journal: ActiveJournal, sent: int) -> None:

@@ -40,7 +40,7 @@ class LegJournal:
         self.program.on_message(received)
 
     def keep(self, sent: int, acknowledged: int, is_idle: bool) -> list[str]:
-        """Write what is due of the program, and return what people must know now."""
+        """Write due records of the program, and return warnings for the operator."""
         if self._lines_before is None:
             return self.program.keep(self.sent, self.acknowledged, False)
         self.sent = max(0, self._lines_before + sent)
@@ -61,6 +61,6 @@ class LegJournal:
             self.program.mark_uncertain(max(0, self._lines_before + line))
 
     def end(self, outcome: Outcome) -> list[str]:
-        """Write how the job ended, and return what people must know of that."""
+        """Write how the job ended, and return warnings for the operator."""
         status = replace(outcome.status, sent=self.sent, acknowledged=self.acknowledged)
         return self.program.end(outcome if self._lines_before is not None else replace(outcome, status=status))

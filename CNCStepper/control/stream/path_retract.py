@@ -71,12 +71,12 @@ class Leg:
 
     @property
     def begin_mm(self) -> Vector:
-        """Where the machine must stand."""
+        """The position at which the leg begins."""
         return tuple(self.content["certificate"]["start"]["state"]["position_mm"])
 
     @property
     def ahead_mm(self) -> Vector:
-        """How far the motors stand ahead of the tool there; further than their gaps after a jog."""
+        """How far the motors are ahead of the tool there; more than the backlash after a jog."""
         return tuple(self.content["ahead_mm"])
 
 
@@ -110,7 +110,7 @@ class PathRetract:
             self._blocks = driver.status.buffer[0]
 
     def note(self, driver: Grbl, feeder: Feeder, phase: str) -> None:
-        """Keep the status just received, where it tells another place than the one before."""
+        """Keep the status just received when its position differs from the last one."""
         status, position_mm = driver.status, driver.mpos_mm
         if status is None or position_mm is None or phase == RETREATED:
             return
@@ -253,7 +253,7 @@ def reset_at_rest(driver: Grbl, timing: Timing) -> connect.ControllerInfo:
 
 
 def check_place(driver: Grbl, leg: Leg) -> None:
-    """Refuse a leg that begins elsewhere than the machine stands; raises MachineRefusal."""
+    """Refuse a leg that does not begin at the machine's position; raises MachineRefusal."""
     position_mm = driver.mpos_mm
     far_mm = dist(position_mm, leg.begin_mm) if position_mm else float("inf")
     if far_mm > SAME_PLACE_MM:

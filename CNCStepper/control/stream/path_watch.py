@@ -110,7 +110,7 @@ class PathWatch:
 
     @property
     def left_line(self) -> int | None:
-        """The line, from 0, at or after which the path was left; None while no report says that."""
+        """The line, from 0, at or after which the path was left; None while no report shows that."""
         return max(self._path.line, 0) if self._path and self.excursion else None
 
     def check(self) -> None:
@@ -129,7 +129,7 @@ class PathWatch:
         return status is None or not status.spindle or any(TURNS_ON.search(line) for line in lines)
 
     def check_end(self, sent: int) -> None:
-        """Raise MachineRefusal unless the machine, idle after the last answer, stands at the path's end."""
+        """Raise MachineRefusal unless the machine, idle after the last answer, is at the path's end."""
         place = self._driver.mpos_mm
         if self._path and (place is None or not self._path.ends_at(place[:3], self._near_mm)):
             raise self._leave(place, sent)

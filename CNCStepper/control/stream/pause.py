@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where a sender stands between two lines of a job: the machine is idle, so that it can be jogged and its zero be set.
+"""A pause between two lines of a job: the machine is idle, can be jogged, and its zero can be set.
 
 grbl refuses jogs and keeps G10 waiting while it is held, as it is at an M0. So the sender sends no M0: it waits until
 all before it is cut, and goes on when it is told. The lines that follow were proven from where the program stood; so
@@ -97,7 +97,7 @@ class Pause:
         self._jogger = Jogger(driver, self._give_up, self._tell, (*MAY_JOG, TOOL))
 
     def end(self) -> None:
-        """Leave the stand: the machine is on the path."""
+        """Leave the pause: the machine is on the path."""
         self._index, self._jogger, self.is_off_path = -1, None, False
 
     def check_way_back(self) -> None:
@@ -146,7 +146,7 @@ class Pause:
             self._resume_asked = True
 
     def is_left(self, driver: Grbl) -> bool:
-        """Take whoever resumed back to the place; return whether the machine stands there, so that the job goes on."""
+        """Return to the place after a resume; return whether the machine is there, so that the job goes on."""
         seen = driver.status
         if seen is None or driver.status_asked_s <= self._changed_s:
             return False

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The number of each stand of a machine, so that who answers to one does not let another one go on.
+"""The id of each pause of a machine: it rejects stale resume commands.
 
 held 1 ──resume 1──► running ──M0──► paused 2 ──resume 1──► refused: whoever asks this has not read of 2
 """
@@ -23,14 +23,14 @@ class PauseCounter:
         self._phase = ""
 
     def enter(self, phase: str) -> None:
-        """Note the present phase; a stand that begins with it gets the next number."""
+        """Note the present phase; a pause that begins with it gets the next id."""
         begins = phase in WAITING and phase != self._phase
         self._phase = phase
         if begins:
             self.number += 1
 
     def check(self, command: Command) -> None:
-        """Raise MachineRefusal where a command answers to a stand that is over; one without a number answers to any."""
+        """Raise MachineRefusal for a command with a stale pause id; a command without an id fits any pause."""
         number = command.values.get("stand")
         if number is None or (number == self.number and self._phase in WAITING):
             return

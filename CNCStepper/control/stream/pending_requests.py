@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is wanted of whoever leads the tool along its cut, for a sender knows no geometry: shown in its status.
+"""Pending requests to the retract client, shown in the sender's status: a sender knows no geometry.
 
 a button `back`, or resume after a way back ──► wanted ──► a client asks for the place: taken
                                                      `───► the machine stands, nobody has come: refused
@@ -42,11 +42,11 @@ class PendingRequests:
         self.rest, self._last = True, command
 
     def take(self) -> None:
-        """Forget what was wanted: somebody does it."""
+        """Clear the requests: a client carries them out."""
         self.back_mm, self.rest, self._since_s = None, False, None
 
     def turn(self, stands: bool) -> None:
-        """Refuse what nobody has taken up for LAPSE_S since the machine stands."""
+        """Refuse requests that no client has taken within LAPSE_S of the machine's stop."""
         if not stands or (self.back_mm is None and not self.rest):
             self._since_s = None
         elif self._since_s is None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The phases of a session, as the controller's states and the wishes of people move it along.
+"""The phases of a session, driven by the controller's states and by the operator's requests.
 
     running --hold--> holding --Hold:0--> held --resume--> running
     running --Hold at an M0--> paused --resume--> running
@@ -35,7 +35,7 @@ RETREATED = "retreated"  # between two ways along the cut: idle, after a reset
 
 
 class Phases:
-    """Where a session stands; `message` is the program's own at a pause.
+    """The phase of a session; `message` is the program's own at a pause.
 
     changed_s: when the last `!` or `~` was written, by the driver's clock.
     """
@@ -56,7 +56,7 @@ class Phases:
         return self.name in FEEDING
 
     def set(self, name: str, message: str = "") -> None:
-        """Enter a phase and tell it; nothing happens when it is the present one."""
+        """Enter a phase and report it; nothing happens when it is the present one."""
         self.stands = False
         if name != self.name:
             self.name, self.message = name, message

@@ -106,7 +106,7 @@ class PlannedPath:
 
     @property
     def end_mm(self) -> tuple[float, ...] | None:
-        """Where the last line read ends; None where nobody knows."""
+        """The end of the last line read; None where it is unknown."""
         here = self._pieces.ends[-1]
         return None if np.isnan(here).any() else tuple(here.tolist())
 
@@ -129,7 +129,7 @@ class PlannedPath:
         return bool(len(there))
 
     def ends_at(self, place_mm: Sequence[float], near_mm: Sequence[float]) -> bool:
-        """Return whether the last line read leads to a place, or nobody knows where."""
+        """Return whether the last line read ends at a place, or its end is unknown."""
         return not np.any(np.abs(self._pieces.ends[-1] - place_mm) > near_mm)
 
     def _take_held(self, text: str) -> None:

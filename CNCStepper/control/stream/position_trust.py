@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is held of a machine's position, and what may be done with that.
+"""Position trust: whether the machine's position is known, and which actions it allows.
 
 nothing against it --alarm, greeting, lost link, a job that was killed--> unknown --homed, or all its zeros set--> known
 """

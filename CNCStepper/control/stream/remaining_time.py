@@ -54,7 +54,7 @@ class Remaining:
 
     @property
     def remaining_s(self) -> float | None:
-        """The time still to go, None when nothing can be said yet."""
+        """The remaining time; None while it is unknown."""
         if self._planned_s:
             under_way_s = min(self._moving_s - self._moved_s, (self._next_s - self._behind_s) * self.ratio)
             return (self._planned_s - self._behind_s) * self.ratio - under_way_s

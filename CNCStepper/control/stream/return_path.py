@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The way from where somebody jogged to back to where the tool stood: up, over, and slowly down.
+"""The return path from a jogged position to the held tool position: up, over, and slowly down.
 
 over  ┌───────────────┐   at the height of the highest
 up    │               │   down, slowly

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a driver last heard of its machine, as a status to tell."""
+"""The last report of a driver as a status snapshot."""
 
 from __future__ import annotations
 

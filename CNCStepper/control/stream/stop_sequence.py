@@ -31,7 +31,7 @@ class _Slowing:
         self._seen: object = None
 
     def is_over(self) -> bool:
-        """Return whether it is silent, does not move while it says that it slows down, or does not slow down."""
+        """Return whether the machine is silent, does not move while it reports deceleration, or does not slow down."""
         driver, now_s = self._driver, self._driver.clock()
         if driver.status is not self._seen and driver.status_asked_s > self._asked_s:
             self._take(now_s)
@@ -39,7 +39,7 @@ class _Slowing:
         return silent_s > self._timing.silent_s or still_s > self._timing.still_s
 
     def is_at_rest(self) -> bool:
-        """Return whether it stands, by a status asked for since."""
+        """Return whether the machine is at rest, by a status asked for since."""
         status, fresh = self._driver.status, self._driver.status_asked_s > self._asked_s
         return fresh and status is not None and (status.state, status.substate) in AT_REST
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Whether the tool has power: followed line by line, taken from it where a job stands, and given back behind that.
+"""The tool's power: followed line by line, switched off at a pause, and restored after it.
 
     M3S1000 | G1 ... | M5 |  the job stands, jogs, the way back  | M3S1000 | G1 ...
 

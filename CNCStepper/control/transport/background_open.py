@@ -36,7 +36,7 @@ class _Opening:
         self._given_up = False
 
     def give_up(self) -> None:
-        """Close it as soon as it is open: nobody waits for it any more."""
+        """Close the link as soon as it is open: the caller waits no more."""
         with self._lock:
             self._given_up = True
             if self.link:

@@ -32,7 +32,7 @@ NETWORK = ("socket://", "telnet://", "rfc2217://")
 
 
 class Link:
-    """An open port; reading waits at most as long as it is told and ends early when `wake` is called.
+    """An open port; reads wait at most their limit and end early when `wake` is called.
 
     `port` is a pyserial port, or anything with its read, write and close, opened with timeout 0. baud: the rate of
     the line that the bytes take. woken: whether `wake` ended the last `read`. queue_bytes: how many bytes may wait

@@ -26,7 +26,7 @@ class TelnetPort:
 
     @property
     def in_waiting(self) -> int:
-        """Whether bytes wait, as pyserial's ports say it."""
+        """Whether bytes wait, in pyserial's form."""
         return int(self._port.in_waiting)
 
     def fileno(self) -> int:

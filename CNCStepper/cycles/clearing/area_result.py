@@ -20,7 +20,7 @@ TOLD = 12  # corners in a warning's text, of those that the tool does not reach 
 
 
 class Keys(Protocol):
-    """The keys of the cycle of which an answer tells."""
+    """The parameter names of the answering cycle."""
 
     @property
     def entry(self) -> str: ...

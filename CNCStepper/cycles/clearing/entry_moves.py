@@ -43,7 +43,7 @@ class Plunge:
     kind: str = "plunge"
 
     def descend(self, moves: Moves, top_mm: float, floor_mm: float, feed_mm_min: float) -> None:
-        """Go down from `top_mm`, where the tool stands at `begin`, and end on the floor at the run's begin."""
+        """Go down from `top_mm` with the tool at `begin`, and end on the floor at the run's begin."""
         moves.plunge(floor_mm)
 
     def blocks(self, fall_mm: float) -> int:
@@ -62,7 +62,7 @@ class Helix:
     kind: str = "helix"
 
     def descend(self, moves: Moves, top_mm: float, floor_mm: float, feed_mm_min: float) -> None:
-        """Go down from `top_mm`, where the tool stands at `begin`, and end on the floor at the run's begin."""
+        """Go down from `top_mm` with the tool at `begin`, and end on the floor at the run's begin."""
         turns = self.blocks(top_mm - floor_mm)
         for number in range(1, turns + 1):
             moves.turn(self.centre, top_mm + (floor_mm - top_mm) * number / turns, feed_mm_min)
@@ -89,7 +89,7 @@ class Ramp:
         return point_of(self.way.xy[0])
 
     def descend(self, moves: Moves, top_mm: float, floor_mm: float, feed_mm_min: float) -> None:
-        """Go down from `top_mm`, where the tool stands at `begin`, and end on the floor at the run's begin."""
+        """Go down from `top_mm` with the tool at `begin`, and end on the floor at the run's begin."""
         back, strokes = self.way.reversed(), 2 * self._rounds(top_mm - floor_mm)
         for number in range(1, strokes + 1):
             z_mm = top_mm + (floor_mm - top_mm) * number / strokes

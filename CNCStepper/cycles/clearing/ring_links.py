@@ -97,7 +97,7 @@ class RingLinker:
         self._over = LinkRegion(Region(tuple(loop for region in outer for loop in region.loops))) if outer else None
 
     def nearest_first(self, loops: Sequence[Curve]) -> Iterator[Curve]:
-        """Yield the loops, each time the one nearest to where the tool then stands."""
+        """Yield the loops, each time the one nearest to the tool's position."""
         left = list(loops)
         while len(left) > 1:
             away = [loop.distances_mm(np.array([self._here]))[0] for loop in left]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Contour: along drawn curves, on them or beside them, at several depths, with tabs, leads and dog-bones.
+"""Contour: along drawn curves, on them, inside or outside, at several depths, with tabs, leads and dog-bones.
 
     sides     drawn curves ---> paths of the tool's centre, exact parallels     cycles/contours/sides.py
     dogbones  inside corners sharper than the tool                              cycles/contours/dogbones.py

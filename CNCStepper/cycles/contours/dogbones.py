@@ -147,7 +147,7 @@ def strokes(corners: Sequence[Corner]) -> list[Curve]:
 
 
 def rest_warnings(corners: Sequence[Corner], *, boned: bool) -> list[str]:
-    """Return what to tell of corners that keep their material; boned: dog-bones take all others."""
+    """Return warnings for corners that keep their material; boned: dog-bones take all others."""
     return [*_sharp_warnings([each for each in corners if each.why_not != "gap"], boned), *_gap_warnings(corners)]
 
 

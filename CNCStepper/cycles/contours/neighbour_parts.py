@@ -25,7 +25,7 @@ SHARED = 1e-3  # of a part's area: what parts have in common below this is round
 
 
 def require_apart(sides: Sides, paths: Sequence[Curve], parts: Sequence[Sequence[Curve]], tolerance_mm: float) -> None:
-    """Raise CycleError when the tool on its paths enters a part beside its own one deeper than the tolerance."""
+    """Raise CycleError when the tool cuts into a neighbour part deeper than the tolerance."""
     if sides.region is None or not paths:
         return
     own, lines = polygons_of(sides.region), _lines(paths)

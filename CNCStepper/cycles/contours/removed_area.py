@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a contour takes away: the area its tool sweeps, in two layers where tabs stand.
+"""The area that a contour removes: its swept area, in two layers where there are tabs.
 
  ____________________   top
 |                    |     above the tabs: the whole path's sweep

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-r"""Tabs: where they stand, and where the tool must be above them.
+r"""Tabs: their places, and where the tool must be above them.
 
          width
       |<------->|            The tab's material is a rectangle across the whole cut; the tool is lifted wherever

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-r"""The lines that face a region, and how the tool comes to each run of them from beside the stock.
+r"""The facing lines of a region, and the side entry of the tool to each run.
 
        strip    +-----------+         A line stands in the middle of each strip, all strips equally wide, and runs from
     - - - - - -/- - - - - - -\- -     the leftmost to the rightmost place of the region in its strip, and the overhang

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-r"""Leads: straight ways into the stock from beside it, where the tool goes down in the air.
+r"""Side entry: straight leads into the stock from outside, where the tool plunges in the air.
 
       .---.      stock
 ---- (  o  )  ------+         o  the begin of a run, inside or at the stock
@@ -34,7 +34,7 @@ class Surroundings:
 
 
 def lead_to(curve: Curve, around: Surroundings) -> np.ndarray | None:
-    """Return from where a straight way leads to the begin of a curve, the tool beside the stock there; None if nowhere.
+    """Return the begin of a straight lead to a curve, with the tool outside the stock; None if there is none.
 
     The way goes along the curve's own direction or square to it, and covers nothing that is to stay.
     """

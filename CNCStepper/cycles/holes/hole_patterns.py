@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where holes stand: points, lines, grids, bolt circles, arcs, and the circles of a drawing.
+"""Hole patterns: points, lines, grids, bolt circles, arcs, and the circles of a drawing.
 
 points   points_mm                            bolt_circle   centre_mm radius_mm count start_deg
 line     start_mm end_mm count                arc           centre_mm radius_mm start_deg end_deg count
@@ -115,7 +115,7 @@ Pattern = Annotated[Points | Line | Grid | BoltCircle | Arc | Circles, Field(dis
 def placed(
     pattern: Pattern, order: Order, offset_mm: Point = (0.0, 0.0), *, own_diameters: bool = False
 ) -> tuple[list[Hole], list[str]]:
-    """Return the holes in the order in which they are made, and warnings; what stands twice is made once.
+    """Return the holes in drilling order, and warnings; duplicates are drilled once.
 
     order: "short" makes the rapids between them short, "given" keeps the pattern's. own_diameters: each hole gets the
     diameter that is drawn, so that two about one centre are two. Raises CycleError.

@@ -78,7 +78,7 @@ def _too_long() -> JobError:
 
 
 def curve_of(entity: Any, fits: Fits) -> Curve:
-    """Return an entity as a curve in its unit; raises GeometryError that says why it is none."""
+    """Return an entity as a curve in its unit; raises GeometryError with the reason when it is none."""
     reader = READERS.get(entity.dxftype())
     if reader is None:
         raise GeometryError("dxf-kind", "nothing that a tool could follow")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Whether a converted program does the same work: the judge that knows nothing of how it was written.
+"""Program equivalence: judges a converted program without knowledge of its writer.
 
     old rows    |----- 0 -----|-- 1 --|------------ 2 ------------|     a row may have become several (chords, turns),
     new rows    |-- 0 --|- 0 -|-- 1 --|- 2 -|- 2 -|- 2 -|- 2 -|- 2 -|   in the same order: `owners`

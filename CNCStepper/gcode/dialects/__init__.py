@@ -27,7 +27,7 @@ _DIALECTS = {one.name: one for one in (GRBL, GRBLHAL, FLUIDNC, LINUXCNC, MACH, M
 
 
 def dialect_names() -> list[str]:
-    """Return the names that `dialect` knows, without settings."""
+    """Return the names of all dialects, without settings."""
     return sorted(_DIALECTS)
 
 

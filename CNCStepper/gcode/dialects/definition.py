@@ -146,7 +146,7 @@ class Dialect:
 
 
 def with_axes(dialect: Dialect, axes: int) -> Dialect:
-    """Return the dialect as a machine of so many axes reads it: with nine, where it knows A, the words U V W too."""
+    """Return the dialect for a machine of so many axes: with nine, where A is read, U V W are read too."""
     more = "".join(letter for letter in "UVW" if letter not in dialect.letters)
     return replace(dialect, letters=dialect.letters + more) if axes == 9 and "A" in dialect.letters else dialect
 

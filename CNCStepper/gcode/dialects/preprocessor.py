@@ -46,11 +46,11 @@ class Piece:
         return self.columns[column - 1] if column <= len(self.columns) else self.columns[-1] + 1
 
     def cut(self, begin: int, end: int) -> Piece:
-        """Return the piece that stands in [begin, end)."""
+        """Return the piece in [begin, end)."""
         return Piece(self.text[begin:end], self.columns[begin:end])
 
     def replaced(self, pattern: re.Pattern[str], text_of: Callable[[re.Match[str]], str], end: int) -> Piece:
-        """Return the piece with each match before `end` replaced; its characters stand where the match began."""
+        """Return the piece with each match before `end` replaced; new characters get the match's first column."""
         text, at = "", 0
         columns: tuple[int, ...] = ()
         for match in pattern.finditer(self.text, 0, end):
@@ -61,7 +61,7 @@ class Piece:
         return Piece(text + self.text[at:], columns + self.columns[at:], self.ends_chunk)
 
     def refused(self, code: str, what: str, at: int, value: str, advice: str) -> ProgramError:
-        """Return the refusal of what stands at index `at`."""
+        """Return the error for the character at index `at`."""
         return ProgramError(code, what, advice=advice, value=value[:40], place=Place(column=self.column(at + 1)))
 
 

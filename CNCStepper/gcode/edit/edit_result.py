@@ -11,7 +11,7 @@ from CNCStepper.gcode.syntax.words import program_lines
 
 @dataclass(frozen=True)
 class Edited:
-    """A program before and after an edit. origins: the old line that each line of the new text stands for, from 1."""
+    """A program before and after an edit. origins: for each line of the new text its old line, from 1."""
 
     before: str
     text: str
@@ -19,7 +19,7 @@ class Edited:
 
     @property
     def changes(self) -> int:
-        """How many lines of the new text did not stand there before."""
+        """How many lines of the new text are changed or new."""
         old = program_lines(self.before)
         new = zip(program_lines(self.text), self.origins, strict=True)
         return sum(line != old[origin - 1] for line, origin in new)
@@ -42,7 +42,7 @@ class Lines:
         self._last = self._end if text.endswith(("\n", "\r")) else ""
 
     def edited(self, lines: list[str], origins: list[int] | None = None) -> Edited:
-        """Return the edit that puts `lines` in place of all lines; without `origins` each stands for its own number."""
+        """Return the edit with `lines` in place of all lines; without `origins` each keeps its number."""
         places = origins if origins is not None else list(range(1, len(lines) + 1))
         body = self._end.join(lines) + (self._last if lines else "")
         return Edited(self.text, self._mark + body, tuple(places))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What each line of a program means where it is executed: the modes in force, and where the tool stands before it."""
+"""The state at each executed line of a program: the modes in force and the tool's position."""
 
 from __future__ import annotations
 
@@ -167,11 +167,11 @@ def require_straight(text: str, dialect: Dialect, file: str) -> None:
 
 
 def is_compensated(reader: Interpreter) -> bool:
-    """Whether the tool's radius is compensated (G41, G42), so that moves do not end where the words say."""
+    """Whether cutter compensation is on (G41, G42), so that moves end beside their words' values."""
     return reader.model.compensation is not None
 
 
 def work_place(reader: Interpreter) -> tuple[float, ...]:
-    """Return where the tool stands, in work coordinates, mm."""
+    """Return the tool's position in work coordinates, mm."""
     model = reader.model
     return tuple(value - zero for value, zero in zip(model.position, model.offset, strict=False))

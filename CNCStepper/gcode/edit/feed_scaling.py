@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""All feeds of a program times a factor: each F word is changed where it stands, an expression is put into brackets."""
+"""Scales all feeds of a program: each F word is changed in place, an expression is put into brackets."""
 
 from __future__ import annotations
 

@@ -28,7 +28,7 @@ def replace(
     start: Start | None = None,
     file: str = "",
 ) -> Edited:
-    """Return the program with `new` in place of `find` wherever it stands in one line.
+    """Return the program with `new` in place of each `find` within a line.
 
     pattern: `find` is a regular expression of Python, and `new` may name its groups. comments: look there too.
     Raises ProgramError for a pattern that is none, for text that is not found, and for a result that cannot be read.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The words of a line where they stand in its text, so that one can be changed and all else stays as it is written.
+"""The words of a line with their columns, so that one is changed and the rest of the text stays.
 
     N20 G1 X 10.5 (to the edge) Y[#1 + 2]
     ^   ^  ^ ^  ^               ^^       ^
@@ -89,7 +89,7 @@ def changed(text: str, edits: Iterable[Edit]) -> str:
 
 
 def first_place(text: str) -> int:
-    """Return where the first word of a line stands, after blanks, "/" and the N word; its end where there is none."""
+    """Return the index of a line's first word, after blanks, "/" and the N word; its end when there is none."""
     return next((token.begin for token in tokens_of(text) if token.letter != "N"), len(text.rstrip()))
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A line whose words are being changed: what its words say, and how new values take their places."""
+"""A line under edit: the values of its words, and where new values go."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ class LineWords:
         return [axis for axis in range(3) if axis in axes or any(self.where.rows[axis][other] for other in axes)]
 
     def value(self, letter: str, axis: int) -> Value:
-        """Return what a word says, in mm; without the word where the tool stands (`axis`), or 0 for a way."""
+        """Return a word's value in mm; without the word the tool's position (`axis`), or 0 for a distance."""
         token = self.words.get(letter)
         if token is not None:
             return Value.of(token, self.from_mm)
@@ -61,7 +61,7 @@ class LineWords:
         return Value(self.meaning.begin[axis])
 
     def put(self, letter: str, value: Value, axis: int, add_carry: bool = False) -> None:
-        """Write a value (mm) where its word stands, or beside its neighbour; `axis` keeps what rounding leaves."""
+        """Write a value (mm) in its word's place, or beside its neighbour; `axis` keeps the rounding error."""
         decimals = self.state.decimals(self.units)
         carry = self.state.carry_mm
         if axis >= 0 and value.is_number:

@@ -13,7 +13,7 @@ FEED_DIGITS = 4  # significant ones
 
 
 def decimals_of(written: str) -> int:
-    """Return how many digits stand after the point."""
+    """Return the number of digits after the point."""
     return len("".join(written.split()).partition(".")[2])
 
 

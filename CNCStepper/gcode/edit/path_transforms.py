@@ -50,7 +50,7 @@ class Map:
 
     @cached_property
     def rows(self) -> list[list[float]]:
-        """The linear part as plain numbers, for who asks often."""
+        """The linear part as plain numbers, for frequent callers."""
         return self.linear.tolist()
 
     def in_plane(self, plane: str) -> tuple[float, float] | None:

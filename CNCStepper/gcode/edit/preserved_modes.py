@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What no edit of a path may change: what is on, the tool, and the modes that say how a controller follows the path."""
+"""State that no path edit may change: outputs, tool, and the modes of path control."""
 
 from __future__ import annotations
 

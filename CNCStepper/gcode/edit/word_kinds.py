@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What kind of number each word of a line holds, so that a verb knows which to change and how.
+"""The kind of number in each word of a line, so that a verb knows which to change.
 
 place    a coordinate of a place: X Y Z of G0, G1, G81 ... (under G91 the way to it)
 centre   I J K of an arc: from its begin, or a place under G90.1

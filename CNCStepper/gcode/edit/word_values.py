@@ -14,14 +14,14 @@ FACTOR_DIGITS = 12
 
 @dataclass(frozen=True)
 class Value:
-    """number + the sum of factor * expression; expressions stand as they are written."""
+    """number + the sum of factor * expression; expressions are copied as written."""
 
     number: float
     parts: tuple[tuple[float, str], ...] = ()
 
     @classmethod
     def of(cls, token: Token, factor: float) -> Value:
-        """Return what a word says, times a factor."""
+        """Return a word's value, times a factor."""
         if token.number is None:
             return cls(0.0, ((factor, token.written),))
         return cls(token.number * factor)
@@ -49,7 +49,7 @@ class Value:
         return Value(self.number + number, self.parts)
 
     def is_same(self, token: Token, factor: float) -> bool:
-        """Whether it is just what a word with an expression says."""
+        """Whether it equals a word with an expression."""
         return self.parts == ((factor, token.written),) and not self.number
 
     def text(self, decimals: int, like: str = "") -> str:

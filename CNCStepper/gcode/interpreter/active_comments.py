@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Comments that say something with values in it: (DEBUG, ...), (PRINT, ...) and (LOG, ...).
+"""Active comments with values: (DEBUG, ...), (PRINT, ...) and (LOG, ...).
 
 `#1` and `#<name>` become their values, ###### where there is none; `%d`, `%f` (four decimals) and `%.2f` say how the
 values after them are printed, six decimals where nothing is said. What is nearer to 0 than 0.0001 is said as 0.

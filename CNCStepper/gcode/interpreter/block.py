@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One block while it is executed: what its words say, and the moves that it makes.
+"""One block while it is executed: the values of its words, and its moves.
 
 The codes of a block are functions that take it (`modal_codes.py`, `motion_codes.py`), and `execute.py` calls them.
 """
@@ -28,7 +28,7 @@ from CNCStepper.toolpath import RAPID, XY, TableBuilder
 
 
 class ProfileReader(Protocol):
-    """Who runs a subroutine whose blocks somebody else takes (`program_flow.py`)."""
+    """Runs a subroutine and hands its blocks to a cycle (`program_flow.py`)."""
 
     def __call__(self, number: int, model: Model, take: Callable[[Model, list[Word], list[float]], None]) -> None:
         """Run the subroutine O<number> from `model`; `take` gets the words of each block, and their values."""
@@ -112,7 +112,7 @@ class Block(CanonicalBlock, ABC):
         return {axis: self.values[slot] * length_scale(axis, scale) for axis, slot in there.items()}
 
     def scale_x(self, factor: float) -> None:
-        """Take X for something else than it says: a diameter for a radius."""
+        """Multiply X by a factor, such as diameter to radius."""
         self.scale("X", factor)
 
     def scale(self, letter: str, factor: float) -> None:
@@ -135,7 +135,7 @@ class Block(CanonicalBlock, ABC):
     # moves
 
     def rapid(self, end: Point, further: tuple[float, ...] = (), row: bool = True) -> None:
-        """Rapid to `end`; A B C U V W stay where they are unless `further` says otherwise."""
+        """Rapid to `end`; A B C U V W keep their positions unless `further` gives others."""
         self.move(RAPID, end, None, 0.0, further or self.model.further, row)
 
     def move(
@@ -164,7 +164,7 @@ class Block(CanonicalBlock, ABC):
         further: tuple[float, ...],
         row: bool = True,
     ) -> None:
-        """Make the row of a move and tell it; where the tool is noted to be does not change."""
+        """Append the row of a move and emit its call; the noted tool position stays."""
         whole = (*end, *further)
         if row:
             self.do(self.table.set_state, state)
@@ -184,7 +184,7 @@ class Block(CanonicalBlock, ABC):
     def feed_of(
         self, motion: int, end: Point, arc: Arc | None = None, further: tuple[float, ...] = (), length: float = -1.0
     ) -> float:
-        """Return the feed in mm/min of the move to `end`, whose length may be given; an inverse time is told."""
+        """Return the feed of the move to `end`, mm/min; its length may be given; an inverse time is emitted."""
         model = self.model
         if model.state.feed_mode == "per_minute":
             return model.state.feed_mm_min

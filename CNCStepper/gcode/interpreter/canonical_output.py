@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a block tells the table and the trace: all of it waits until the block is good.
+"""Canonical output of a block to the table and the trace, committed when the whole block is valid.
 
 event, call, comments ──► moves held back by compensation?  yes ──► waits among them (move_queue.py)
                                                              no ──► actions ──commit──► table, canon
@@ -34,7 +34,7 @@ SET_FEED = "SET_FEED_RATE({})"
 
 
 class Canon(Protocol):
-    """Who wants to hear the canonical calls of a program (`canonical_trace.py`)."""
+    """A receiver of the canonical calls of a program (`canonical_trace.py`)."""
 
     def call(self, text: str) -> None:
         """Hear a call whose arguments are part of its text."""

@@ -134,7 +134,7 @@ class _Calls:
         self.call(f"ARC_FEED({flat}, {turns}, {_numbers((x_y_z[normal], *a_b_c))})")
 
     def end(self) -> None:
-        """Print what a bare interpreter says when the text is over."""
+        """Print a bare interpreter's calls at the end of the text."""
         self.interpreter.sequence = ""
         if not self.interpreter.model.ended:
             self.call("FINISH()")

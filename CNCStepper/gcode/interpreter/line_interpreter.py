@@ -78,7 +78,7 @@ class Interpreter:
         return self.dialect.o_words and (leads(text) or has_profile(text))
 
     def ran(self, line_number: int, motion: int, position: Point, feed_mm_min: float, told: bool) -> None:
-        """Note where a run of lines has led, whose rows and states are in the table already; `told`: it had an F."""
+        """Note the end of a run of lines whose rows and states are in the table already; `told`: it had an F."""
         self.line_number = line_number
         self.model.position, self.model.motion = position, motion
         self._plans = self.grammar.plans(motion)
@@ -123,7 +123,7 @@ class Interpreter:
     # for who leads through a program whose lines are not read in their order (`program_flow.py`)
 
     def line_at(self, text: str, line_number: int, place: Place) -> None:
-        """Read a line that stands at `place`; its moves are those of `line_number`."""
+        """Read the line at `place`; its moves get `line_number`."""
         self.line_number, self._place = line_number - 1, place
         self.line(text)
 
@@ -143,7 +143,7 @@ class Interpreter:
             raise self._placed(error, []) from None
 
     def taken_at(self, text: str, place: Place) -> tuple[list[Word], list[float]]:
-        """Return the words of a line that somebody else executes, and the values of all but G and M."""
+        """Return the words of a line for execution elsewhere, and the values of all but G and M."""
         self._place = place
         words: list[Word] = []
         try:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The words and codes that act beside the moves: F, feed and plane modes, dwell, stops and the end; `ACTS` has all.
+"""Words and codes without motion: F, feed and plane modes, dwell, stops and the end; `ACTS` has all.
 
 Each function is one act of `codes.Code`; it changes the block's copy of the model only.
 """
@@ -87,7 +87,7 @@ def diameter(block: Block, code: Code) -> None:
 
 
 def dwell(block: Block, code: Code) -> None:
-    """G4: stand still."""
+    """G4: wait without motion."""
     seconds = block.not_negative("P") * block.dialect.dwell_unit_s
     block.event("dwell", seconds)
     block.call(f"DWELL({seconds:.4f})")

@@ -21,7 +21,7 @@ _CODE = re.compile(r"([GM])[ \t]*([0-9.]+)", re.IGNORECASE)
 
 
 class Reader(Protocol):
-    """Who reads the lines (`line_interpreter.py`), as far as a preprocessor must know it."""
+    """The line reader's interface for a preprocessor (`line_interpreter.py`)."""
 
     dialect: Dialect
     file: str

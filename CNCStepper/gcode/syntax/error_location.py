@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a refusal says beside its reason: the whole word that is to blame, its column, the controller's own answer."""
+"""The location of an error: the faulty word, its column, the controller's own answer."""
 
 from __future__ import annotations
 

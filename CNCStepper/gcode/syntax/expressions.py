@@ -29,7 +29,7 @@ _CLOSE = "]"
 
 
 class Names(Protocol):
-    """Who knows the parameters that an expression names; each raises ProgramError for what it refuses."""
+    """The values of the parameters that an expression names; each method raises ProgramError for invalid ones."""
 
     def number(self, number: int) -> float:
         """Return the value of `#number`."""
@@ -42,7 +42,7 @@ class Names(Protocol):
 
 
 class Scanner:
-    """Reads values from packed text, from `position` on; `columns` tells where each character stood."""
+    """Reads values from packed text, from `position` on; `columns` has the column of each character."""
 
     def __init__(self, packed: str, columns: list[int], names: Names):
         self.packed = packed
@@ -74,7 +74,7 @@ class Scanner:
         return found
 
     def error(self, code: str, what: str, advice: str = "", begin: int | None = None) -> ProgramError:
-        """Return the refusal of what stands at `begin`, or here."""
+        """Return the error for the text at `begin`, or here."""
         at = self.position if begin is None else begin
         column = self.columns[min(at, len(self.columns) - 1)] if self.columns else 1
         end = max(self.position, at + 1) if begin is not None else at + 12

@@ -60,7 +60,7 @@ class Word(NamedTuple):
 
 
 class Comment(NamedTuple):
-    """What stands between parentheses, or (`to_end`) after a semicolon; `kind` is "msg" for (MSG, ...), "" for most."""
+    """The text between parentheses, or (`to_end`) after a semicolon; `kind` is "msg" for (MSG, ...), "" for most."""
 
     text: str
     column: int
@@ -194,7 +194,7 @@ def _comment(inner: str, column: int, to_end: bool) -> Comment:
 
 
 def not_a_word(packed: str, position: int, columns: list[int]) -> ProgramError:
-    """Say what stands at `position` instead of a word."""
+    """Describe the character at `position` that begins no word."""
     letter = packed[position]
     run = letter + (_RUN.match(packed, position + 1) or [""])[0]
     after = packed[position + 1 : position + 2]

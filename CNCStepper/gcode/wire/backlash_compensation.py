@@ -66,7 +66,7 @@ class BacklashCompensation:
         self._crossed = ""  # the motion of ours that the wire said last, where the program may know another
 
     def lines(self, line: str, number: int) -> list[str]:
-        """Return what is sent for a line of the wire text, which stands for line `number` of the file."""
+        """Return the lines sent for a line of the wire text that is line `number` of the file."""
         place = Place(self._file, number)
         before = self._reader.model.copy()
         self._reader.line_at(line, number, place)

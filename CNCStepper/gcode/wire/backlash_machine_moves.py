@@ -18,14 +18,14 @@ Place = tuple[float, ...]
 
 
 class AsWritten:
-    """Leads the motors along such lines, and knows which axes have left their tool short of the place."""
+    """Follows the motors along such lines, and which axes have left their tool short of the place."""
 
     def __init__(self, motors: Motors):
         self._motors, self._play = motors, motors.play
         self._short: dict[int, float] = {}  # by axis: how far the motor is ahead of the tool, which is not at its place
 
     def ready_mm(self, position_mm: Sequence[float], first_mm: Sequence[float]) -> Place | None:
-        """Return where the motors must stand, so that the tool sets out with them; None where they do.
+        """Return the motor positions at which the tool starts with them; None when they are there.
 
         position_mm: of the tool, as the text says. first_mm: to which the motors go first.
         """

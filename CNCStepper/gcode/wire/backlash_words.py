@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The words of moves whose motors stand ahead of the tool (`backlash_compensation.py`).
+"""The words of moves with the motors ahead of the tool (`backlash_compensation.py`).
 
 A move that stays whole keeps its words, but for the ends that lie elsewhere; of one that is cut, the first piece has
 the words that act before a move, the last one those that act after it.
@@ -26,7 +26,7 @@ MOTIONS = frozenset(MOTION_NAMES)
 
 
 def crossing(model: Model, stood_mm: Sequence[float], end_mm: Sequence[float], feed_mm_min: float | None = None) -> str:
-    """Return the line by which the motors that stand elsewhere go to `end_mm`, in the modes of `model`.
+    """Return the line that takes the motors from elsewhere to `end_mm`, in the modes of `model`.
 
     feed_mm_min: None is a rapid.
     """

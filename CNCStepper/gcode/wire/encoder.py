@@ -43,7 +43,7 @@ def prepare(
     """Return the wire text of a program; raises ProgramError naming file, line, column for what cannot be sent.
 
     Loops, subroutines and expressions are written out, where lines are sent one by one, as they run from `start`; a
-    controller that reads the file itself keeps them. play: of the axes, to be taken up from `start` on (`play_of`).
+    controller that reads the file itself keeps them. play: of the axes, to be taken up from `start` on (`backlash_of`).
     """
     language = dialect_named(dialect)
     wire = _wire_text(text, language, file, start)

@@ -19,7 +19,7 @@ AXES = "XZ"
 
 
 class Records:
-    """Knows from record to record the motion, its F, and in absolute mode the words where the axes stand."""
+    """Follows from record to record the motion, its F, and in absolute mode the axis positions."""
 
     def __init__(self, dialect: Dialect):
         self.are_used = "records" in dialect.front

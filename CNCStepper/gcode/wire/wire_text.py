@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The wire text: the lines that are sent, the lines of the file that they stand for, and what no line may hold."""
+"""The wire text: the lines sent, their lines in the file, and the limits of a line."""
 
 from __future__ import annotations
 

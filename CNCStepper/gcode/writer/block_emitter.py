@@ -83,7 +83,7 @@ class BlockEmitter:
         return word
 
     def raw(self, comment: str) -> None:
-        """Write a comment as it stands; nothing where the dialect has none."""
+        """Write a comment unchanged; nothing where the dialect has none."""
         if self.writing.comment:
             self.end_cycle()
             end = self.writing.block_end
@@ -110,11 +110,11 @@ class BlockEmitter:
         self.forget()
 
     def forget(self) -> None:
-        """Let the next move write all its words, since somebody may have moved the machine."""
+        """Let the next move write all its words, since the machine may have been moved."""
         self._motion, self._feed, self._stale = "", "", set(self._own_axes)
 
     def begin_at(self, at: Counts) -> None:
-        """The machine stands there as the program begins; the first move names its axes all the same."""
+        """Set the machine's position at the program's begin; the first move names its axes all the same."""
         self.at, self._stale = list(at), {axis for axis in self._own_axes if at[axis] is not None}
 
     def move(self, kind: int, end: Counts, feed_mm_min: float = 0.0, nowhere: bool = False) -> None:

@@ -44,7 +44,7 @@ class _Block:
 
 
 class CycleWriter:
-    """Writes runs of blocks; `page` knows where the machine stands."""
+    """Writes runs of blocks; `page` has the machine's position."""
 
     def __init__(self, toolpath: Toolpath, page: BlockEmitter, rows: RowWriter):
         self.path = toolpath

@@ -55,7 +55,7 @@ class RowWriter:
         self._centres = self.grid.exact(table.centre - offsets).tolist()
 
     def any_height(self, first: int, last: int) -> bool:
-        """Whether the rows [first, last) know their height at all."""
+        """Whether a height of the rows [first, last) is known."""
         return any(not isnan(end[2]) for end in self._ends[first:last])
 
     def write(self, row: int) -> None:

@@ -89,7 +89,7 @@ class Limits:
 
 @lru_cache(MOST_KEPT)  # every level of a pocket has the same arcs, and so has its next edit
 def rounded(begin: Count, arc: TrueArc, limits: Limits) -> tuple[Piece, ...]:
-    """Return the pieces that stand for `arc` from the rounded `begin`; empty where nothing is left of it."""
+    """Return the pieces of `arc` from the rounded `begin`; empty where nothing is left of it."""
     if arc.radius > limits.largest_radius:
         return tuple(_chords(begin, arc, limits.flat))
     return tuple(_pieces(begin, arc, limits, MOST_SPLITS))

@@ -115,7 +115,7 @@ class Switches:
             self.page.line("M0")
 
     def rise_mm(self, tool: int) -> float:
-        """Return how far above clearance the tool in the spindle must stand, so that a longer `tool` clears too."""
+        """Return how far above clearance the present tool must be, so that a longer `tool` clears too."""
         lengths = self.options.tool_lengths_mm
         if self.options.tool_length != "table":
             return 0.0

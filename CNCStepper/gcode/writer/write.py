@@ -57,7 +57,7 @@ def written(
     options: WriteOptions | None = None,
     progress: Callable[[float], None] = lambda share: None,
 ) -> Written:
-    """Return what `write` does, with notes of what the dialect lacks and what stands for it.
+    """Return the result of `write`, with notes of features that the dialect lacks and their replacements.
 
     progress: called with the share of the rows that is written, from 0 to 1.
     """

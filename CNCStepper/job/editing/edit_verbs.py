@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The editing verbs by name, for who asks from another process; what an edit would spoil is refused."""
+"""The editing verbs by name, for other processes; an edit that would break the program is refused."""
 
 from __future__ import annotations
 

@@ -39,7 +39,7 @@ _FEED = re.compile(r"[ \t]*(?:N[0-9]+[ \t]*)?F", re.IGNORECASE)
 
 
 class Abandoned(Exception):
-    """Raised where nobody waits for the answer any more."""
+    """Raised when the answer is no longer wanted."""
 
 
 class Note(NamedTuple):

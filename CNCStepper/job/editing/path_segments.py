@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The way of a program as segments that know their lines: drawn, shown one by one, and found under the pointer."""
+"""The path of a program as segments with line numbers: drawn, highlighted, and picked by the pointer."""
 
 from __future__ import annotations
 

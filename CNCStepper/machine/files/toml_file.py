@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""TOML files: job files and machine profiles, read in bounded time whatever stands in them."""
+"""TOML files: job files and machine profiles, read in bounded time whatever their content."""
 
 from __future__ import annotations
 

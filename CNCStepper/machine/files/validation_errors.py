@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is wrong with the content of a file that a model refuses: the key, the table it stands in, and what to do."""
+"""Validation errors of a file: the key, its table, and the remedy."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ BOUNDS = {"gt": "above", "ge": "at least", "lt": "below", "le": "at most"}
 
 
 def refusal_of(model: type[BaseModel], error: ValidationError, file: str) -> JobError:
-    """Return the first thing that is wrong; a key that nobody knows comes first, for it may be the missing one."""
+    """Return the first error; an unknown key comes first, for it may be the missing one."""
     problems = error.errors()
     unknown = [problem for problem in problems if problem["type"] == "extra_forbidden"]
     first = (unknown or problems)[0]

@@ -93,7 +93,7 @@ def read_bit(path: Path, number: int = 1) -> StoredTool:
 
 
 def write_bit(stored: StoredTool, path: Path) -> None:
-    """Write a tool as `.fctb`: what the file it came from said, and over that what the tool says."""
+    """Write a tool as `.fctb`: the keys of its original file, overwritten by the tool's own values."""
     write_whole(path, (json.dumps(_bit(stored), indent=2, ensure_ascii=True) + "\n").encode("ascii"))
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A tool as another program's file holds it: what of it we understand, all that stands there, what is to be told."""
+"""A tool in another program's file: the keys understood, all keys kept, and notes."""
 
 from __future__ import annotations
 
@@ -57,6 +57,6 @@ def tool_or_note(content: dict[str, Any]) -> tuple[Tool | None, tuple[str, ...]]
 
 
 def given_keys(tool: Tool) -> dict[str, Any]:
-    """Return the keys of a tool that say something: those that are not as where nothing is said."""
+    """Return the keys of a tool whose values are not the defaults."""
     fields = type(tool).model_fields
     return {key: value for key, value in tool.model_dump().items() if value != fields[key].default}

@@ -148,7 +148,7 @@ def new_segments(rows: int, axes: int) -> np.recarray:
 
 
 def new_planner(limits: Limits, position_mm: tuple[float, ...]) -> Planner:
-    """Return an empty planner that stands at `position_mm` (NaN where unknown)."""
+    """Return an empty planner at `position_mm` (NaN where unknown)."""
     axes = limits.axes
     steps_per_mm = np.array(limits.steps_per_mm, float)
     known = ~np.isnan(np.array(position_mm, float))

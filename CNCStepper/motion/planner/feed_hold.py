@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Hold, resume and override of a pass through a table whose pulses are being sent: heard between two of its pieces.
+"""Hold, resume and override of a pass through a table while its pulses are sent, between two segments.
 
     speed  ‾‾‾‾‾‾\\              /‾‾‾‾‾       the pass brakes along the path, over corners too; while it is held the
                   \\____....____/             clock goes on by REST_S at a time, and no pulse, no place is lost
@@ -39,7 +39,7 @@ class FeedHold:
         self.share = 1.0
 
     def hold(self) -> None:
-        """Ask to brake along the path and to stand."""
+        """Request a feed hold along the path."""
         self.held = True
 
     def resume(self) -> None:
@@ -55,7 +55,7 @@ class FeedHold:
         self.share = share
 
     def segments(self, run: Run) -> Iterator[np.recarray]:
-        """Yield the segments of a pass, few at a time, as `Run.segments` does; none: it stands for REST_S."""
+        """Yield the segments of a pass, few at a time, as `Run.segments` does; none: at rest for REST_S."""
         whole, rows, in_force = run.table, PIECE_ROWS, 1.0
         while True:
             run.table = whole[:rows].view(np.recarray)

@@ -148,7 +148,7 @@ class Motion:
             stepper_interrupt.run_until(self._runner, until)
 
     def hold(self) -> None:
-        """Begin to brake along the path; `held` once the axes stand."""
+        """Begin to brake along the path; `held` once the axes are at rest."""
         stepper_interrupt.hold(self._runner)
 
     def resume(self) -> bool:

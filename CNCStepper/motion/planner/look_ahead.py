@@ -229,7 +229,7 @@ def write_course(segment, block):
 
 @njit_inline
 def empty_planner(planner, position_steps):
-    """Forget all blocks and any hold, and stand at `position_steps`; overrides stay."""
+    """Drop all blocks and any hold, and rest at `position_steps`; overrides stay."""
     queue = planner.queue[0]
     ramp = planner.ramp[0]
     queue.head = queue.tail = queue.planned = queue.fresh = 0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the planner must know of a machine: steps, greatest speeds and accelerations, tolerances."""
+"""The planner's limits of a machine: steps, speeds, accelerations, tolerances."""
 
 from __future__ import annotations
 

@@ -16,7 +16,7 @@ from CNCStepper.toolpath import Toolpath
 
 
 class Pulse(NamedTuple):
-    """A moment at which some motor steps, and where the axes stand after it, in steps from machine zero."""
+    """The time of a step of some motor, and the axes' position after it, in steps from machine zero."""
 
     time_s: float
     position_steps: tuple[int, ...]

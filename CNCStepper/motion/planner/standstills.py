@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where the axes come to rest between the moves of a table, and how long they stand there."""
+"""Where the axes come to rest between the moves of a table, and for how long."""
 
 from __future__ import annotations
 

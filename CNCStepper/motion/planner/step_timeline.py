@@ -25,7 +25,7 @@ def steps_made(steps, whole, parts):
 
 @njit_inline
 def place_in(segment, ticks, position):
-    """Write to `position` where the axes stand after `ticks` of the segment's ticks."""
+    """Write to `position` the axes' position after `ticks` of the segment's ticks."""
     eighths = segment.eighths + ticks * segment.unit
     for axis in range(len(position)):
         steps = segment.steps[axis]
@@ -44,7 +44,7 @@ def ends(segments):
 
 @njit
 def positions_at(segments, clocks, positions):
-    """Write where the axes stand at `clocks` (int64, rising, ticks of the controller's clock).
+    """Write the axes' positions at `clocks` (int64, rising, ticks of the controller's clock).
 
     Every clock must lie at or after the first segment's start; between two segments, and after the
     last, the axes stand where the earlier one ended.

@@ -44,7 +44,7 @@ class Runner(NamedTuple):
 
 
 def new_runner(planner: Planner, idle_delay_ticks: int, record_rows: int) -> Runner:
-    """Return a runner at clock 0 that stands where the planner stands."""
+    """Return a runner at clock 0 at the planner's position."""
     axes = len(planner.position)
     clockwork = np.zeros(1, _CLOCKWORK).view(np.recarray)
     clockwork[0].idle_delay = idle_delay_ticks

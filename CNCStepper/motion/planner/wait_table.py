@@ -28,7 +28,7 @@ LONGEST_TICKS = round(0.01 * TICKS_PER_S)  # of a segment with many steps at one
 
 @njit_in_place
 def next_wait(planner, segment):
-    """Write the next step, or a few with the same wait, to `segment`; returns False where a hold stands."""
+    """Write the next step, or a few with the same wait, to `segment`; returns False in a completed hold."""
     ramp = planner.ramp[0]
     block = planner.blocks[planner.queue[0].tail]
     if ramp.hold and ramp.place <= 0:

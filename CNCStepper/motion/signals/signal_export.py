@@ -26,7 +26,7 @@ NEW_LINE, ZERO, COMMA, POINT, MINUS, HASH = (ord(character) for character in "\n
 
 
 def decimals_of(ticks_per_s: int) -> int:
-    """Return how many decimals of a second tell every tick exactly; raises MachineRefusal where 12 do not."""
+    """Return how many decimals of a second resolve every tick; raises MachineRefusal where 12 do not."""
     for decimals in SCALES:
         if 10**decimals % ticks_per_s == 0:
             return decimals

@@ -44,7 +44,7 @@ def cutting(program: Program) -> list[Stretch]:
 
 
 def stretch_of(program: Program, row: int) -> Stretch:
-    """Return the stretch in which a row that is no rapid stands."""
+    """Return the stretch of a row that is no rapid."""
     return next(stretch for stretch in stretches(program) if stretch.first <= row < stretch.last)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The places by which the restart of a program can be named, told to a window."""
+"""The restart places of a program as plain data for a window."""
 
 from __future__ import annotations
 

@@ -80,7 +80,7 @@ class Program:
 
     @property
     def operations(self) -> list[Span]:
-        """The operations that its comments tell of, in their order."""
+        """The operations named by its comments, in their order."""
         return sorted((span for span in self.path.spans if span.kind == "operation"), key=lambda span: span.first)
 
     @cached_property

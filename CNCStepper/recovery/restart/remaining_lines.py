@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The program's own lines from the entrance on, as they are, but for a motion that was said before them.
+"""The program's own lines from the entry point on, unchanged but for a motion word named before them.
 
 program   G1 X10 F800  /  X20  /  X30           entered at X20, after a plunge or an arc of the entry
 rest                      G1 X20  /  X30        the first line that moves names what was modal

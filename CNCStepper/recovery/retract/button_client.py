@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Leads the tool of one session along its cut when its machine's own buttons want it, beside whoever watches."""
+"""Moves the tool of a session along its cut when the machine's own buttons request it."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A client that leads a held job back along its cut, forward again, and lets it go on: of a session or of a desk."""
+"""A client that moves a held job back along its cut, forward again, and resumes it."""
 
 from __future__ import annotations
 

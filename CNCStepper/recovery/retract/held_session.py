@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a held session tells of its program and its controller, as the core's own values."""
+"""The program and controller of a held session as the core's own values."""
 
 from __future__ import annotations
 

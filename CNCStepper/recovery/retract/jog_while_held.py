@@ -51,7 +51,7 @@ def jog(client: SessionClient, way: dict[str, float]) -> SenderStatus:
 
 
 def set_zero(client: SessionClient, axes: str) -> SenderStatus:
-    """Make the place of a machine that stands between two lines the zero of axes; raises what is refused."""
+    """Set the zero of axes at a machine paused between two lines; raises refusals."""
     client.status()  # past the events of before
     client.ask("set_zero", axes=axes)
     while client.outcome is None:

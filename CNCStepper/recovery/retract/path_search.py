@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where on its way a held machine stands, though passes may lie on top of each other.
+"""Finds the place of a held machine on its path, though passes may lie on top of each other.
 
     rows      | finished |  in the planner, at most its blocks  | read, not acknowledged | not sent
                          ^--- only here the position is looked for ---^

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Back along the cut: from what a held session tells to the wire text of a way, proven as any program that is sent.
+"""Path retract: from the status of a held session to wire text, proven as any program.
 
 told (control/stream/path_retract.py) ──► Held: the program's way, the place, how far it was cut
                                 │ back_by · back_to_line · back_to_entry · forward_by · rest
@@ -73,7 +73,7 @@ class HeldProgram:
 
     @property
     def doubt(self) -> str:
-        """What to say where the place is not certain, "" where it is."""
+        """The warning when the place is uncertain, "" when it is certain."""
         early, late = self.found
         if early == late:
             return ""

@@ -15,7 +15,7 @@ from CNCStepper.toolpath import LINE
 
 
 class Blended(PartCheck):
-    """Finds how far corners between straight feeds may be cut at most (G64 P), and where nothing says how far (G64)."""
+    """Finds the largest corner error between straight feeds (G64 P), and corners without a limit (G64)."""
 
     def __init__(self) -> None:
         self._allowed_mm = -1.0  # on the last row before

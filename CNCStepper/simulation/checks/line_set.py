@@ -10,7 +10,7 @@ BLOCK = 1 << 20  # bytes that are counted at once
 
 
 class LineSet:
-    """Line numbers from 1; 0, which stands for no line, is never in it."""
+    """Line numbers from 1; 0, no line, is never in it."""
 
     def __init__(self) -> None:
         self._bits = np.zeros(0, np.uint8)

@@ -25,7 +25,7 @@ CHIP_SHARE = 1.001
 
 
 class Loads(PartCheck):
-    """Finds for each tool where it is loaded more than it may; what a tool does not say is not checked.
+    """Finds where each tool is overloaded; limits that a tool does not name are not checked.
 
     What the tools meet is measured when the whole path is known: it is kept on the disk until then.
     """

@@ -65,7 +65,7 @@ def unknown_place_cuts(subject: CheckContext, stock: Stock) -> Iterator[Finding]
 
 
 class StockChecks:
-    """The checks of a program, or of a part of it, that need to know what the moves before have left.
+    """The checks of a program, or of a part of it, against the stock that earlier moves have left.
 
     before: the cutting paths of the parts before.
     """

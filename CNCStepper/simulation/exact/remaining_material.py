@@ -46,7 +46,7 @@ BESIDE_MM = 1.0  # a path may lie this far beside what it was meant to remove, a
 
 @dataclass(frozen=True)
 class Island:
-    """Material that stands alone inside a removal: its thickest place and how thick it is."""
+    """An island of material inside a removal: its thickest place and how thick it is."""
 
     place_mm: tuple[float, float, float]
     thickness_mm: float

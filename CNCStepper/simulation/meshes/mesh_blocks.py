@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Squares of cells that one face can stand for, and their triangles, which meet their neighbours' at every point.
+"""Squares of cells merged into one face, and triangles that meet their neighbours' at every point.
 
 +-------+---+---+     Where many cells lie in one plane a square of 2, 4, 8 ... is one fan about its middle. A fan goes
 | \\   / | x | x |     by every point that a smaller neighbour has on its border, so that no edge ends in the middle of

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The colours by which depths are told apart, in pictures and in the 3D view: from the deepest cut up to the top."""
+"""The colours of depths in pictures and the 3D view, from the deepest cut up to the top."""
 
 from __future__ import annotations
 

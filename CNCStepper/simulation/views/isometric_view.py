@@ -31,7 +31,7 @@ def bounds(box_mm: np.ndarray, frame_mm: np.ndarray) -> np.ndarray:
 
 
 def frame_of(part: HeightMap, limits_mm: np.ndarray | None = None) -> np.ndarray:
-    """Return the box along whose edges the axes stand: the stock, on the whole work surface where that is known."""
+    """Return the box with the axes on its edges: the stock, on the whole work surface where that is known."""
     frame = np.array([part.stock.low_mm, part.stock.high_mm])
     if limits_mm is not None:
         frame[0, :2], frame[1, :2] = limits_mm[0, :2], limits_mm[1, :2]

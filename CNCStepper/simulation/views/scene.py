@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a picture shows: the part at a moment, the path so far, the tool where it stands, and the work surface."""
+"""The content of a picture: the part at one time, the path so far, the tool, and the work surface."""
 
 from __future__ import annotations
 

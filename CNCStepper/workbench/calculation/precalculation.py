@@ -31,7 +31,7 @@ def look_at(
     changes: dict[str, Any] | None = None,
     while_tried: Callable[[], None] = lambda: None,
 ) -> Look:
-    """Return what it takes to make what has changed in a document, and what stands on it.
+    """Return the cost of making the changed objects of a document and their dependents.
 
     obj, changes: an object, and new values by key that it would have; the document is left as it was. while_tried:
     called while it has them.

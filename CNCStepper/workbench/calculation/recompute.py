@@ -14,7 +14,7 @@ from CNCStepper.workbench.features.base import proxy_type
 
 
 def remake(document: Any) -> None:
-    """Make those of our objects that have changed, and ours that stand on them, each after what it stands on."""
+    """Make our changed objects and their dependents, in the order of dependency."""
     for _ in steps(document):
         pass
 

@@ -60,7 +60,7 @@ _bytes = 0
 
 
 def take(key: str, content: dict[str, Any]) -> None:
-    """Keep an answer as `cycle_cutting` tells it."""
+    """Keep an answer of `cycle_cutting`."""
     keep(key, _answer(content))
 
 

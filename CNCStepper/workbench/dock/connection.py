@@ -98,7 +98,7 @@ class Link:
 
     @property
     def stand(self) -> int | None:
-        """The number of the stand that is shown, which who goes on answers to; None when there is no controller."""
+        """The id of the shown pause, for the answer to it; None without a controller."""
         return self.status.stand if self.status else None
 
     @property

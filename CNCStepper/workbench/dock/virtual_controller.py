@@ -50,7 +50,7 @@ class VirtualMachine:
         return ""
 
     def give_up(self) -> None:
-        """End it while nobody has connected yet."""
+        """End it before any client has connected."""
         if self._process and self._process.poll() is None:
             self._process.terminate()
 

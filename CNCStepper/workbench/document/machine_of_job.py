@@ -16,7 +16,7 @@ from CNCStepper.machine.tools.tool import Tool
 
 
 def machine_of(obj: Any) -> Machine:
-    """Return the machine of a job object; a profile's file is looked for beside the document, its dialect set."""
+    """Return the machine of a job object; its profile is looked for in the document's folder, its dialect set."""
     return once("machine", obj, lambda: _machine_named(obj))
 
 

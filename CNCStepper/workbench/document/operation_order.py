@@ -34,7 +34,7 @@ def job_of(part: Any) -> Any:
 
 
 def move(job: Any, operations: Sequence[Any], beside: Any = None, after: bool = True) -> None:
-    """Place operations of a job, in the order in which they stand in it, before or after another one of it.
+    """Place operations of a job, in their present order, before or after another one of it.
 
     beside: None puts them at the end of the job. Raises JobError for an operation of another job, and moves nothing.
     """
@@ -54,7 +54,7 @@ def move(job: Any, operations: Sequence[Any], beside: Any = None, after: bool = 
 
 
 def step(operations: Sequence[Any], by: int) -> None:
-    """Move operations of one job a place up (-1) or down (1); those that stand at the end of it stay."""
+    """Move operations of one job a place up (-1) or down (1); those at the end stay."""
     job = job_of(operations[0])
     order = list(job.Operations)
     wall = -1 if by < 0 else len(order)

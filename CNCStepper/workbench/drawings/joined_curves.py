@@ -52,7 +52,7 @@ class Drawn:
     doubled: tuple[tuple[DrawnCurve, DrawnCurve], ...]
 
     def remarks(self) -> list[str]:
-        """Return what a person should know of them."""
+        """Return remarks on the drawings."""
         pairs = dict.fromkeys((out.label, kept.label) for out, kept in self.doubled)
         said: list[str] = [
             Text("'{out}' is drawn where '{kept}' is, and counts once", out=out, kept=kept) for out, kept in pairs

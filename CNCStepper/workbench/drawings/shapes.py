@@ -61,7 +61,7 @@ def edges_of(drawing: Any, picked: Sequence[str] = ()) -> list[Any]:
 
 
 def line_groups(drawing: Any, picked: Sequence[str] = ()) -> list[list[Any]]:
-    """Return the edges of a drawing, those of each face apart, because faces beside one another share some.
+    """Return the edges of a drawing by face, because neighbouring faces share some.
 
     The edges that are no face's are one group. A drawing of which all counts must lie flat; raises GeometryError.
     """

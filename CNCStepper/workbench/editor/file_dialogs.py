@@ -14,7 +14,7 @@ PATTERNS = "*.nc *.ngc *.gcode *.tap *.cnc *.txt"
 
 
 def ask_which() -> Path | None:
-    """Ask for a program to open, None when nobody chose one."""
+    """Ask for a program to open; None when the user cancels."""
     from PySide import QtGui
 
     dialog = _dialog(tr("Open a G-code file"), Path.home())
@@ -23,7 +23,7 @@ def ask_which() -> Path | None:
 
 
 def ask_where_to(source: Any) -> Path | None:
-    """Ask where to save a text, None when nobody chose a file."""
+    """Ask where to save a text; None when the user cancels."""
     from PySide import QtGui
 
     proposed = _proposed(source)

@@ -19,7 +19,7 @@ BACK = QtGui.QTextDocument.FindFlag.FindBackward
 
 
 class FindBar(QtGui.QWidget):
-    """A bar below the text; `said` sends what came of it."""
+    """A bar below the text; `said` sends its results."""
 
     said = QtCore.Signal(str)
 

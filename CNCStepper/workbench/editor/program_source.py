@@ -54,7 +54,7 @@ class FileSource:
         return text
 
     def language(self, machine: Any) -> Language:
-        """Return how it is read, on a machine's profile."""
+        """Return the dialect and settings of its job."""
         return Language(machine.controller, str(self.path or ""), machine)
 
     def save(self, text: str) -> FileSource:

@@ -31,7 +31,7 @@ MOST_SENT_BY_LINE = 5000  # a longer change is sent as a file with the whole tex
 
 @dataclass(frozen=True)
 class Language:
-    """How a program is read: its dialect, beside which file its subroutines stand, from where, on which machine."""
+    """How a program is read: its dialect, the file beside its subroutines, its start and machine."""
 
     dialect: str
     file: str = ""
@@ -95,7 +95,7 @@ class ProgramReader(QtCore.QObject):
             self._questions.ask(question)
 
     def end(self) -> None:
-        """End the process; nothing is told any more."""
+        """End the process; no further signals are sent."""
         self._questions.end()
 
     def forget(self) -> None:

@@ -19,7 +19,7 @@ WRONG = "QLabel { color: #d43a2f }"
 
 
 class StatusLine(QtGui.QWidget):
-    """Labels that are told what to show."""
+    """Labels below the text."""
 
     def __init__(self, parent: Any = None):
         super().__init__(parent)

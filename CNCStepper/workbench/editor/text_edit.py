@@ -138,7 +138,7 @@ class ProgramEdit(QtGui.QPlainTextEdit):
         self.margin.update()
 
     def resizeEvent(self, event: Any) -> None:
-        """Let the margin stand beside the text."""
+        """Place the margin at the left of the text."""
         super().resizeEvent(event)
         inside = self.contentsRect()
         self.margin.setGeometry(inside.left(), inside.top(), self.margin.wanted_px(), inside.height())

@@ -15,7 +15,7 @@ BAD, GOOD = "QLabel { color: #d43a2f; font-weight: bold }", "QLabel { color: #23
 
 
 class EditorBar(QtGui.QWidget):
-    """Buttons that tell by signals what is wanted."""
+    """Buttons with a signal for each action."""
 
     save = QtCore.Signal()
     save_as = QtCore.Signal()

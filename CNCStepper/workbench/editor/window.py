@@ -96,7 +96,7 @@ class EditorDock(QtGui.QDockWidget):
         self._name()
 
     def closeEvent(self, event: Any) -> None:
-        """Go, unless somebody thinks better of losing what is not saved."""
+        """Close, unless the user cancels because of unsaved text."""
         if not messages.guarded(self.panel.may_close)():
             event.ignore()
             return
@@ -124,7 +124,7 @@ class ClosingGuard(QtCore.QObject):
         QtCore.QCoreApplication.instance().aboutToQuit.connect(self._quit)
 
     def eventFilter(self, watched: Any, event: Any) -> bool:
-        """Keep the window open when somebody thinks better of closing it."""
+        """Keep the window open when the user cancels the closing."""
         if not isinstance(event, QtCore.QEvent) or event.type() != QtCore.QEvent.Type.Close:
             return False  # PySide2 may take an event for a deleted object that lay at its address
         for dock in docks():
@@ -141,7 +141,7 @@ class ClosingGuard(QtCore.QObject):
 
 
 _guard: list[ClosingGuard] = []
-_front: list[Front] = []
+_front: list[ActiveEditor] = []
 
 
 def docks() -> list[EditorDock]:
@@ -163,7 +163,7 @@ def open_source(source: Any) -> EditorDock:
     window = FreeCADGui.getMainWindow()
     if not _guard:
         _guard.append(ClosingGuard(window))
-        _front.append(Front(lambda: look_again(*TAKE_THE_FRONT)))
+        _front.append(ActiveEditor(lambda: look_again(*TAKE_THE_FRONT)))
     others = docks()
     dock = next((dock for dock in others if dock.panel.source.key == source.key), None)
     if dock is None:

@@ -121,7 +121,7 @@ class Feature:
         return found
 
     def check(self, obj: Any) -> None:
-        """Raise a CNCStepperError when a property of `obj` alone can never do, whatever it will stand on."""
+        """Raise a CNCStepperError for a property of `obj` that is invalid whatever it depends on."""
 
     def question(self, obj: Any) -> dict[str, Any] | None:
         """Return what the cut process is to be asked before `obj` is made, None where it need not.
@@ -132,10 +132,10 @@ class Feature:
         return None
 
     def make(self, obj: Any) -> None:
-        """Make what `obj` holds from its properties; raises a CNCStepperError that says what to change."""
+        """Make the content of `obj` from its properties; raises a CNCStepperError with an advice."""
 
     def execute(self, obj: Any) -> None:
-        """Make `obj`, as FreeCAD asks; a refusal shows on it and takes back the programs that stand on it."""
+        """Make `obj` for FreeCAD; an error is shown on it and invalidates the dependent programs."""
         try:
             with without_compiling():
                 self.make(obj)

@@ -32,7 +32,7 @@ OPERATIONS = {kind.CYCLE: kind for kind in KINDS}
 
 
 def operation_class(cycle: str) -> type[Operation]:
-    """Return the kind of document object that stands for a cycle; raises JobError for a name that is none."""
+    """Return the document object's class for a cycle; raises JobError for an unknown name."""
     if cycle not in OPERATIONS:
         raise JobError(
             "cycle-unknown",

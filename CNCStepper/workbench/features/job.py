@@ -135,7 +135,7 @@ class Job(Feature):
         obj.Message = ""
 
     def invalidate(self, obj: Any, why: str) -> None:
-        """Take the program and its picture back, so that nobody cuts what the drawing no longer says."""
+        """Remove the program and its picture, so that an outdated one is never cut."""
         program_file.store(obj, "")
         obj.Message = why
         for preview in obj.InList:

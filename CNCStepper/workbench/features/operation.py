@@ -151,7 +151,7 @@ class Operation(Feature):
         return in_tables({entry.key: found[entry.key] for entry in entries if self.counts(entry, found)}, self.TABLES)
 
     def counts(self, entry: Property, found: dict[str, Any]) -> bool:
-        """Return whether a property counts beside an object's other values, by key."""
+        """Return whether a property counts with an object's other values, by key."""
         if not entry.only:
             return True
         chooser, choices = entry.only
@@ -314,7 +314,7 @@ def the_drawing(obj: Any) -> tuple[Any, tuple[str, ...]] | None:
 
 
 def drawn_lines(obj: Any, origin_mm: tuple[float, ...], wanted: str) -> Lines:
-    """Return the curves of an operation's drawings from the work zero, and let its proxy remark what there is to know.
+    """Return the curves of an operation's drawings from the work zero; its proxy collects remarks on them.
 
     Raises CycleError where it has none, `wanted` says what to choose; GeometryError for what cannot be followed.
     """

@@ -16,7 +16,7 @@ from CNCStepper.workbench.services.translation import later
 
 
 class Preview(Feature):
-    """The proxy of a preview; it stands on its job and is placed at the job's work zero."""
+    """The proxy of a preview; it depends on its job and is placed at the job's work zero."""
 
     Type = "CNCStepper_Preview"
     PROPERTIES = (
@@ -26,7 +26,7 @@ class Preview(Feature):
     was_read: tuple[str, Any] | None = None  # a program's text and its path, until that is shown
 
     def read(self, obj: Any) -> bool:
-        """Read the program, whose moves the cut process has told, for the next `make`; return whether it was unread."""
+        """Read the program's moves from the cut process for the next `make`; return whether it was unread."""
         text = program_file.load(obj.Job) if obj.Job is not None else ""
         moves = result_cache.path_of(text) if text else None
         if moves is None or (self.was_read is not None and self.was_read[0] == text):

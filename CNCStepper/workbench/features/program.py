@@ -19,7 +19,7 @@ PROGRAM = later("Program")
 
 
 class Program(Feature):
-    """The proxy of an edited program; it is checked, simulated and sent with what its job says of machine and stock."""
+    """The proxy of an edited program; it is checked, simulated and sent with its job's machine and stock."""
 
     Type = "CNCStepper_Program"
     PROPERTIES = (

@@ -108,7 +108,7 @@ class Tool(Feature):
             _fix_foreign(obj)
 
     def given(self, found: dict[str, Any]) -> dict[str, Any]:
-        """Return the values that say something: no 0 that means "not given", and nothing of other shapes."""
+        """Return the values that are given: no 0 that means "not given", and nothing of other shapes."""
         foreign = foreign_keys(found["shape"])
         return {key: value for key, value in found.items() if key not in foreign and (value or key not in OPTIONAL)}
 

@@ -11,7 +11,7 @@ from CNCStepper.workbench.freehand.stroke import Point
 
 
 class Mode:
-    """Something that the user does with the mouse in `view` until it is left; it hears what happens to its document."""
+    """A mouse mode in `view` until it is left; it observes its document."""
 
     def __init__(self, view: Any, document: Any):
         from CNCStepper.workbench.freehand.mouse_events import Pointer

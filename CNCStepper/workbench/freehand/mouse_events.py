@@ -29,7 +29,7 @@ KEYS = {
 
 
 class Listener(Protocol):
-    """What hears of the left button and of the keys, in pixels of the view; see `Mode`, which is one."""
+    """A receiver of the left button and of the keys, in pixels of the view; see `Mode`, which is one."""
 
     def pressed(self, pixel: Point, shift: bool) -> bool:
         """The left button went down; return whether that was meant for the listener, as the next two do."""

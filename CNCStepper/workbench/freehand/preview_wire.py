@@ -62,7 +62,7 @@ class Wire:
         self._placed.rotation = tuple(placement.Rotation.Q)
 
     def draw(self, line: Sequence[Point], points: Sequence[Point] = (), hot: Point | None = None) -> None:
-        """Show a polyline, points of it as handles, and one that stands out."""
+        """Show a polyline, its points as handles, and one highlighted point."""
         for coordinates, shape, row in (
             (self._line, self._count, line),
             (self._points, self._marks, points),

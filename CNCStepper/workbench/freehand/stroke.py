@@ -61,7 +61,7 @@ class Stroke:
 
 
 def snapped(corner: Point, pointer: Point) -> Point:
-    """Return the end of a straight part: the pointer, or beside it on a multiple of 45 degrees that is near."""
+    """Return the end of a straight part: the pointer, or a near place on a multiple of 45 degrees."""
     across, up = pointer[0] - corner[0], pointer[1] - corner[1]
     angle_deg = math.degrees(math.atan2(up, across))
     whole_deg = 45.0 * round(angle_deg / 45.0)

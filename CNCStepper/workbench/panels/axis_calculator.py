@@ -69,7 +69,7 @@ TRIAL = ("distance_mm", "feed_mm_min", "rate_hz")  # what is asked of the drive
 
 
 class AxisSheet(QtGui.QWidget):
-    """Lines to type a drive into, and below them what follows; the profile's drive of the chosen axis stands first."""
+    """Lines to type a drive into, and the results below; the profile's drive of the chosen axis is the default."""
 
     def __init__(self, job: Any, parent: Any):
         super().__init__(parent)
@@ -103,7 +103,7 @@ class AxisSheet(QtGui.QWidget):
             self.take_axis()
 
     def take_axis(self) -> None:
-        """Show what the profile says of the chosen axis; what it does not say stays as it is."""
+        """Show the profile's values of the chosen axis; values that it lacks stay."""
         self._profile = self.job.Machine
         axis = self._profile_axis()
         drive = axis.drive if axis else None
@@ -118,7 +118,7 @@ class AxisSheet(QtGui.QWidget):
         self.work_out()
 
     def work_out(self) -> None:
-        """Say all that follows from what stands in the lines, or what is wrong with them."""
+        """Show the results of the lines, or their error."""
         chosen = {key: box.currentData() for key, box in self.boxes.items()}
         for box in self.boxes.values():
             box.setToolTip(box.currentText())  # a narrow panel shows its front

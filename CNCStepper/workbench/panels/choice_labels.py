@@ -85,5 +85,5 @@ WORDS = {
 
 
 def words_of(choice: str) -> str:
-    """Return a choice as a person reads it; what has no words of its own, like G54, stands for itself."""
+    """Return the label of a choice; one without a label, like G54, is its own."""
     return tr(WORDS[choice]) if choice in WORDS else choice

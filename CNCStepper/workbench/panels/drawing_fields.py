@@ -69,7 +69,7 @@ class _Taking(Field):
         self.say_unused(self.obj.Proxy.unused)
 
     def take(self, more: bool = False) -> None:
-        """Follow the selected drawings, alone or beside those that are followed; what cannot be is said."""
+        """Follow the selected drawings, alone or with those already followed; refusals are shown."""
         own = [self.obj, *self.obj.InListRecursive]
         pairs = [pair for pair in targets.drawings(self.obj.Proxy.PICKS_LINES) if pair[0] not in own]
         if not pairs:

@@ -85,7 +85,7 @@ class WorkNote(QtGui.QWidget):
 
 
 class Field(QtCore.QObject):
-    """One property in a form: `widget` with the note below it. `changed` tells that a person has changed it."""
+    """One property in a form: `widget` with the note below it. `changed` is sent after an edit by the user."""
 
     changed = QtCore.Signal()
 
@@ -112,7 +112,7 @@ class Field(QtCore.QObject):
         raise NotImplementedError
 
     def read(self) -> Any:
-        """Return the value that stands here, in the unit of the key; raises Refused."""
+        """Return the field's value, in the unit of the key; raises Refused."""
         raise NotImplementedError
 
     def write(self) -> None:
@@ -137,7 +137,7 @@ class Field(QtCore.QObject):
             self.write()
 
     def counts(self) -> bool:
-        """Return whether the value counts beside the object's others."""
+        """Return whether the value counts with the object's others."""
         return "Hidden" not in self.obj.getEditorMode(self.entry.name)
 
     def show(self, seen: bool) -> None:
@@ -158,7 +158,7 @@ class Field(QtCore.QObject):
         self._work.begin() if working else self._work.end()
 
     def show_stage(self, words: str) -> None:
-        """Say what is being done with what stands here, where anything is."""
+        """Show the present stage of the calculation, if there is one."""
         self._work.say(words)
 
     def has_focus(self) -> bool:
@@ -170,7 +170,7 @@ class Field(QtCore.QObject):
         self.editors[0].setFocus(QtCore.Qt.FocusReason.OtherFocusReason)
 
     def add(self, editor: Any, suffix: str = "", layout: Any = None) -> Any:
-        """Add one widget to the field under the name that tests know it by."""
+        """Add one widget to the field under its name for tests."""
         editor.setObjectName(f"{NAME}_{self.entry.key}{suffix}")
         editor.setAccessibleName(self.label.text())
         (layout or self._column).addWidget(editor)
@@ -338,7 +338,7 @@ def field_class(entry: Property) -> type[Field]:
 
 
 def note_label(name: str, colour: str, parent: Any) -> Any:
-    """Return a small label that wraps, for what has to be said below fields; it is hidden."""
+    """Return a small label that wraps, for notes below fields; it is hidden."""
     note = QtGui.QLabel(parent)
     note.setObjectName(name)
     note.setWordWrap(True)

@@ -46,7 +46,7 @@ class Box(QtGui.QWidget):
 
 
 class Form(QtGui.QWidget):
-    """The fields of one object; `changed` tells that a person has changed one of them."""
+    """The fields of one object; `changed` is sent after an edit of one of them by the user."""
 
     changed = QtCore.Signal()
 
@@ -71,7 +71,7 @@ class Form(QtGui.QWidget):
         align_labels(list(map(_layout, self.boxes.values())))
 
     def focus_first(self) -> None:
-        """Take the keyboard to the first line that can be typed into, so that typing replaces what stands there."""
+        """Focus the first editable line and select it, so that typing replaces its text."""
         for field in self.fields.values():
             line = field.editors[0]
             if isinstance(line, QtGui.QLineEdit) and line.isEnabled() and line.isVisible():
@@ -145,7 +145,7 @@ class Form(QtGui.QWidget):
 
 
 def align_labels(layouts: list[Any]) -> None:
-    """Make the label columns of several form layouts equally wide, so that their fields stand in one line."""
+    """Make the label columns of several form layouts equally wide, so that their fields are aligned."""
     role = QtGui.QFormLayout.ItemRole.LabelRole
     items = [layout.itemAt(row, role) for layout in layouts for row in range(layout.rowCount())]
     labels = [item.widget() for item in items if item is not None]

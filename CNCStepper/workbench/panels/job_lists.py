@@ -99,7 +99,7 @@ class ObjectList(QtGui.QWidget):
         return str(obj.Label)
 
     def picture(self, obj: Any) -> Any:
-        """Return the icon that stands before an object."""
+        """Return the icon of an object."""
         return icon(proxy_type(obj))
 
     def show_details(self, item: Any, obj: Any) -> None:

@@ -55,5 +55,5 @@ def shown(value: float, decimals: int, point: str = ".") -> str:
 
 
 def shortened(text: str) -> str:
-    """Return the beginning of a text, for a sentence beside a field."""
+    """Return the beginning of a text, for a sentence at a field."""
     return text if len(text) <= 20 else text[:19] + "…"

@@ -39,7 +39,7 @@ STEPS_S = 0.005  # so long are objects made before the window sees to its events
 
 
 class Editor(QtGui.QWidget):
-    """A form, what the cut warns of, and what is wrong with no single field; `applied` tells of each recompute."""
+    """A form with the cut's warnings and the errors of no single field; `applied` is sent at each recompute."""
 
     applied = QtCore.Signal()
 
@@ -106,7 +106,7 @@ class Editor(QtGui.QWidget):
                 editor.blockSignals(True)
 
     def apply(self) -> None:
-        """Write what is good of what a person has changed, recompute, and say what is not.
+        """Write the valid edits, recompute, and show the errors of the others.
 
         What takes a cut is asked of the process first, and written when it has answered.
         """
@@ -212,7 +212,7 @@ class Editor(QtGui.QWidget):
         self.refresh()
 
     def refresh(self) -> None:
-        """Show what stands in the object now."""
+        """Show the object's present values."""
         self.form.refresh()
         self._say(self.warnings, "\n".join(map(self._labelled, getattr(self.obj.Proxy, "warnings", ()))))
 

@@ -54,7 +54,7 @@ class LatestProof:
         self._run.start()
 
     def give_up(self) -> None:
-        """End the proof that runs; nothing is told of it any more."""
+        """End the running proof; no further signals are sent."""
         if self._run is not None:
             self._run.cancel()
             self._let_go()

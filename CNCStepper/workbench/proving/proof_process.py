@@ -61,7 +61,7 @@ STAGES = {
 
 @dataclass(frozen=True)
 class ProofResult:
-    """What is known of a program; its folder goes when the last who holds this object lets go of it.
+    """The proof of a program; its folder is removed with the last reference to this object.
 
     program_lines: the text; of a restart its own. findings: the worst first. refused: whether it must not be
     sent. send_file: the certificate. moves: the tip in work coordinates in time. rapids, feeds: as lines.
@@ -88,7 +88,7 @@ class ProofResult:
 
     @property
     def end_mm(self) -> np.ndarray:
-        """Where the tip stands after every row, float64[n, 3], work coordinates."""
+        """The tip's position after every row, float64[n, 3], work coordinates."""
         return self.moves.end
 
 
@@ -143,7 +143,7 @@ class ProofRun(QtCore.QObject):
             self._await(refused, self._begin)
 
     def cancel(self) -> None:
-        """End the process and take its folder away; nothing is told any more."""
+        """End the process and remove its folder; no further signals are sent."""
         self._timer.stop()
         self._awaited = None
         process, self._process = self._process, None

@@ -39,7 +39,7 @@ def meant() -> Any:
 
 
 def make(job: Any) -> None:
-    """Make a program from what the document says now; raises JobError when there can be none."""
+    """Make a program from the present document; raises JobError when that is impossible."""
     from CNCStepper.workbench import api
 
     job.Document.recompute()

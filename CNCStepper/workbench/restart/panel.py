@@ -136,7 +136,7 @@ class RestartPanel(QtGui.QWidget):
             self._set(self.line, line)
 
     def ask_time(self, asked: bool) -> None:
-        """Let a person say which of its runs is meant, for a line that is run more than once."""
+        """Ask which run of a line is meant, for a line that is run more than once."""
         if not asked:
             self._set(self.time, 0)
         for widget in (self.time, self._time_label):

@@ -61,7 +61,7 @@ class RestartTask(ViewTask):
     # ---- the life of the task ----
 
     def begin(self) -> None:
-        """Read the program as it now stands in the document."""
+        """Read the program in its present state in the document."""
         machine = machine_of(job_behind(self._program))
         self._reader.begin(self._source.language(machine))
 

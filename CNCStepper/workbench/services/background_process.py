@@ -30,7 +30,7 @@ _ending: set[Worker] = set()  # stopped, and not gone yet
 
 
 class Worker(QtCore.QObject):
-    """The process. told: sent when it has told something. ended: sent when it is over. `stop` or let it end by itself.
+    """The process. told: sent for each line of output. ended: sent at its end. `stop` it or let it end by itself.
 
     Raises CNCStepperError when it cannot be started.
     """
@@ -71,7 +71,7 @@ class Worker(QtCore.QObject):
         self._to_write.put(data)
 
     def line(self) -> bytes:
-        """Return the next whole line that it has told, with its end; b"" when there is none yet."""
+        """Return the next whole line of its output, with its end; b"" when there is none yet."""
         end = self._heard.find(b"\n") + 1
         told = bytes(self._heard[:end])
         del self._heard[:end]
@@ -83,7 +83,7 @@ class Worker(QtCore.QObject):
         return self._complaints.read().decode("utf-8", "replace")
 
     def stop(self) -> None:
-        """End it, whatever it does; nothing is heard of it any more.
+        """End it at once; no further signals are sent.
 
         The object goes when the thread that reads has told its last: Qt must not delete what a thread is just using,
         nor may a parent meanwhile.

@@ -36,7 +36,7 @@ class Command:
         return ""
 
     def run(self) -> None:
-        """Do it; raises a CNCStepperError that says why it could not be done."""
+        """Run the command; raises a CNCStepperError with the reason when that fails."""
         raise NotImplementedError
 
     def text(self) -> str:
@@ -51,7 +51,7 @@ class Command:
         return {"MenuText": self.menu_text, "ToolTip": self.tooltip, "Pixmap": str(icon), "CmdType": "ForEdit"}
 
     def IsActive(self) -> bool:
-        """Return whether the command can work now, and let its tooltip say why not."""
+        """Return whether the command can work now, and put the reason into its tooltip when it cannot."""
         return bool(self._is_able())
 
     @polled
@@ -78,7 +78,7 @@ class Command:
 
 
 def look_again(*names: str) -> None:
-    """Let commands say at once whether they can work, and on what: FreeCAD asks only after a change of its own."""
+    """Let commands update at once whether they can work: FreeCAD asks only after a change of its own."""
     import FreeCADGui
 
     for name in names:

@@ -44,7 +44,7 @@ class FindingsList(QtGui.QWidget):
         layout.addWidget(self._rows)
 
     def show(self, findings: Sequence[Finding]) -> None:
-        """Show these findings instead of those before; an empty list says that nothing was found."""
+        """Show these findings in place of earlier ones; an empty list shows that there are none."""
         self._rows.blockSignals(True)
         self._rows.clear()
         for row in [self._row(finding) for finding in findings] or [_nothing_found()]:

@@ -24,7 +24,7 @@ Answers = Mapping[str, tuple[str, str]]  # by their names: the text of the butto
 
 
 def guarded(function: Callable[..., Any], repeat: bool = True) -> Callable[..., Any]:
-    """Return `function` for Qt or FreeCAD to call: nothing it raises leaves it, it is told and None returned.
+    """Return `function` for Qt or FreeCAD to call: an exception is reported, and None returned.
 
     Surplus arguments are dropped, as Qt itself does for a slot: `clicked` sends one that few slots take.
     repeat: whether the same fault is told again when it happens again.
@@ -47,7 +47,7 @@ def guarded(function: Callable[..., Any], repeat: bool = True) -> Callable[..., 
 
 
 def polled(function: Callable[..., Any]) -> Callable[..., Any]:
-    """Return `function` guarded, for what is called again and again by itself: each fault is told once."""
+    """Return `function` guarded, for a timer: each fault is reported once."""
     return guarded(function, repeat=False)
 
 
@@ -129,7 +129,7 @@ def _answer(box: Any, prefix: str, answers: Answers, default: str) -> str:
 
 
 def sentence(problem: CNCStepperError) -> str:
-    """Return what an error says, with its place, value and limit, without its advice and code."""
+    """Return an error's text, with its place, value and limit, without its advice and code."""
     limit = problem.limit and tr("limit {0}").format(translated(problem.limit))
     numbers = [part for part in (problem.value, limit) if part]
     place = f"{problem.place}: " if problem.place else ""

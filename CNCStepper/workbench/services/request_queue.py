@@ -55,7 +55,7 @@ class RequestQueue(QtCore.QObject):
             self._timer.start()
 
     def end(self) -> None:
-        """End the process; nothing is told any more."""
+        """End the process; no further signals are sent."""
         self._timer.stop()
         self._waiting.clear()
         self._python = None

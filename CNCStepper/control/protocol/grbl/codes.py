@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What an error or alarm code of a controller says; each firmware has its table: `codes_grbl`, `codes_grblhal` ..."""
+"""The meaning of error and alarm codes; each firmware has its table: `codes_grbl`, `codes_grblhal` ..."""
 
 from __future__ import annotations
 

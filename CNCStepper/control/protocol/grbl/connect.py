@@ -70,7 +70,7 @@ def offsets_of(driver: Grbl, found: ControllerInfo) -> dict[str, Vector | None]:
 
 
 def learn_units(driver: Grbl, timing: Timing) -> None:
-    """Learn whether a firmware without $13 reports in inches; raises MachineRefusal when it does not say."""
+    """Find out whether a firmware without $13 reports in inches; raises MachineRefusal when that is not shown."""
     question = driver.firmware.inches_question
     if not question or REPORT_INCHES in driver.settings:
         return
@@ -117,7 +117,7 @@ def has_greeting(said: Sequence[Received]) -> bool:
 
 
 def wake_up(driver: Grbl, timing: Timing, locked: bool = False) -> list[Received]:
-    """Ask `?` until a status comes and the chatter after it ends; return all that was said.
+    """Send `?` until a status comes and the line is quiet; return all messages.
 
     Nothing but `?` is sent: a controller that still moves must not be disturbed. An alarm is refused
     unless `locked` says that it may be.
@@ -150,7 +150,7 @@ def discard_half_line(driver: Grbl, timing: Timing) -> None:
 
 
 def ask(driver: Grbl, line: str, timing: Timing) -> list[Received]:
-    """Send one line alone and return what was said until its `ok`; an error is a MachineRefusal."""
+    """Send one line alone and return the messages up to its `ok`; an error is a MachineRefusal."""
     driver.send(line)
     said = _answer(driver, timing)
     error = next(report.error for report in said if isinstance(report, Answered))
@@ -167,7 +167,7 @@ def ask(driver: Grbl, line: str, timing: Timing) -> list[Received]:
 
 
 def alarm_refusal(alarm: Alarm, firmware: Firmware) -> MachineRefusal:
-    """Return the refusal that ALARM:n stands for, in words; -1 is an alarm without a number."""
+    """Return the refusal for ALARM:n in words; -1 is an alarm without a number."""
     code = firmware.alarm(alarm.code)
     number = str(alarm.code) if alarm.code >= 0 else "?"
     return MachineRefusal(f"{firmware.key}-alarm-{number}", f"{code.meaning} (ALARM:{number})", advice=code.advice)

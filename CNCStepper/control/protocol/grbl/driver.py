@@ -159,7 +159,7 @@ class Grbl:
     # --- reading -------------------------------------------------------------------------------
 
     def receive(self, wait_s: float) -> list[Received]:
-        """Return what the controller said, waiting up to `wait_s` for the first byte of it.
+        """Return the controller's messages, waiting up to `wait_s` for the first byte.
 
         Raises LinkError when the link broke, an answer comes to which there is no line, or nobody asked for so much.
         """

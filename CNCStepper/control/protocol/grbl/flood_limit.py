@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How much a controller says without being asked: a damaged or hostile one would keep the sender from its work."""
+"""Limits unsolicited lines: a damaged or hostile controller would keep the sender from its work."""
 
 from __future__ import annotations
 

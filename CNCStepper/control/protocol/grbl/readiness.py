@@ -48,7 +48,7 @@ WHAT_TO_DO = {
 
 @dataclass(frozen=True)
 class Difference:
-    """A setting of the controller that is not what the machine profile says."""
+    """A controller setting that differs from the machine profile."""
 
     number: int
     value: float
@@ -85,7 +85,7 @@ def state_refusal(status: Status | None) -> MachineRefusal:
 
 
 def check_zero(confirmed: bool) -> None:
-    """Refuse to send before somebody has said that the work zero is where the program expects it."""
+    """Refuse to send before the operator has confirmed the work zero."""
     if not confirmed:
         raise MachineRefusal(
             "zero-not-confirmed",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What grbl 1.1 says, line by line, as values; pure text in, nothing remembered.
+"""Parses the reports of grbl 1.1, line by line, into values; pure functions of the text.
 
     ok · error:n                    the answer to one line, the only ones that free the buffer
     ALARM:n · [TAG:text] · $n=v     said without being counted; so are named settings, $N0=text
@@ -43,7 +43,7 @@ class Alarm:
 
 @dataclass(frozen=True)
 class Greeting:
-    """What a controller says after power-up or reset, which it has just gone through."""
+    """The greeting after power-up or reset."""
 
     text: str
     version: str
@@ -109,7 +109,7 @@ class Status:
 
 @dataclass(frozen=True)
 class Unknown:
-    """A line that grbl does not say: another controller, or noise."""
+    """A line that is not grbl's: another controller, or noise."""
 
     text: str
 

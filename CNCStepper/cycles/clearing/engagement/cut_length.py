@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How far a run at bounded engagement cuts, beside the offset pattern's parallels at the same stepover.
+"""The cut length of a run at bounded engagement, compared with offset parallels at the same stepover.
 
 A way at the engagement t takes off no more than its stepover a = r (1 - cos t) a millimetre, so it is at least as long
 as the material's area over a. Parallels are that long for the area of the tool centre's room, and half the room's loops

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-r"""Moves beside their path, as LinuxCNC compensates the radius of the cutter: corners of lines and arcs.
+r"""Cutter compensation as LinuxCNC does it: offset moves and corners of lines and arcs.
 
     convex corner: an arc about it         concave corner: both moves end where their parallels meet
 
@@ -43,7 +43,7 @@ GOUGE = "the compensated tool cannot reach this corner without gouging"
 
 
 def straight(block: Block, motion: int, end: tuple[float, float, float], feed: float) -> None:
-    """Make a G0 or G1 to `end` (work mm) beside its path; raises ProgramError where the tool cannot go."""
+    """Make a compensated G0 or G1 to `end` (work mm); raises ProgramError where the tool cannot go."""
     ours = _ours(block)
     goal = in_plane(block, end)
     if not ours.entered:
@@ -54,7 +54,7 @@ def straight(block: Block, motion: int, end: tuple[float, float, float], feed: f
 
 
 def arc(block: Block, motion: int, end: tuple[float, float, float], arc: Arc, feed: float) -> None:
-    """Make a G2 or G3 to `end` (work mm) beside its path; raises ProgramError where the tool cannot go."""
+    """Make a compensated G2 or G3 to `end` (work mm); raises ProgramError where the tool cannot go."""
     goal, centre = in_plane(block, end), in_plane(block, arc.centre)
     turns = arc.turns if motion == ARC_CCW else -arc.turns
     if not _ours(block).entered:

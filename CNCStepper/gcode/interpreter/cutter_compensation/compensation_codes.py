@@ -75,7 +75,7 @@ def _begin(block: Block, code: Code, plane: str, radius: float, orientation: int
 
 
 def compensation_off(block: Block, code: Code) -> None:
-    """G40: the text goes on from where it says that the tool is."""
+    """G40: the text continues from its own tool position."""
     block.call('COMMENT("interpreter: cutter radius compensation off")')
     ours = block.model.compensation
     if ours and ours.entered and ours.radius:
@@ -84,7 +84,7 @@ def compensation_off(block: Block, code: Code) -> None:
 
 
 def end_compensation(block: Block) -> None:
-    """Make the moves that are held; the text goes on from where it says that the tool is."""
+    """Flush the queued moves; the text continues from its own tool position."""
     model = block.model
     ours = model.compensation
     if ours:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Moves that compensation holds back until the next one shows where they end, and what the text says between them.
+"""The queue of compensated moves: each waits for the next move to show its end.
 
     held: [move, note, move, ...]      notes (feeds, dwells, coolant, comments) wait with the moves, in their order
 

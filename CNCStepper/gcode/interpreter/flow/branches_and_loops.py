@@ -38,7 +38,7 @@ class Blocks:
         self._breaking = self._continuing = False
 
     def define(self, line: FlowLine, label: str, source: Source, index: int) -> None:
-        """Note where a label stands; raises ProgramError when it stands elsewhere already."""
+        """Note the line of a label; raises ProgramError when another line has it already."""
         known = self.labels.get(label)
         if known:
             what = Text(
@@ -56,7 +56,7 @@ class Blocks:
         self.labels[label] = Label(line.keyword, source, index)
 
     def follow(self, line: FlowLine, label: str, test: float, source: Source, index: int) -> bool:
-        """Follow a line of a branch or loop, that stands at `index`; whether the text goes back to its label."""
+        """Follow the branch or loop line at `index`; return whether the text goes back to its label."""
         keyword = line.keyword
         if keyword in ("if", "while", "repeat"):
             self._opens(line, label, source, index)

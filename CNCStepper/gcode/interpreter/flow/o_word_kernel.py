@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The kernel that tells whether a program holds more than words: `o_words.is_plain` at the speed of its bytes."""
+"""The kernel of `o_words.is_plain`: whether a program holds more than words, at the speed of its bytes."""
 
 from __future__ import annotations
 

@@ -101,14 +101,14 @@ class FlowLine:
             self.arguments.append(self.scanner.expression())
 
     def end(self) -> None:
-        """Refuse whatever else stands on the line."""
+        """Refuse further text on the line."""
         if not self.scanner.ended:
             what = Text("nothing may follow {keyword}", keyword=self.keyword or "the number of a subprogram")
             raise self.scanner.error("after-o-word", what, "write it on a line of its own")
 
 
 def leads(text: str) -> bool:
-    """Whether a line may lead elsewhere: most lines are told apart at once."""
+    """Whether a line may branch: a fast test for most lines."""
     return _LEADS.match(text) is not None
 
 

@@ -83,7 +83,7 @@ def orient(block: Block, code: Code) -> None:
 
 
 def need_turning(block: Block, name: str, sense: str = "") -> str:
-    """Return in which sense the spindle turns; raises ProgramError when it stands, or turns the other way."""
+    """Return the spindle's direction; raises ProgramError when it is stopped, or turns the other way."""
     turning = block.model.state.spindle
     if turning == "off" or (sense and turning != sense):
         needs = {

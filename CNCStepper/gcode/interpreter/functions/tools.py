@@ -75,7 +75,7 @@ def tool(block: Block, code: Code) -> None:
 
 
 def tool_change(block: Block, code: Code) -> None:
-    """M6: load the chosen tool; the spindle stands."""
+    """M6: load the chosen tool; the spindle is stopped."""
     block.uncompensated("the tool may not be changed", code.name)
     tool = block.model.selected_tool
     block.model.change(spindle="off")

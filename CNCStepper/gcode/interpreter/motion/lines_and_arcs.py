@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Lines and arcs: G0 to G3, beside their path where the tool is compensated.
+"""Lines and arcs: G0 to G3, offset from their path by cutter compensation.
 
 Both functions take the block, the motion and the one that was modal before.
 """

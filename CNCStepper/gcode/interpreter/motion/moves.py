@@ -154,7 +154,7 @@ def sweep(begin: Flat, end: Flat, centre: Flat, clockwise: bool) -> float:
 
 
 def way_length(begin: tuple[float, ...], end: tuple[float, ...], arc: Arc | None) -> float:
-    """Return how far a move leads: along X Y Z, or where these stand U V W, or A B C (degrees for mm)."""
+    """Return the length of a move: along X Y Z, else U V W, else A B C (degrees for mm)."""
     if any(isnan(value) for value in (*begin, *end)):
         raise _unknown("F", "an inverse-time feed needs a known position")
     way = [there - here for here, there in zip(begin, end, strict=True)]

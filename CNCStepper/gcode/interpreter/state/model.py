@@ -183,7 +183,7 @@ class Model:
         return x + self.offset[0], y + self.offset[1], z + self.offset[2]
 
     def further_work(self) -> tuple[float, ...]:
-        """Return where A B C U V W stand in work coordinates."""
+        """Return the positions of A B C U V W in work coordinates."""
         return tuple(a - b for a, b in zip(self.further or NO_FURTHER, self.further_offset, strict=True))
 
     def local(self) -> Model:
@@ -194,13 +194,13 @@ class Model:
         return other
 
     def programmed_work(self) -> Point:
-        """Return where the text says that the tool is, in work mm."""
+        """Return the tool position of the text, in work mm."""
         ours = self.compensation
         return ours.programmed_work if ours and ours.entered else self.work(self.position)
 
 
 def model_at(start: Start, dialect: Dialect, bare: bool = False) -> Model:
-    """Return the model of a machine that stands at `start`; raises ProgramError when it has not three or nine axes."""
+    """Return the model of a machine in the state `start`; raises ProgramError when it has not three or nine axes."""
     if len(start.position_mm) not in (3, 9):
         raise ProgramError(
             "axes",

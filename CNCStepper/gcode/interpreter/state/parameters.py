@@ -109,7 +109,7 @@ def offset_number(system: str) -> int:
 
 
 def parameters_at(start: Start) -> Parameters:
-    """Return the parameters of a machine that stands at `start`: its own, its work offsets and G92 in its own unit."""
+    """Return the parameters of a machine in the state `start`: its own, its offsets and G92 in its own unit."""
     numbers = dict(start.parameters)
     numbers[WORK_SYSTEM] = WORK_SYSTEMS.index(start.work_system) + 1.0
     points = {offset_number(system): offset for system, offset in start.work_offsets_mm.items()}

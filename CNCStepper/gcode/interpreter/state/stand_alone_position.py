@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where the machine really stands, and what LinuxCNC's stand-alone interpreter, which has none, takes for that.
+"""The real machine position, and the position of LinuxCNC's stand-alone interpreter, which has no machine.
 
 After a tool change LinuxCNC asks its machine for the position: a compensation that has ended leaves the tool beside the
 place where the text goes on. The bare interpreter only has an idea of a machine, which knows nothing of tool lengths
@@ -63,7 +63,7 @@ def continue_at(model: Model, position: Point) -> None:
 
 
 def moved(model: Model, end: Point) -> None:
-    """Note that the machine stands where the text says, at the end of a move."""
+    """Note that the machine is at the text's position, at the end of a move."""
     model.position, model.stands = end, None
     model.look()
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What `#5420`…, `#<_x>`, `#<_metric>` and their like stand for: the parameters that the reader itself knows.
+"""System parameters: `#5420`…, `#<_x>`, `#<_metric>` and their like, computed by the reader.
 
 Names and meanings are LinuxCNC's ("Predefined Named Parameters"). None of them can be assigned.
 """

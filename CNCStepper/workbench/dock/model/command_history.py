@@ -7,7 +7,7 @@ KEPT = 200
 
 
 class History:
-    """The newest lines, and where among them a person stands; beside them what was begun and not sent."""
+    """The newest lines and the place among them, with the line begun and not sent."""
 
     def __init__(self) -> None:
         self._lines: list[str] = []

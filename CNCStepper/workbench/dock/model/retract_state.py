@@ -81,7 +81,7 @@ class RetractFlow:
         return self._pending.pop(0) if self._pending else ""
 
     def forget(self) -> None:
-        """Expect no answer any more, and know nothing."""
+        """Drop the pending answer and the known place."""
         self._pending.clear()
         self.line, self.behind_mm, self.trouble, self._due = 0, 0.0, "", None
 

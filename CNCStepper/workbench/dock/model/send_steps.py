@@ -19,7 +19,7 @@ from CNCStepper.workbench.services.translation import later
 
 @dataclass(frozen=True)
 class Step:
-    """One step: what it is called, what it says, how it looks, and what its answers are called ("" for none).
+    """One step: its name, text and look, and the labels of its answers ("" for none).
 
     number: of the four things that a person sees happen, 0 for an end.
     """
@@ -96,7 +96,7 @@ AWAITED = {  # which happening moves which step to which
 
 @dataclass
 class Flow:
-    """Where the sending of one job stands; `step` is "" when nothing is being sent.
+    """The state of sending one job; `step` is "" when nothing is being sent.
 
     detail: what is said beside the step's own text, as people's words. anyway: somebody decided to send though the
     controller's settings differ. outcome: the kind of the outcome, at "ended". again: the program is being checked once

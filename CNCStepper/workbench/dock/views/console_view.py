@@ -44,7 +44,7 @@ class TypedLine(QtGui.QLineEdit):
 
 
 class ConsoleView(QtGui.QWidget):
-    """What was said, and below it the line to type; `send` gets each line."""
+    """The messages, and below them the line to type; `send` gets each line."""
 
     def __init__(self, send: Callable[[str], None]):
         super().__init__()

@@ -35,7 +35,7 @@ RENEW_MS = round(1000 * JOG_RENEW_S)
 
 
 class JogView(QtGui.QWidget):
-    """Arrows, steps and feed; `command` passes "jog", "jog_on" and "jog_cancel" on to the desk's client."""
+    """Arrows, steps and feed; `command` passes "jog", "jog_on" and "jog_cancel" to the connection client."""
 
     def __init__(self, lengths: Lengths, point: str, command: Callable[..., None]):
         super().__init__()

@@ -46,7 +46,7 @@ class FlowView(QtGui.QFrame):
         self.hide()
 
     def show_flow(self, flow: Flow, why_not: str) -> None:
-        """Show where the flow stands; `why_not`: why its question cannot be answered with yes."""
+        """Show the flow's state; `why_not`: why its question cannot be answered with yes."""
         shown = flow.step not in HIDDEN_AT
         self.setVisible(shown)
         if not shown:

@@ -69,7 +69,7 @@ def wrapped(what: str, text: str = "") -> Any:
 
 
 def figure(what: str, scale: float = 1.0, text: str = "–") -> Any:
-    """Return a right-aligned label whose digits stand below each other."""
+    """Return a right-aligned label with digits of equal width."""
     label = named(QtGui.QLabel(text), what)
     font = QtGui.QFontDatabase.systemFont(QtGui.QFontDatabase.SystemFont.FixedFont)
     font.setPointSizeF(label.font().pointSizeF() * scale)
@@ -95,7 +95,7 @@ def column(parent: Any = None) -> Any:
 
 
 def row(*widgets: Any) -> Any:
-    """Return widgets beside each other."""
+    """Return widgets in a row."""
     layout = QtGui.QHBoxLayout()
     layout.setContentsMargins(0, 0, 0, 0)
     layout.setSpacing(SPACE)
@@ -113,6 +113,6 @@ def grid(parent: Any = None) -> Any:
 
 
 def lock(widget: Any, why_not: str, does: str) -> None:
-    """Enable a widget when nothing speaks against it; its tooltip says what it does, or why it cannot."""
+    """Enable a widget when `why_not` is empty; its tooltip has its purpose, or the reason."""
     widget.setEnabled(not why_not)
     widget.setToolTip(tr(why_not or does))

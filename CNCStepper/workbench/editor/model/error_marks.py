@@ -64,7 +64,7 @@ class Marks:
         self._lines: list[int] = []
 
     def take(self, refusals: list[dict[str, Any]]) -> None:
-        """Take what the process that reads has told."""
+        """Take a result of the reading process."""
         self._set(sorted((mark_of(refusal) for refusal in refusals), key=lambda mark: mark.line))
 
     def move(self, first: int, removed: int, added: int) -> None:
