@@ -23,7 +23,7 @@ SLACK_MM2 = 0.01  # a cut that touches a piece by rounding does not enter it
 def cuts_into_detached(
     job: Job, first: int, answers: Sequence[Answer]
 ) -> Iterator[tuple[int, str, tuple[float, float]]]:
-    """Yield cuts into loose pieces: which of the answers, what is to be told, and a place within the cut.
+    """Yield cuts into detached pieces: the index of the answer, the warning, and a place within the cut.
 
     first: how many of the job's operations come before those that answered.
     """

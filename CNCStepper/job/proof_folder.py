@@ -128,7 +128,7 @@ def write_part(folder: Path, part: HeightMap) -> None:
 
 
 def write_answer(folder: Path, proof: Proof, job: Job, certificate: Certificate) -> None:
-    """Write the answer but for the part; the result, which says that all is there, comes last."""
+    """Write the answer except for the part; the result comes last and marks it complete."""
     from CNCStepper.simulation.meshes.tool_outline import outlines_mm
     from CNCStepper.simulation.views.path_lines import lines_in_space
 

@@ -95,5 +95,5 @@ class PartCheck:
         raise NotImplementedError
 
     def end(self, last: CheckContext) -> Iterator[Finding]:
-        """Yield what can be said only after the last part."""
+        """Yield the findings that need the last part."""
         yield from ()

@@ -31,7 +31,7 @@ STOPPED = 130
 
 
 def main(arguments: list[str]) -> int:
-    """Send what standard input says; return the exit status."""
+    """Send the pulses of standard input; return the exit status."""
     _on_message(_stop)
     try:
         port = open_port(Path(arguments[0]))

@@ -95,7 +95,7 @@ class JobReplay:
 
 
 def read_replay(path: Path) -> JobReplay:
-    """Return what the journal of a file tells; raises JobError naming the file when it cannot be read."""
+    """Return the replay of a journal file; raises JobError naming the file when it cannot be read."""
     try:
         is_running = is_locked(path)
         if not path.is_file():  # of a pipe one would wait for the end

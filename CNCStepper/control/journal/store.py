@@ -56,7 +56,7 @@ def _is_of(header: Mapping[str, Any], port: str, identity: PortIdentity) -> bool
 
 
 def replays(folder: Path | None = None) -> Iterator[JobReplay]:
-    """Yield what each journal tells, the latest first; those that tell nothing are left out."""
+    """Yield the replay of each journal, the latest first; unreadable ones are left out."""
     for path in journals(folder):
         with suppress(CNCStepperError):  # `resume JOURNAL` says what is wrong with it
             yield read_replay(path)

@@ -84,7 +84,7 @@ class Journal:
         self._executor = self._executor or ThreadPoolExecutor(1, "journal", go_first)
 
     def on_message(self, received: list[Received]) -> None:
-        """Learn from what the controller says how much it holds."""
+        """Take the controller's buffer sizes from its messages."""
         self._capacity.on_message(received)
 
     def keep(self, sent: int, acknowledged: int, is_idle: bool) -> list[str]:
@@ -97,7 +97,7 @@ class Journal:
         return told
 
     def note_zero(self, found: ControllerInfo, sent: int) -> None:
-        """Learn how a machine stands that a person had at a pause, all before line `sent` (from 0) being cut.
+        """Record the machine's state at a pause after which all lines before `sent` (from 0) are cut.
 
         Where its work zero is another one now, no line goes out before that is on the disk.
         """

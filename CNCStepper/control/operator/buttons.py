@@ -87,7 +87,7 @@ class Buttons:
         self._wired, self._contacts, self._watches = (), [], []
 
     def on_message(self, received: Sequence[Received]) -> None:
-        """Take what the controller said: each status shows its pins, a restart makes them unknown."""
+        """Take a controller's message: a status shows its pins, a restart makes them unknown."""
         for report in received:
             if isinstance(report, Status):
                 self._look(self._contacts, report.pins)

@@ -70,7 +70,7 @@ class Console:
         return number in STEPS_PER_MM
 
     def on_message(self, report: Received, unasked: bool = False) -> None:
-        """Tell what belongs to the line under way, and see when the machine stands again.
+        """Emit the messages that belong to the current line, and detect when the machine is at rest again.
 
         unasked: the report answers no line at all; then it is told as well.
         """

@@ -32,7 +32,7 @@ MAY_JOG = ("Idle", "Jog")
 
 
 class JogLine(Protocol):
-    """Anything that the controller can be told as one jog."""
+    """A jog that fits one `$J=` line."""
 
     def line(self) -> str:
         """Return the jog command of grbl 1.1."""

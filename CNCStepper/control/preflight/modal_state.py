@@ -57,7 +57,7 @@ def codes_before_cut(lines: Iterable[str]) -> set[str]:
 
 
 def cuts_at_implied_speed(lines: Iterable[str]) -> bool:
-    """Return whether wire lines cut with the spindle switched on before any of them has said S."""
+    """Return whether wire lines cut with the spindle switched on before any of them names S."""
     turns = False
     for line in lines:
         if "S" in line:

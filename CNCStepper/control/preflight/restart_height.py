@@ -20,7 +20,7 @@ HEIGHT_STEP_MM = 0.1  # in which another height is proposed
 
 
 def check_restart_height(job: SendJob, driver: Grbl, found: ControllerInfo, tell: Callable[[str, str], None]) -> None:
-    """Refuse a restart whose first move would go down from where the tool stands; raises MachineRefusal.
+    """Refuse a restart whose first move would go down from the tool's height; raises MachineRefusal.
 
     Where the machine homes itself first, its way down from there is told only: nobody has moved the tool since.
     """

@@ -28,7 +28,7 @@ KEEPERS = {
 
 @contextmanager
 def inhibit_sleep(warn: Callable[[str], None], platform: str = sys.platform) -> Iterator[None]:
-    """Keep the computer awake for the time of a `with`; where that fails `warn` hears it once, and all goes on."""
+    """Keep the computer awake during a `with`; `warn` is called once when that fails."""
     keeper = KEEPERS.get(platform)
     if platform == "win32":
         with _inhibit_on_windows(warn):

@@ -76,7 +76,7 @@ def _digest(pieces: Iterable[bytes]) -> str:
 
 @dataclass(frozen=True)
 class Certificate:
-    """What a proof says of a program; content: plain data with the keys that `job.certify` writes.
+    """The result of a proof; content: plain data with the keys that `job.certify` writes.
 
     lines, file_lines: what is sent, as a `SendJob` has it.
     """

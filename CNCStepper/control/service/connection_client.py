@@ -36,7 +36,7 @@ JOG_FEED_MM_MIN = 1000.0
 
 
 class ConnectionClient:
-    """One client of one desk; it may vanish and another attach at any time, a running job goes on.
+    """A client of one connection service; clients come and go, a running job goes on.
 
     phase: "starting", "connecting", "connected" or "gone": then `error` says why, None when it was left.
     status: the last one heard. outcome: of the last job, None while one runs. Not for several threads.
@@ -61,12 +61,12 @@ class ConnectionClient:
 
     @classmethod
     def launch(cls, port: str, baud: int = 115_200, folder: Path | None = None) -> ConnectionClient:
-        """Start a desk for a port and return at once; where one runs at that port already, attach to it."""
+        """Start a connection service for a port and return at once; attach to it if one runs there already."""
         return cls(port, connection_launch.launch(port, baud, folder))
 
     @classmethod
     def attach(cls, session_file: Path) -> ConnectionClient:
-        """Attach to a desk of `running_services`; one that has ended meanwhile is "gone"."""
+        """Attach to a service of `running_services`; the phase is "gone" when it has ended."""
         client = cls("", session_file=session_file)
         client._read_address(session_file)
         return client
@@ -78,7 +78,7 @@ class ConnectionClient:
 
     @property
     def started_service(self) -> bool:
-        """Whether the desk was started for this client; it ends when this one leaves and nobody else is there."""
+        """Whether the service was started for this client; it ends when its last client leaves."""
         return self._process is not None
 
     def poll(self) -> list[dict[str, Any]]:

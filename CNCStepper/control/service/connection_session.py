@@ -20,7 +20,7 @@ LOOK_LIMIT_S = 3.0  # whether a job runs in a desk
 
 
 class ConnectionSession:
-    """One more client of a desk, as a `SessionClient` is one of a session; the desk goes on when it closes."""
+    """A blocking client of a connection service, like `SessionClient`; the service goes on when it closes."""
 
     def __init__(self, client: ConnectionClient, limit_s: float = ANSWER_LIMIT_S):
         self._client = client

@@ -39,7 +39,7 @@ CRITICAL = "Reset to continue"
 
 
 class IdleController:
-    """One machine between jobs; everything here happens on the desk's thread, `status` apart.
+    """One machine between jobs; runs on the service's thread, except for `status`.
 
     position_known, homed, counts_from_here: see `PositionTrust`.
     """
@@ -159,7 +159,7 @@ class IdleController:
         self._zeroed.clear()
 
     def meet(self, before: PositionTrust, greeted: bool) -> None:
-        """Take a controller as it was met. before: what was held of it until then; greeted: it has restarted."""
+        """Take over a connected controller. before: trust until then; greeted: it has restarted."""
         self.trust = trust_at_connect(before, self._driver, greeted)
 
     def stop(self) -> None:

@@ -33,7 +33,7 @@ def check_over(file: Path, port: str, error: LinkError) -> None:
 
 
 def port_held_by_job(file: Path, port: str, status: SenderStatus) -> MachineRefusal:
-    """Return the refusal of a port that a job has, by the file of its session or desk."""
+    """Return the refusal for a port that a job holds, from the file of its session or service."""
     return MachineRefusal(
         "port-held",
         Text(

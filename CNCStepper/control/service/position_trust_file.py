@@ -32,7 +32,7 @@ _NOT_FOR_NAMES = re.compile(r"[^A-Za-z0-9]+")
 
 
 class PositionTrustFile:
-    """What was held of the position of the machine at one port when somebody was last connected to it.
+    """Saved position trust of the machine at one port, from its last connection.
 
     belief: as it was kept; without a file nothing speaks against the position. path: None keeps nothing. identity: of
     the port; None looks at that one file alone. aliases: older files of the same port. near: older ones of its
@@ -63,7 +63,7 @@ class PositionTrustFile:
         return cls(_path(folder, identity.key), identity, aliases, near)
 
     def keep(self, trust: PositionTrust) -> None:
-        """Keep what is held now; when this returns it is on the disk. Raises JobError when it cannot be."""
+        """Save the present trust; on return it is on the disk. Raises JobError when it cannot be saved."""
         kept = trust if trust.position_known is False else NOTHING_AGAINST
         if kept == self.trust and (kept is NOTHING_AGAINST or self._path is None or self._is_written()):
             return
@@ -75,7 +75,7 @@ class PositionTrustFile:
                 raise _unwritable(self._path, error) from error
 
     def save_or_warn(self, trust: PositionTrust, tell: Callable[[str, str], None]) -> None:
-        """Keep what is held now; where that cannot be done, tell it as a warning once."""
+        """Save the present trust; warn once when it cannot be saved."""
         try:
             self.keep(trust)
         except JobError as error:

@@ -84,12 +84,12 @@ def session_near(machine_port: str, folder: Path | None = None) -> Path | None:
 
 
 def running_services(folder: Path | None = None) -> list[Path]:
-    """Return the files of the desks that run, oldest first."""
+    """Return the files of the running connection services, oldest first."""
     return _alive(folder, DESK)
 
 
 def service_at(machine_port: str, folder: Path | None = None) -> Path | None:
-    """Return the file of the desk that has this port; None where none has."""
+    """Return the file of the connection service at this port; None where there is none."""
     return _having(machine_port, running_services(folder))
 
 
@@ -100,12 +100,12 @@ def closed_files(folder: Path | None = None) -> list[Path]:
 
 
 def service_near(machine_port: str, folder: Path | None = None) -> Path | None:
-    """Return the file of the desk that has this port, or one at a host that shares an address with its host."""
+    """Return the file of the service at this port, or of one at a host that shares an address with its host."""
     return _having(machine_port, running_services(folder), PortIdentity.is_near)
 
 
 class ServiceFile(ProcessFile):
-    """The file of a desk, in the hands of its own process."""
+    """The file of a connection service, owned by its process."""
 
     def previous_service(self, machine_port: str) -> Path | None:
         """Return the file of a desk that was before this one at the same port, as far as that can be known."""

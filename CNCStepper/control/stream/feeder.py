@@ -104,7 +104,7 @@ class Feeder:
         return None if driver.unanswered or not self._changes_tool else self._tool_words
 
     def pause_text(self, driver: Grbl) -> str | None:
-        """Return what to say where the sender stands, all lines before being answered; None where it does not."""
+        """Return the message of a pause once all lines before it are answered; None without a pause."""
         if driver.unanswered or self.sent >= self.total or not self._stands(self.sent):
             return None
         text = self.job.lines[self.sent]

@@ -21,13 +21,13 @@ class ActiveJournal(Protocol):
         """How many lines of the job, from its first, may be sent by now."""
 
     def on_message(self, received: list[Received]) -> None:
-        """Learn from what the controller says how much it holds."""
+        """Take the controller's buffer sizes from its messages."""
 
     def keep(self, sent: int, acknowledged: int, is_idle: bool) -> list[str]:
         """Write due records, and return warnings for the operator. is_idle: acknowledged lines are cut."""
 
     def note_zero(self, found: ControllerInfo, sent: int) -> None:
-        """Learn how a machine stands that a person had at a pause, all before line `sent` (from 0) being cut.
+        """Record the machine's state at a pause after which all lines before `sent` (from 0) are cut.
 
         Where its work zero is another one now, no line goes out before that is on the disk.
         """

@@ -36,7 +36,7 @@ class LegJournal:
         return sys.maxsize if self._lines_before is None else self.program.permitted - self._lines_before
 
     def on_message(self, received: list[Received]) -> None:
-        """Learn from what the controller says how much it holds."""
+        """Take the controller's buffer sizes from its messages."""
         self.program.on_message(received)
 
     def keep(self, sent: int, acknowledged: int, is_idle: bool) -> list[str]:
@@ -48,7 +48,7 @@ class LegJournal:
         return self.program.keep(self.sent, self.acknowledged, is_idle)
 
     def note_zero(self, found: ControllerInfo, sent: int) -> None:
-        """Learn how a machine stands that a person had at a pause."""
+        """Record the machine's state at a pause."""
         self.program.note_zero(found, self.sent if self._lines_before is None else max(0, self._lines_before + sent))
 
     def holds(self, sent: int) -> bool:

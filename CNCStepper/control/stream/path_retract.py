@@ -98,7 +98,7 @@ class PathRetract:
         return len(self.program.lines) - len(self.leg.job.lines) if self.leg and self.leg.is_rest else 0
 
     def begin(self, driver: Grbl, found: connect.ControllerInfo) -> None:
-        """Note where the machine stands before the first line, and with which offsets."""
+        """Note the machine's position before the first line, and its offsets."""
         offsets_mm = {name: driver.mm(offset) for name, offset in found.offsets.items()}
         self._origin = {
             "position_mm": driver.mpos_mm,
@@ -245,7 +245,7 @@ def read_held(file: Path) -> dict[str, Any]:
 
 
 def reset_at_rest(driver: Grbl, timing: Timing) -> connect.ControllerInfo:
-    """Reset a machine that stands, and return what it is then; raises LinkError when its position is lost by it."""
+    """Reset a machine at rest, and return its state then; raises LinkError when that loses its position."""
     if not stop_sequence.reset(driver, timing):
         what = "the controller has not kept its position through the reset at standstill"
         raise LinkError("position-lost", what, advice="home the machine or set its zero again")

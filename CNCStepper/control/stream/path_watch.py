@@ -103,7 +103,7 @@ class PathWatch:
         return min(passed, acknowledged)
 
     def restart_from_here(self, found: ControllerInfo, sent: int) -> None:
-        """Compare from here on: the machine stands, all lines sent are cut, and its zero may be another one."""
+        """Compare from here on: the machine is at rest, all lines sent are cut, its zero may have changed."""
         self._offsets = OffsetWatch(self._job.lines)
         if self._path and not self._told:
             self._path = self._planned(found, sent)
@@ -172,7 +172,7 @@ class PathWatch:
 
 
 def start_of(driver: Grbl, found: ControllerInfo) -> Start:
-    """Return where a machine stands that was just met, and its offsets."""
+    """Return the position and offsets of a machine that was just connected."""
     return start_from(offsets_of(driver, found), found.modes, driver.mpos_mm)
 
 

@@ -54,7 +54,7 @@ def way_back(here_mm: Vector, there_mm: Vector) -> list[JogTarget]:
 
 
 class Pause:
-    """What a person does at one stand of a job, until it is left.
+    """Operator actions at one pause of a job, until it is left.
 
     tell, refuse: hear what happens, as of a `JobRun`. commands: those that `do` takes. is_off_path: the machine may
     have left the program's path, or its work zero be another one.
@@ -84,7 +84,7 @@ class Pause:
         self._changed_s = 0.0  # what the machine said before shows another moment
 
     def begin(self, driver: Grbl, index: int, gaps: BacklashTracker | None = None, leads_on: bool = True) -> None:
-        """Stand before the job's line `index`; a stand that was only disturbed keeps its place.
+        """Pause before the job's line `index`; a pause that was only disturbed keeps its place.
 
         gaps: of the motors, where the job's lines take up play. leads_on: whether the job goes on from here; else only
         a client can lead it on, from the zero that was cut from.

@@ -13,7 +13,7 @@ WAITING = ("held", "paused", "door", "retreated")  # the phases in which somebod
 
 
 class PauseCounter:
-    """Counts the stands of one connection; `number` is that of the last, and may be read from any thread.
+    """Counts the pauses of one connection; `number` is the last id, read from any thread.
 
     What is shown with a number must be read after it: then a number is never newer than the words beside it.
     """

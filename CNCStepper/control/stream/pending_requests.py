@@ -16,7 +16,7 @@ LAPSE_S = 5.0  # at standstill: later, a motion would surprise
 
 
 class PendingRequests:
-    """The wishes of one job; back_mm, rest may be read from any thread.
+    """The requests of one job; back_mm and rest may be read from any thread.
 
     back_mm: so far back, None for nowhere. rest: cut from here to the end. refuse(command, error): hears of what nobody
     has taken up.

@@ -64,7 +64,7 @@ class Phases:
             self._tell("phase", Text("{name}: {message}", name=name, message=message) if message else name)
 
     def restart_with(self) -> None:
-        """Begin with other lines at a machine that was reset: no wish of before counts."""
+        """Begin with other lines after a reset; earlier requests are dropped."""
         self._hold_asked = self._resume_asked = False
         self.set("running")
 

@@ -19,7 +19,7 @@ MOTORS_IN_DOUBT = ("Alarm", "Sleep")  # what brought a machine there may have co
 
 
 class PositionTrust(NamedTuple):
-    """What is held of a machine's position.
+    """What is known of a machine's position.
 
     position_known: None while nothing speaks for or against it. homed: whether machine positions count from the zero
     that the machine has found itself. counts_from_here: it restarted as it was met, and was neither homed nor zeroed
@@ -38,7 +38,7 @@ AT_HOME = PositionTrust(position_known=True, homed=True)
 
 
 def trust_at_connect(before: PositionTrust, driver: Grbl, greeted: bool) -> PositionTrust:
-    """Return what is held of a machine that was just met; neither an alarm nor a restart mends what was lost before."""
+    """Return the trust of a machine just connected; an alarm or restart never restores a lost position."""
     if driver.status is not None and driver.status.state in MOTORS_IN_DOUBT:
         return LOST
     if not greeted:
@@ -62,6 +62,6 @@ def is_lost(trust: PositionTrust, restart_counts: bool = False) -> bool:
 
 
 def check_program(trust: PositionTrust, restart_counts: bool = False) -> None:
-    """Raise MachineRefusal when the position is lost, as `is_lost` says."""
+    """Raise MachineRefusal when the position is lost (see `is_lost`)."""
     if is_lost(trust, restart_counts):
         raise position_unknown()

@@ -70,7 +70,7 @@ def back_over_backlash(
 
 
 def landed_mm(there_mm: Point, play: Backlash) -> Point:
-    """Return where the motors stand that have come to a place of the tool by `over_backlash`."""
+    """Return the motors' position after they came to a place of the tool by `over_backlash`."""
     return there_mm[0], there_mm[1], there_mm[UP] + play.ahead_mm(UP, DOWNWARDS)
 
 

@@ -14,7 +14,7 @@ HOMING = 22  # the setting that switches homing on
 
 
 def status_snapshot(driver: Grbl | None, phase: str, message: str = "") -> SenderStatus:
-    """Return the status of this moment; None stands for a machine that was not met yet."""
+    """Return the present status; None is for a machine not connected yet."""
     if driver is None or driver.status is None:
         return SenderStatus(phase=phase, message=message)
     seen = driver.status
@@ -35,7 +35,7 @@ def status_snapshot(driver: Grbl | None, phase: str, message: str = "") -> Sende
 
 
 def forward_messages(received: Iterable[Received], tell: Callable[[str, str], None]) -> None:
-    """Pass on the controller's own messages, and as warnings what it cannot have said."""
+    """Pass on the controller's own messages; impossible ones become warnings."""
     for report in received:
         if isinstance(report, Feedback) and report.tag in ("MSG", "echo"):
             tell("message", report.text)

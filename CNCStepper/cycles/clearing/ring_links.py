@@ -63,7 +63,7 @@ class LinkedCurve:
 
 
 class RingLinker:
-    """What is laid so far, as passes, and where the tool stands: on a laid curve at a length."""
+    """The linked passes so far, and the tool's position: on a linked curve at a length."""
 
     def __init__(self, room: Region, stepover_mm: float):
         self.passes: list[Pass] = []
@@ -113,7 +113,7 @@ class RingLinker:
         self._add(LinkedCurve(loop.started_at_length(float(at_mm)), ring, self._at, self._at_mm))
 
     def link_near(self, curve: Curve, ring: Ring) -> None:
-        """Go to a curve beside the loops of a ring, from the one of them that is nearest to one of its ends."""
+        """Go to a curve near the loops of a ring, from the loop that is nearest to one of its ends."""
         ends = curve.xy[[0, -1]]
         loops = [laid for laid in self._laid if laid.ring is ring]
         ways = [(laid, *laid.curve.nearest(ends)) for laid in loops]

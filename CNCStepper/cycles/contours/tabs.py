@@ -37,7 +37,7 @@ HALVINGS = 24
 
 @dataclass(frozen=True)
 class TabContext:
-    """What tabs on one path have to do with: the tool's radius, where scrap lies, how wide the cut is beside the path.
+    """The surroundings of tabs on one path: the tool's radius, the scrap's side, the width of the cut.
 
     wall_mm, scrap_mm: from the path to the part and to the far edge of the cut. busy: ways on which the tool goes
     down: entries, leads and dog-bones. free_from_mm: where the stretch ends over which a closed path runs twice.
@@ -65,7 +65,7 @@ def tabs_wanted(path: Curve, tabs: Tabs) -> int:
 
 
 def tab_places(path: Curve, tabs: Tabs, ground: TabContext) -> list[float]:
-    """Return lengths along a path at which tabs stand: as many as asked for, or as many as fit."""
+    """Return the lengths of tabs along a path: as many as asked for, or as many as fit."""
     places = np.arange(SAMPLES) * path.length_mm / SAMPLES
     fit = places[_allowed(path, places, tabs, ground)]
     wanted = tabs_wanted(path, tabs)
@@ -77,7 +77,7 @@ def tab_places(path: Curve, tabs: Tabs, ground: TabContext) -> list[float]:
 
 
 def tab_area(path: Curve, place_mm: float, tabs: Tabs, ground: TabContext) -> Polygon:
-    """Return the rectangle of material that is to stand at a place of a path."""
+    """Return the rectangle of a tab at a place of a path."""
     (x, y), (u, v) = path.at_length(place_mm)
     ends = path.at_length(place_mm + np.array([-0.5, 0.5]) * tabs.width_mm)[1] @ (1, 1j)
     along, here = complex(u, v), complex(x, y)

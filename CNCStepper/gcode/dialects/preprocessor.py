@@ -79,7 +79,7 @@ def pieces(line: str, dialect: Dialect, as_written: bool = False) -> list[Piece]
 
 
 def reads_moves_directly(dialect: Dialect) -> bool:
-    """Return whether a line is read as it stands when it holds nothing but N, one G, coordinates and F."""
+    """Return whether a line with only N, one G, coordinates and F is read unchanged."""
     return not {"records", "dotless", "feed_per_second"} & {*dialect.front}
 
 

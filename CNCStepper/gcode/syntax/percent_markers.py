@@ -19,7 +19,7 @@ class PercentMarkers:
         return self.opened_by_mark and not self.closed
 
     def is_mark(self, text: str, strict: bool) -> bool:
-        """Whether a line is a mark; raises ProgramError where none may stand.
+        """Whether a line is a mark; raises ProgramError where none is allowed.
 
         The first line opens the program by it, a later one closes it; a `strict` dialect closes only what was opened.
         """

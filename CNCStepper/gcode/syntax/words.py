@@ -126,7 +126,7 @@ def pack(code: str) -> tuple[str, list[int]]:
 
 
 def lower_case(name: str) -> str:
-    """Return a name with its ASCII letters small; LinuxCNC tells others apart, as in "ç" and "Ç"."""
+    """Return a name with its ASCII letters small; LinuxCNC distinguishes others, as in "ç" and "Ç"."""
     return name.translate(_SMALL)
 
 

@@ -118,7 +118,7 @@ def _switched(run: Run, pieces: Iterable[np.recarray], coming: deque[Change], ch
 
 
 def beam_off_in_hold(chunks: Iterable[PulseChunk]) -> Iterator[PulseChunk]:
-    """Yield chunks with a laser's beam off while the axes stand in a hold; it comes back with the pulses."""
+    """Yield chunks with a laser's beam off while a hold is complete; it comes back with the pulses."""
     beam = dark = None  # the last switch of the beam; the moment at which a hold has put it out
     for chunk in chunks:
         if chunk.held_until is None:

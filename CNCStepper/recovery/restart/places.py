@@ -28,7 +28,7 @@ class Place(NamedTuple):
 
 @dataclass(frozen=True)
 class RequestedPlace:
-    """What a person says of the place; exactly one of line, contour, operation and at_mm, or operation with contour.
+    """A requested restart place; exactly one of line, contour, operation and at_mm, or operation with contour.
 
     line: of the file, from 1. time: which of the times that it is run, from 1; needed where it is run more than once.
     operation: its name, or its number from 1. contour: its number from 1, counted in the operation if one is named.

@@ -36,7 +36,7 @@ class RestartPlace:
 
 @dataclass(frozen=True)
 class RestartText:
-    """What became of it: the text of the restart, and sentences that say what it does, in its order."""
+    """The result: the text of the restart, and sentences that describe its steps in order."""
 
     program: str
     words: tuple[str, ...]

@@ -37,7 +37,7 @@ def taken_up(moves: Iterable[tuple[Move, Part]], motors: Motors) -> Iterator[tup
 
 
 def crossing(stood_mm: Sequence[float], ready_mm: Sequence[float], move: Move, play: Backlash) -> Move:
-    """Return the move of the motors alone beside a move of the tool: no faster, and without a beam."""
+    """Return the motors' move across the backlash at a move of the tool: no faster, and without a beam."""
     if move.kind == RAPID or play.beam:
         return Move(RAPID, _point(stood_mm), _point(ready_mm))
     return Move(LINE, _point(stood_mm), _point(ready_mm), feed_mm_min=move.feed_mm_min)

@@ -18,7 +18,7 @@ LOOK_EVERY_S = 0.1
 
 
 class ButtonClient(threading.Thread):
-    """A client of its own, until the session ends; tell: hears what could not be done, on this thread."""
+    """A client of its own, until the session ends; tell: gets refusals, on this thread."""
 
     def __init__(self, session_file: Path, tell: Callable[[str], None]):
         super().__init__(name="leader", daemon=True)

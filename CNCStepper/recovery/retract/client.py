@@ -23,7 +23,7 @@ ANSWER_LIMIT_S = 60.0  # a long program is told in seconds
 
 
 class RetractClient:
-    """Speaks with one session or desk; what it refuses is raised as its error."""
+    """A client of one session or service; its refusals are raised as its error."""
 
     def __init__(self, client: SessionClient | ConnectionSession, machine: Machine | None = None):
         self._client = client
@@ -59,7 +59,7 @@ class RetractClient:
             self._await("retrace", "phase", "running")
 
     def wait_for_leg(self) -> SenderStatus:
-        """Wait for the end of the leg, or until somebody holds on the way, and return the status."""
+        """Wait for the end of the leg or a hold on it, and return the status."""
         return self._until(lambda status: status.phase in STANDS)
 
     def _await(self, command: str, kind: str, text: str) -> None:

@@ -41,7 +41,7 @@ class SessionContext:
 
     @classmethod
     def of(cls, told: Mapping[str, Any], machine: Machine | None) -> SessionContext:
-        """Return it from what a session told; machine: where the session was started without one.
+        """Return the program of a session's status; machine: of a session started without one.
 
         Raises JobError where there is none.
         """

@@ -72,7 +72,7 @@ class PossiblePlaces(NamedTuple):
 
 
 def find(way: RetractPath, reports: Sequence[PositionReport], controller: Controller) -> PossiblePlaces:
-    """Return where the machine stands by the last of its reports; raises ProgramError where that is not on its way."""
+    """Return the machine's place by its last report; raises ProgramError where that is not on its path."""
     if not len(way):
         what = "nothing has been cut yet, so there is no way back"
         raise ProgramError("retreat-begin", what, advice="resume, and hold once the machine moves")

@@ -17,7 +17,7 @@ Part = tuple[int, float, float]  # row, from share, to share
 
 
 def stretch_moves(way: RetractPath, begin: Place, end: Place) -> Iterator[tuple[Move, Part]]:
-    """Yield the moves from one place to another, the first from where the machine stands, less than a step, to there.
+    """Yield the moves between two places, the first from the machine's position, less than a step away.
 
     Rows that lead nowhere are left out.
     """

@@ -236,7 +236,7 @@ class HeldProgram:
 
 
 def held_program(told: Mapping[str, Any], machine: Machine | None = None) -> HeldProgram:
-    """Return the held program of what a session told; raises ProgramError or JobError where no way leads back."""
+    """Return the held program of a session's status; raises ProgramError or JobError without a way back."""
     ground = SessionContext.of(told, machine)
     reports = [
         PositionReport(*report)._replace(position_mm=ground.controller.on_step(report[4])) for report in told["reports"]

@@ -54,7 +54,7 @@ def tools_known(subject: CheckContext, tools: Tools, seen: set[int]) -> Iterator
 
 
 def unknown_place_cuts(subject: CheckContext, stock: Stock) -> Iterator[Finding]:
-    """Yield moves below the stock's top whose place in X or Y is not known: nobody can say what they cut."""
+    """Yield moves below the stock's top at an unknown X or Y: their cut is unknown."""
     unknown = np.isnan(subject.end[:, :2]).any(axis=1) | np.isnan(subject.begin[:, :2]).any(axis=1)
     rows = np.flatnonzero(unknown & (subject.low_mm < stock.top_mm - RUB_MM))
     if len(rows):

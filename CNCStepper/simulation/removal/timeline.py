@@ -36,7 +36,7 @@ MOST_BYTES = 512_000_000  # of all check-points; where they need more every seco
 
 @dataclass(frozen=True)
 class TimelinePosition:
-    """Where a program stands at a time: the row that is run (-1 before the first) and how much of it is done."""
+    """A program's position in time: the current row (-1 before the first) and how much of it is done."""
 
     time_s: float
     row: int
@@ -76,7 +76,7 @@ class Timeline:
         return float(self.ends_s[-1]) if len(self.ends_s) else 0.0
 
     def moment(self, time_s: float) -> TimelinePosition:
-        """Return where the program stands at a time; times outside it are its begin and its end."""
+        """Return the program's position at a time; times outside it give its begin or its end."""
         time_s = min(max(float(time_s), 0.0), self.duration_s)
         row = int(np.searchsorted(self.ends_s, time_s, side="left"))
         if not len(self.ends_s) or time_s == 0.0:

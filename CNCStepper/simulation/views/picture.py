@@ -51,7 +51,7 @@ def save_picture(file: Path, scene: Scene, title: str = "", facts: list[str] | N
 
 
 def facts_of(scene: Scene, tools: str, time_s: float, moment: TimelinePosition | None = None) -> list[str]:
-    """Return what a picture's head tells: tools, time, moves, stock, volume. tools: in words, "flat 6 mm"."""
+    """Return the lines of a picture's head: tools, time, moves, stock, volume. tools: in words, "flat 6 mm"."""
     size, whole = scene.part.stock.size_mm, duration_text(time_s)
     at = moment and TEXTS["moment"].format(text=duration_text(moment.time_s), whole=whole, line=moment.line)
     return [

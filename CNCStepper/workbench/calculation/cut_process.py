@@ -33,7 +33,7 @@ Parts = dict[str, dict[str, Any]]  # questions by their keys
 
 @dataclass(frozen=True)
 class CutRequest:
-    """The question of one who asks, and what he is told by: each stage's English words, and the end."""
+    """A request of one client, and its callbacks: each stage's English words, and the end."""
 
     parts: Parts
     stage: Callable[[str], None]
@@ -64,7 +64,7 @@ class CutProcess(QtCore.QObject):
             self._questioner.ask({"mark": 0, "parts": {}, "compiled": not jit_guard.compiling_elsewhere})
 
     def ask(self, who: Any, asked: CutRequest) -> None:
-        """Ask for `who`, in place of what he asked before."""
+        """Ask for `who`, in place of its earlier request."""
         same = who in self._asked and self._asked[who].parts.keys() == asked.parts.keys()
         self._asked[who] = asked
         if self._current is None or (self._current == who and not same):

@@ -32,7 +32,7 @@ _run: KernelWarmup | None = None
 
 
 class KernelWarmup(QtCore.QObject):
-    """One run of the process that compiles; `ended` tells that nothing has to wait for it any more."""
+    """One run of the compiling process; `ended` is sent when waiting work may go on."""
 
     ended = QtCore.Signal()
 

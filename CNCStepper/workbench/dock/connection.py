@@ -136,5 +136,5 @@ class Link:
 
 
 def error_text(trouble: CNCStepperError) -> str:
-    """Return what an error says to people, without its code."""
+    """Return the text of an error for people, without its code."""
     return sentences(translated(trouble.what), translated(trouble.advice))

@@ -21,7 +21,7 @@ COMMANDS = ("tell_place", "retrace")  # of the process; it is told itself why th
 
 
 class RetractRun:
-    """The way back of one job at a time; say: adds a sentence to the messages. changed: something is to be shown."""
+    """The retract of one job at a time; say: adds a sentence to the messages. changed: the view is out of date."""
 
     def __init__(self, parent: Any, link: Link, say: Callable[[str, str], None], changed: Callable[[], None]):
         self.flow = RetractFlow()

@@ -47,7 +47,7 @@ def holes_of_all(pairs: Sequence[tuple[Any, tuple[str, ...]]]) -> list[Hole]:
 
 
 def remarks(pairs: Sequence[tuple[Any, tuple[str, ...]]], holes: Sequence[Hole]) -> list[str]:
-    """Return what a person should know of the holes of drawings: lines that want none, places that are drawn twice."""
+    """Return remarks on the holes of drawings: lines without a hole, places that are drawn twice."""
     said: list[str] = []
     for drawing, picked in pairs:
         edges = [edge for part in parts_of(drawing, picked) for edge in part.Edges]

@@ -26,7 +26,7 @@ WIDTH = 430
 TAKE_THE_FRONT = ("CNCStepper_Simulate", "CNCStepper_Send")  # the commands whose tooltips name the program in front
 
 
-class Front:
+class ActiveEditor:
     """Follows the keyboard's focus; changed: called when another editor, or the tree, is in front."""
 
     def __init__(self, changed: Callable[[], None]) -> None:
@@ -84,7 +84,7 @@ def is_seen(dock: Any) -> bool:
 class EditorDock(QtGui.QDockWidget):
     """The dock of one text."""
 
-    is_program_editor = True  # for `Front`
+    is_program_editor = True  # for `ActiveEditor`
 
     def __init__(self, source: Any, window: Any):
         panel = EditorPanel(source)

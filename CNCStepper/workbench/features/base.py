@@ -206,7 +206,7 @@ def proxy_type(obj: Any) -> str:
 
 
 def problem_of(obj: Any) -> str:
-    """Return why one of our objects cannot be made, or "" when it can; what stands on it names it and its reason."""
+    """Return why one of our objects cannot be made, or ""; its dependents name it and its reason."""
     problem = getattr(obj, PROBLEM.name, "") if proxy_type(obj) else ""
     refusal = obj.Proxy.refusal if problem else None
     return refusal.sentence if refusal is not None and refusal.sentence == problem else problem

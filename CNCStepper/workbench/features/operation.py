@@ -207,7 +207,7 @@ class Operation(Feature):
         return validated(cycle_class(self.CYCLE), content, obj.Label)
 
     def cut_once(self, cycle: Any, setup: Any) -> Any:
-        """Return the cycle with its cut, which is kept for the next who asks for the same; raises CycleError."""
+        """Return the cycle with its cut, cached for equal requests; raises CycleError."""
         from CNCStepper.job.cycle_cache import CycleCache
 
         if self.last_cut is None or not self.last_cut.fits(cycle, setup):

@@ -128,7 +128,7 @@ class RestartPanel(QtGui.QWidget):
         self._more.setVisible(bool(more))
 
     def show_choice(self, where: RequestedPlace) -> None:
-        """Say which place is chosen, and mark it where it stands in the list."""
+        """Show the chosen place, and mark it in the list."""
         text, values = chosen(where, self.places.rows)
         self._choice.setText(tr(text).format(*values))
         self.places.mark(row_of(where, self.places.rows))

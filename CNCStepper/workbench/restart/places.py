@@ -49,7 +49,7 @@ def rows_of(told: Mapping[str, Any]) -> list[Row]:
 
 
 def chosen(where: RequestedPlace, rows: Sequence[Row]) -> tuple[str, tuple[object, ...]]:
-    """Return the sentence, still to be translated, that says which place is chosen, and its values."""
+    """Return the sentence for the chosen place, still to be translated, and its values."""
     if where.at_mm:
         return CHOSEN["point"], (" ".join(f"{axis}{mm:.3f}" for axis, mm in zip("XYZ", where.at_mm, strict=False)),)
     if where.contour:

@@ -8,7 +8,7 @@ from typing import Any
 
 
 def open_simulation(job_object: Any, restart: Callable[[Any, int], object]) -> Any:
-    """Open the task panel of a job's simulation and return it; another task panel that stands open is left alone.
+    """Open the task panel of a job's simulation and return it; another open task panel is left alone.
 
     restart: what its button does with the program and the line under way. Raises JobError when there is one.
     """

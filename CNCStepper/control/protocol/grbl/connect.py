@@ -112,7 +112,7 @@ def read_modes(driver: Grbl, timing: Timing) -> str:
 
 
 def has_greeting(said: Sequence[Received]) -> bool:
-    """Return whether a greeting is in what was said."""
+    """Return whether received messages hold a greeting."""
     return any(isinstance(report, Greeting) for report in said)
 
 

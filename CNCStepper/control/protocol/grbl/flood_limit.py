@@ -13,7 +13,7 @@ MOST_OF_AN_ANSWER = 10_000  # to a `$` command, which may list all settings
 
 
 class FloodLimit:
-    """Counts the lines that nobody asked for; clock: in s."""
+    """Counts unsolicited lines; clock: in s."""
 
     def __init__(self, clock: Callable[[], float]):
         self._clock = clock

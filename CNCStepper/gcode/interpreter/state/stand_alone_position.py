@@ -52,12 +52,12 @@ def use_system(model: Model, name: str) -> None:
 
 
 def machine_position_at(model: Model) -> Point:
-    """Return where the machine really stands."""
+    """Return the machine's real position."""
     return model.stands or model.position
 
 
 def continue_at(model: Model, position: Point) -> None:
-    """Let the text go on at a position where the machine does not stand."""
+    """Let the text continue at a position that is not the machine's."""
     model.stands, model.position = machine_position_at(model), position
     model.look()
 

@@ -20,7 +20,7 @@ CONNECTED = frozenset({"idle", "alarm", "jogging", "homing", "busy", *JOB_RUNS})
 
 @dataclass(frozen=True)
 class ControllerSnapshot:
-    """What the dock knows of the machine at one time.
+    """The dock's view of the machine at one time.
 
     phase: "off" (no controller), "starting", "connecting", "unreached" (no connection came about), "gone" (it ended by
     itself), or the desk's phase. machine_state: as grbl writes it. message: the program's words at a pause, the

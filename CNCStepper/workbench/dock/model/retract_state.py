@@ -38,7 +38,7 @@ UNKNOWN = later("The tool can go back along exactly the way by which it came.")
 
 
 def request_of(status: SenderStatus | None) -> Wish | None:
-    """Return what the machine's buttons want, as its session tells."""
+    """Return the request of the machine's buttons, from its session's status."""
     if status is None or (status.wanted_back_mm is None and not status.wanted_rest):
         return None
     return (RESUME, True) if status.wanted_back_mm is None else (BACK, status.wanted_back_mm)
@@ -46,7 +46,7 @@ def request_of(status: SenderStatus | None) -> Wish | None:
 
 @dataclass
 class RetractFlow:
-    """What is under way, and where on its cut the tool stands.
+    """The retract in progress, and the tool's place on its cut.
 
     line: of the program, 0 where it is not known. behind_mm: how far the tool is behind where the cut has come to.
     trouble: why the last wish was refused.
@@ -127,7 +127,7 @@ def why_not_back(kind: str, flow: RetractFlow, moment: ControllerSnapshot) -> st
 
 
 def state_text(flow: RetractFlow, moment: ControllerSnapshot) -> str:
-    """Return what to say of the way back, still to be translated; {0} stands for a line, {1} for a length."""
+    """Return the text of the retract, still to be translated; {0} is a line, {1} a length."""
     if flow.asked == FIND:
         return FINDING
     if flow.asked:

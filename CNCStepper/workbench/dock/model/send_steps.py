@@ -140,7 +140,7 @@ class Flow:
 
     @property
     def awaits_answer(self) -> bool:
-        """Whether it goes on only when somebody answers."""
+        """Whether it waits for the user's answer."""
         return bool(self.step) and bool(STEPS[self.step].confirm_step)
 
     @property

@@ -69,7 +69,7 @@ class ConsoleView(QtGui.QWidget):
         widgets.lock(self.line, why_not("console", moment), RULES["console"].does)
 
     def on_message(self, text: str) -> None:
-        """Show what the controller has said, or why a line was not sent."""
+        """Show a message of the controller, or why a line was not sent."""
         self.said.appendPlainText(text)
 
     def _typed(self) -> None:

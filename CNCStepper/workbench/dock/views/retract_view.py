@@ -31,7 +31,7 @@ LINES_KEPT = 2  # free for the sentence, so that the buttons below do not move u
 
 
 class RetractView(QtGui.QWidget):
-    """`go` is called with what is wished for, as `back` names it, and its value."""
+    """`go` is called with the request, as `back` names it, and its value."""
 
     def __init__(self, lengths: Lengths, point: str, go: Callable[[str, float | bool], None]):
         super().__init__()
@@ -67,7 +67,7 @@ class RetractView(QtGui.QWidget):
         return self.length.value() * self._lengths.mm
 
     def show_back(self, flow: RetractFlow, moment: ControllerSnapshot) -> None:
-        """Show where the tool stands on its cut, and enable what can be asked for."""
+        """Show the tool's place on its cut, and enable the possible requests."""
         self.setVisible(moment.job_runs)
         for kind, button in self.buttons.items():
             widgets.lock(button, why_not_back(kind, flow, moment), DOES[kind])
