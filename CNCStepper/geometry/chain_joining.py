@@ -19,7 +19,7 @@ import shapely
 
 from CNCStepper.errors import GeometryError, Text
 from CNCStepper.geometry.curve import Curve
-from CNCStepper.geometry.segments import Segments, complex_of
+from CNCStepper.geometry.curve_columns import Segments, complex_of
 
 SAME_MM = 1e-4
 NEAR_MM = 1.0

@@ -1,20 +1,108 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Findings of a job about its own program: notes of its files, feeds out of range, warnings of its cycles."""
+"""Findings of a job about its own program: notes of its files, feeds out of range, warnings of its cycles.
+
+Cuts into a piece that an earlier contour has set free: nothing holds it any more.
+
+On which line of the file each operation of a program begins, and each tool is used first.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from CNCStepper.cycles.cycle import Answer
+import numpy as np
+import shapely
+from shapely.geometry.base import BaseGeometry
+
+from CNCStepper.cycles.contours.contour import Contour
+from CNCStepper.cycles.contours.sides import enclosed
+from CNCStepper.cycles.cycle import Answer, Cycle
 from CNCStepper.errors import Place, Text
-from CNCStepper.job.detached_parts import cuts_into_detached, wanted_area
-from CNCStepper.job.first_lines import FirstLines
+from CNCStepper.geometry.shapely_polygons import polygons_of
+from CNCStepper.job.make import operation_name
 from CNCStepper.job.model import Job
 from CNCStepper.job.stock_fit import ON_EDGE_MM
 from CNCStepper.machine.profile import Machine
+from CNCStepper.machine.tools.tool_shapes import BEAMS
 from CNCStepper.simulation.finding import Finding
 from CNCStepper.simulation.stock import Stock
-from CNCStepper.toolpath import Span
+from CNCStepper.toolpath import Span, Toolpath
+
+SLACK_MM2 = 0.01  # a cut that touches a piece by rounding does not enter it
+
+
+def cuts_into_detached(
+    job: Job, first: int, answers: Sequence[Answer]
+) -> Iterator[tuple[int, str, tuple[float, float]]]:
+    """Yield cuts into detached pieces: the index of the answer, the warning, and a place within the cut.
+
+    first: how many of the job's operations come before those that answered.
+    """
+    free = [(number, piece) for number, one in enumerate(job.operation, 1) if (piece := _freed(one, job)) is not None]
+    for index, answer in enumerate(answers):
+        number = first + index + 1
+        wanted = wanted_area(answer)
+        for before, piece in (each for each in free if each[0] < number):
+            inside = piece.intersection(wanted)
+            if inside.area > SLACK_MM2 or (wanted.area == 0.0 and inside.length > 0.0):
+                place = inside.representative_point()
+                yield index, _words(job.operation, before, number), (place.x, place.y)
+                break
+
+
+def wanted_area(answer: Answer) -> BaseGeometry:
+    """Return what an operation is to cut, as far as its tool reaches, seen from above."""
+    return shapely.union_all([one.region if one.reachable is None else one.reachable for one in answer.removals])
+
+
+def _freed(operation: Cycle, job: Job) -> BaseGeometry | None:
+    """Return the piece that falls out of a contour, None where all stays held."""
+    tool = job.tools[operation.tool]
+    if not isinstance(operation, Contour) or operation.tabs is not None or tool.shape in BEAMS:
+        return None
+    curves = [curve for curve in operation.kept() if curve.closed]
+    if not curves or operation.depth_mm < job.stock.size_mm[2]:
+        return None
+    part = enclosed(curves)
+    if operation.side == "inside":
+        part = part.offset(-(operation.kerf_mm or tool.diameter_mm), operation.tolerance_mm)
+    return None if part.empty else polygons_of(part)
+
+
+def _words(operations: Sequence[Cycle], before: int, number: int) -> str:
+    one, other = (f"operation {place} ({operation_name(operations[place - 1])})" for place in (number, before))
+    return Text("{one} cuts into a piece that {other} has set free: nothing holds it", one=one, other=other)
+
+
+class FirstLines:
+    """Those of a program that may come in parts, each a whole table of consecutive rows."""
+
+    def __init__(self) -> None:
+        self._rows = 0
+        self._of_mark: dict[int, int] = {}
+        self.of_tool: dict[int, int] = {}
+
+    @classmethod
+    def of(cls, toolpath: Toolpath) -> FirstLines:
+        """Return those of a whole program."""
+        lines = cls()
+        lines.see(toolpath, [span.first for span in toolpath.spans])
+        return lines
+
+    def see(self, toolpath: Toolpath, marks: Iterable[int]) -> None:
+        """Take the next part; marks: rows of the whole program at which operations begin or end."""
+        table = toolpath.table()
+        first, self._rows = self._rows, self._rows + len(table)
+        for mark in marks:
+            if first <= mark < self._rows:
+                self._of_mark[mark] = int(table.line[mark - first])
+        states, rows = np.unique(table.state, return_index=True)
+        for state, row in sorted(zip(states.tolist(), rows.tolist(), strict=True), key=lambda pair: pair[1]):
+            self.of_tool.setdefault(toolpath.states[state].tool, int(table.line[row]))
+
+    def of_operations(self, spans: Iterable[Span]) -> list[int]:
+        """Return the first line of each operation among spans; 1 for one that moves nothing at the program's end."""
+        return [self._of_mark.get(span.first, 1) for span in spans if span.kind == "operation"]
 
 
 def findings_of(

@@ -23,7 +23,7 @@ from CNCStepper.control.session.status import error_from_json, error_to_json
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.simulation.finding import Finding, refused
 from CNCStepper.simulation.tip_track import TipTrack
-from CNCStepper.simulation.views.polylines import Lines
+from CNCStepper.simulation.views.path_lines import Lines
 
 if TYPE_CHECKING:
     from CNCStepper.control.program.certificate import Certificate

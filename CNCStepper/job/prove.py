@@ -19,8 +19,7 @@ from CNCStepper.control.program.certificate import digest_of_text
 from CNCStepper.cycles.cycle import Answer, Removal
 from CNCStepper.errors import JobError, Place, Text
 from CNCStepper.gcode.wire.wire_text import WireText
-from CNCStepper.job.findings import findings_of
-from CNCStepper.job.first_lines import FirstLines
+from CNCStepper.job.findings import FirstLines, findings_of
 from CNCStepper.job.make import Part, is_split, make_parts, make_program
 from CNCStepper.job.model import Job
 from CNCStepper.job.planned_times import milestones

@@ -20,12 +20,12 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from CNCStepper.gcode.interpreter.file_chunks import text_pieces
+from CNCStepper.gcode.interpreter.program_file import text_pieces
 from CNCStepper.gcode.wire.backlash_compensation import backlash_of
-from CNCStepper.gcode.wire.expanded_wire_file import wire_of_file
+from CNCStepper.gcode.wire.wire_file import wire_of_file
 from CNCStepper.gcode.wire.wire_text import WireText
 from CNCStepper.input_file import Unchanged
-from CNCStepper.job.first_lines import FirstLines
+from CNCStepper.job.findings import FirstLines
 from CNCStepper.job.planned_times import Milestones
 from CNCStepper.job.proof_inputs import Given
 from CNCStepper.machine.profile import Machine

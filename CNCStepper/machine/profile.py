@@ -16,12 +16,10 @@ from pydantic import BaseModel, ConfigDict, Field, StrictBool, ValidationError, 
 from CNCStepper.errors import JobError, Text
 from CNCStepper.input_file import is_there
 from CNCStepper.machine.axis_drive import Drive
-from CNCStepper.machine.files.json_file import read_json
-from CNCStepper.machine.files.toml_file import read_toml
+from CNCStepper.machine.files.readers import read_json, read_toml
 from CNCStepper.machine.files.validation_errors import refusal_of
-from CNCStepper.machine.input_pins import Input, check_apart
 from CNCStepper.machine.step_wait_tables import Waits
-from CNCStepper.machine.wiring import Signals
+from CNCStepper.machine.wiring import Input, Signals, check_apart
 from CNCStepper.quantities import (
     MOST_ITEMS,
     Acceleration,

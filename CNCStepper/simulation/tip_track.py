@@ -4,6 +4,8 @@
 begins_s   ends_s        A row's share of its way grows evenly between the two moments, along its arc;
    |  row k  |           before `begins_s` the tool stands (a dwell), and so it does at a point whose
 ---+=========+---        way there is not known.
+
+Steps through a program's time by move or by line: from any moment to the next end of one, and back.
 """
 
 from __future__ import annotations
@@ -15,9 +17,25 @@ from pathlib import Path
 import numpy as np
 
 from CNCStepper.simulation.arc_chords import Arcs, arcs_of
-from CNCStepper.simulation.time_steps import end_after, end_before, ends_of_lines_s
 from CNCStepper.simulation.tip_segments import tips_mm
 from CNCStepper.toolpath import Chunk, Toolpath
+
+
+def end_after(ends_s: np.ndarray, time_s: float) -> float:
+    """Return the first of the rising `ends_s` that is later than a moment, else the last; 0 where there is none."""
+    place = int(np.searchsorted(ends_s, time_s, side="right"))
+    return float(ends_s[min(place, len(ends_s) - 1)]) if len(ends_s) else 0.0
+
+
+def end_before(ends_s: np.ndarray, time_s: float) -> float:
+    """Return the last of the rising `ends_s` that is earlier than a moment, else 0, the begin."""
+    place = int(np.searchsorted(ends_s, time_s, side="left"))
+    return float(ends_s[place - 1]) if place else 0.0
+
+
+def ends_of_lines_s(ends_s: np.ndarray, lines: np.ndarray) -> np.ndarray:
+    """Return when each line is done, from the ends and the lines of all moves in the order in which they are run."""
+    return ends_s[np.r_[lines[1:] != lines[:-1], True]] if len(lines) else ends_s
 
 
 @dataclass(frozen=True)

@@ -83,7 +83,7 @@ def line_of(story: JobReplay) -> int:
 def reached_in(story: JobReplay, programs: Sequence[str]) -> ProgressInterval | None:
     """Return where on its path a job was; None where its program is in none of these files, nor in its own."""
     from CNCStepper.control.journal.progress_interval import progress_interval
-    from CNCStepper.control.journal.sent_program import text_sent
+    from CNCStepper.control.journal.replay import text_sent
 
     text = text_sent(story, _texts(programs)) if story.first_line else None
     return None if text is None else progress_interval(story, text)

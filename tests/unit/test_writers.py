@@ -20,14 +20,14 @@ BUFFER = "into memory, then whole"
 REASONS = {
     "atomic_file": "the one writer",
     "cli/machine/console": "the line history of the user's own state folder, by readline",
-    "control/journal/journal_file": "O_EXCL; a journal grows line by line and is never replaced",
+    "control/journal/writer": "O_EXCL; a journal grows line by line and is never replaced",
     "control/session/detached_process": "O_EXCL; a log that grows",
     "control/pulses/ports": "a recording grows while pulses go out; only a recording is opened, links are checked",
-    "cli/program/piped_program": "a temporary folder of 0700 that goes when it is read",
+    "cli/program/check": "a temporary folder of 0700 that goes when it is read",
     "control/session/files": OWN_STATE,
     "control/program/bundle": OWN_STATE,
     "job/editing/path_segments": PRIVATE,
-    "workers/program_document": PRIVATE,
+    "workers/program_editor": PRIVATE,
     "control/processes/process_file": (
         "the session's own file in a folder of 0700, open and locked for as long as its process lives"
     ),

@@ -17,8 +17,8 @@ from PySide import QtCore, QtGui
 
 from CNCStepper.control.processes.python_finder import command, environment, find_python
 from CNCStepper.control.program.send_job import SendJob, write_job
-from CNCStepper.control.service import connection_launch
-from CNCStepper.control.transport import port_list
+from CNCStepper.control.service import connection_client
+from CNCStepper.control.transport import link
 from CNCStepper.errors import MissingPackage
 from CNCStepper.workbench import api
 from CNCStepper.workbench.dock.model.port_choices import VIRTUAL
@@ -241,8 +241,8 @@ def test_without_pyserial_the_dock_opens_and_says_so(hand: Hand, dock: Any, monk
     def lacks(*_: Any) -> Any:
         raise MissingPackage("package-missing", "pyserial is missing", advice="install it")
 
-    monkeypatch.setattr(port_list, "port_names", lacks)
-    monkeypatch.setattr(connection_launch, "find_python", lacks)
+    monkeypatch.setattr(link, "port_names", lacks)
+    monkeypatch.setattr(connection_client, "find_python", lacks)
     hand.main(dock.connection.look)
     assert "Pyserial is missing. Install it." in hand.text(f"{D}Messages")
     hand.fill(f"{D}Port", "COM99")

@@ -9,8 +9,7 @@ import click
 
 from CNCStepper.cli.common.options import NumberType, machine_option
 from CNCStepper.cli.common.verb import Verb
-from CNCStepper.machine.axis_calculation import USUAL_RATE_HZ, answers, shown
-from CNCStepper.machine.axis_drive import Drive
+from CNCStepper.machine.axis_drive import USUAL_RATE_HZ, Drive, answers, shown
 from CNCStepper.machine.profile import AXIS_NAMES, Machine, validated
 
 ABOVE_0 = NumberType(0.0)

@@ -104,7 +104,7 @@ def _is_wrong(refusal: ProgramError, reason: ProgramError) -> bool:
 
 def _start_words() -> list[str]:
     """Return the options that say the start, as the running verb was given them."""
-    from CNCStepper.cli.common.reproduce_options import reproduce_options
+    from CNCStepper.cli.common.options import reproduce_options
 
     options = reproduce_options()["options"]
     return [word for name in OF_START for value in options.get(name, ()) for word in (name, value)]

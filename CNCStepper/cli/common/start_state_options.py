@@ -60,7 +60,7 @@ class StartOptions:
     def on(self, start: Start) -> Start:
         """Return `start` with all that is told; raises ProgramError at a wrong line of a file."""
         if self.parameters:
-            from CNCStepper.gcode.interpreter.state.parameter_file import read_parameters, with_parameters
+            from CNCStepper.gcode.interpreter.state.parameters import read_parameters, with_parameters
 
             start = with_parameters(start, read_parameters(read_program(self.parameters), str(self.parameters)))
         if self.work_zero:

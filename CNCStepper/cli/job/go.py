@@ -42,7 +42,7 @@ def command(from_pause: bool, session: str | None) -> None:
 
 def _check(status: SenderStatus, from_pause: bool) -> None:
     """Refuse what nobody should start from here without having read why it stands; raises MachineRefusal."""
-    from CNCStepper.cli.job.pause_question import why
+    from CNCStepper.cli.job.pause_prompt import why
     from CNCStepper.control.stream.pause_id import WAITING
 
     if status.phase not in WAITING:

@@ -18,7 +18,7 @@ def command(session: str | None) -> None:
     FreeCAD's window. `cncstepper go` lets it go on, `cncstepper back` leads it back along its cut, `cncstepper stop`
     ends it. This is not an emergency stop.
     """
-    from CNCStepper.cli.job.pause_question import why
+    from CNCStepper.cli.job.pause_prompt import why
     from CNCStepper.control.service.connection_session import attach
     from CNCStepper.control.stream.pause_id import WAITING
 

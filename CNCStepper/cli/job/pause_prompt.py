@@ -1,22 +1,183 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Prompts at a terminal for each pause of a job; an answer counts for that pause alone."""
+"""Prompts at a terminal for each pause of a job; an answer counts for that pause alone.
+
+The question at a pause of a job, and the message without a terminal to ask.
+
+The answers to a pause of a job: go on, stop, jog, set the zero, override, end stepping.
+
+Session events while the operator is asked: printed at once, above the answer being typed.
+
+One thread waits for the answer, as it can on every system; another one hears the session meanwhile, and only meanwhile.
+"""
 
 from __future__ import annotations
 
+import re
 import sys
 import time
 from collections.abc import Callable
+from threading import Event, Thread
+from types import TracebackType
 from typing import Any
 
 import click
 
-from CNCStepper.cli.job.pause_answers import GO_ON, STOP, Answer, PendingRequests, is_end
-from CNCStepper.cli.job.pause_question import question, unasked
-from CNCStepper.cli.job.session_listener import LOOK_EVERY_S, SessionListener
+from CNCStepper.cli.job.override import HELP as OVERRIDES
+from CNCStepper.cli.job.override import read_override
 from CNCStepper.cli.job.status_text import overrides_in_words
 from CNCStepper.control.session.client import SessionClient
 from CNCStepper.control.session.status import SenderStatus
 from CNCStepper.control.stream.pause_id import WAITING
+from CNCStepper.errors import CNCStepperError
+
+
+def why(status: SenderStatus) -> str:
+    """Return why the machine stands."""
+    return status.message or ("The program pauses" if status.phase == "paused" else "The machine holds")
+
+
+def question(status: SenderStatus) -> str:
+    """Return what is asked about a stand: why it is, and what may be answered."""
+    touches = ", zero z touches off" if status.phase == "paused" else ""
+    jogs = f", z-0.1 jogs{touches} ({_work_place(status)})" if status.machine_state in ("Idle", "Tool") else ""
+    back = "; `cncstepper back` goes back" if status.phase != "door" and status.machine_state != "Tool" else ""
+    return f"{why(status)}. Enter goes on, s stops{jogs}, ? says more{back}"
+
+
+def unasked(status: SenderStatus) -> str:
+    """Return what to say of a stand where standard input has ended and is no terminal."""
+    go = "cncstepper go --pause" if status.phase == "paused" else "cncstepper go"
+    return (
+        f"{why(status)}. Nobody can answer here, so the machine waits. In any terminal `{go}` goes on, "
+        "`cncstepper back` goes back, `cncstepper stop` stops; so does Ctrl-C here"
+    )
+
+
+def reminder(status: SenderStatus, waits: bool) -> str:
+    """Return what to say while the question about a stand is open that is over; waits: somebody is asked again."""
+    if waits:
+        return f"Meanwhile: {why(status)}. Press Enter to be asked about that"
+    return f"Meanwhile the job has gone on ({status.phase}). Press Enter to see it"
+
+
+def _work_place(status: SenderStatus) -> str:
+    return " ".join(f"{axis}{value:.3f}" for axis, value in zip("XYZ", status.wpos_mm or (), strict=False))
+
+
+PendingRequests = list[tuple[str, dict[str, Any]]]  # commands of a session with their values
+
+GO_ON: PendingRequests = [("resume", {})]
+STOP: PendingRequests = [("stop", {})]
+STOP_WORDS = ("s", "stop", "q", "quit", "n", "no")
+JOG_FEED_MM_MIN = 500.0
+LONGEST_MM = 1000.0
+HELP = (
+    "press Enter alone to go on or s to stop; x10 y-5 z0.1 jogs (f100: that fast), zero z touches off; "
+    f"overrides: {OVERRIDES}"
+)
+_WAY = re.compile(r"(?:[xyzf]-?(?:\d+\.?\d*|\.\d+) ?)+")
+_WORD = re.compile(r"([xyzf])(-?[\d.]+)")
+_ZERO = re.compile(r"zero ([xyz]{1,3})")
+
+
+def read_answer(text: str) -> PendingRequests:
+    """Return what an answer asks for; raises ValueError with words where it is none, and for a question mark."""
+    words = " ".join(text.lower().split())
+    if not words:
+        return GO_ON
+    if words in STOP_WORDS:
+        return STOP
+    if words == "all":
+        return [("by_line", {"on": False}), *GO_ON]
+    if zero := _ZERO.fullmatch(words):
+        return [("set_zero", {"axes": zero[1].upper()})]
+    if override := read_override(words):
+        return [("override", override)]
+    if words == "?":
+        raise ValueError(HELP)
+    return [("jog", _way(words, text))]
+
+
+def is_end(wishes: PendingRequests) -> bool:
+    """Return whether the job leaves its stand with these."""
+    return any(name in ("resume", "stop") for name, _ in wishes)
+
+
+def _way(words: str, text: str) -> dict[str, float]:
+    found = _WORD.findall(words)
+    values = {letter: float(number) for letter, number in found}
+    if not _WAY.fullmatch(words) or len(values) < len(found) or not set(values) & set("xyz"):
+        raise ValueError(f"'{text}' is no answer: {HELP}")
+    if any(abs(value) > LONGEST_MM for letter, value in values.items() if letter != "f") or values.get("f", 1) <= 0:
+        raise ValueError(f"'{text}' is no jog: at most {LONGEST_MM:g} mm, with a feed above 0")
+    way = {f"{axis}_mm": values.get(axis, 0.0) for axis in "xyz"}
+    return way | {"feed_mm_min": values.get("f", JOG_FEED_MM_MIN)}
+
+
+class Answer(click.ParamType):
+    """One answer; anything else is asked again, for going on moves the machine."""
+
+    name = "answer"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> PendingRequests:
+        """Return the wishes of what was typed."""
+        try:
+            return value if isinstance(value, list) else read_answer(value)
+        except ValueError as error:
+            self.fail(str(error), param, ctx)
+
+
+LOOK_EVERY_S = 0.05
+
+
+class SessionListener:
+    """Used as a context while somebody is asked about a stand; raises in the end what ended the session's link.
+
+    hear: gets every event but the statuses. tell: gets words.
+    """
+
+    def __init__(
+        self,
+        client: SessionClient,
+        asked: SenderStatus,
+        on_message: Callable[[dict[str, Any]], None],
+        tell: Callable[[str], None],
+    ):
+        self._client, self._on_message, self._tell = client, on_message, tell
+        self._told = (asked.stand, True)
+        self._over = Event()
+        self._error: CNCStepperError | None = None
+        self._listener = Thread(target=self._listen, name="meanwhile", daemon=True)
+
+    def __enter__(self) -> None:
+        self._listener.start()
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, at: TracebackType | None) -> None:
+        self._over.set()
+        self._listener.join()
+        if self._error:
+            raise self._error
+
+    def _listen(self) -> None:
+        try:
+            while not self._over.is_set() and self._client.outcome is None:
+                for event in self._client.poll(LOOK_EVERY_S):
+                    self._take(event)
+        except CNCStepperError as error:
+            self._error = error
+        if self._error or self._client.outcome:
+            self._tell("\nThe job has ended. Press Enter to see how")
+
+    def _take(self, event: dict[str, Any]) -> None:
+        if event["event"] != "status":
+            self._on_message(event)
+            return
+        status = SenderStatus.from_json(event["status"])
+        stand = (status.stand, status.phase in WAITING)
+        if stand != self._told:
+            self._told = stand
+            self._tell(f"\n{reminder(status, stand[1])}")
+
 
 TOUCHED_S = 0.5  # until a jog, a new zero or an override shows at the latest
 OVER = "That was not done: it answered to a stand that is over"

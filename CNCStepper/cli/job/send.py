@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""`cncstepper send`: a program to a controller, by the sender's own process, watched until the machine is idle."""
+"""`cncstepper send`: a program to a controller, by the sender's own process, watched until the machine is idle.
+
+The program that a verb is given, of which no more is held than is asked for.
+"""
 
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import cached_property, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -21,12 +24,12 @@ from CNCStepper.cli.common.options import (
     job_option,
     machine_option,
     program_argument,
+    read_program,
     stock_of,
     stock_options,
 )
 from CNCStepper.cli.common.start_state_options import StartOptions, start_options
 from CNCStepper.cli.common.verb import Verb
-from CNCStepper.cli.job.program_file import ProgramFile
 from CNCStepper.cli.job_file import job_and_machine
 from CNCStepper.errors import JobError
 from CNCStepper.machine.profile import Machine
@@ -42,6 +45,39 @@ if TYPE_CHECKING:
     from CNCStepper.simulation.stock import Stock
     from CNCStepper.state import Start
     from CNCStepper.toolpath import Toolpath
+
+
+@dataclass(frozen=True)
+class ProgramFile:
+    """The program of a file; `text` holds it whole, from the first time that it is asked for."""
+
+    path: Path
+
+    @cached_property
+    def text(self) -> str:
+        """Its text."""
+        return read_program(self.path)
+
+    @cached_property
+    def sha256(self) -> str:
+        """The fingerprint by which a certificate knows it."""
+        from CNCStepper.control.program.certificate import digest_of_pieces
+
+        return digest_of_pieces(self._pieces())
+
+    def is_expanded(self, dialect: str) -> bool:
+        """Whether its lines are written out before they are sent, perhaps with those of other files."""
+        from CNCStepper.gcode.dialects import dialect_named
+        from CNCStepper.gcode.wire.expansion import is_expanded
+
+        return any(is_expanded(piece, dialect_named(dialect)) for piece in self._pieces())
+
+    def _pieces(self) -> Iterable[str]:
+        from CNCStepper.gcode.interpreter.program_file import text_pieces
+
+        if "text" in vars(self) or not self.path.is_file():  # a pipe can be read only once
+            return [self.text]
+        return text_pieces(self.path)
 
 
 @click.command("send", cls=Verb)
@@ -116,7 +152,7 @@ def command(
     Z, "all" ends --step. While it stands "feed -10", "spindle +10", "rapid 50", "flood" and the like change its
     overrides; "?" lists them. Who jogged is taken back first: up, over, and slowly down to where the program stood.
     """
-    from CNCStepper.cli.common.reproduce_options import merged, reproduce_options
+    from CNCStepper.cli.common.options import merged, reproduce_options
     from CNCStepper.cli.job.session_watch import watch
     from CNCStepper.control.service.port_owner import check_free, warn_of_closed
 
@@ -183,7 +219,7 @@ class _Wanted:
 
 def _check_dialect(dialect: str, machine: Machine | None) -> None:
     """Refuse, before a port is opened, what the machine's controller would read as other moves."""
-    from CNCStepper.control.preflight.dialect import check_sendable
+    from CNCStepper.control.preflight.checks import check_sendable
 
     check_sendable(dialect, machine.controller if machine else "")
 

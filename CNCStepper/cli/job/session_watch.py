@@ -11,8 +11,7 @@ from rich.console import Console, ConsoleOptions, RenderableType, RenderResult
 from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeElapsedColumn
 from rich.text import Text
 
-from CNCStepper.cli.job.pause_prompt import PausePrompt
-from CNCStepper.cli.job.pause_question import why
+from CNCStepper.cli.job.pause_prompt import PausePrompt, why
 from CNCStepper.cli.job.status_text import live
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.session.client import SessionClient
@@ -21,7 +20,7 @@ from CNCStepper.control.stream.path_retract import STANDS
 from CNCStepper.control.stream.pause_id import WAITING
 
 if TYPE_CHECKING:
-    from CNCStepper.recovery.retract.button_client import ButtonClient
+    from CNCStepper.recovery.retract.client import ButtonClient
 
 LOOK_EVERY_S = 0.05
 UNANSWERED = -1  # the number of no stand
@@ -133,7 +132,7 @@ class _Watch:
     def _follow_buttons(self) -> None:
         """Do from now on what the machine's own buttons want of the way along the cut, also while a person is asked."""
         if self._leader is None:
-            from CNCStepper.recovery.retract.button_client import ButtonClient
+            from CNCStepper.recovery.retract.client import ButtonClient
 
             self._leader = ButtonClient(self._client.session_file, self._tell)
             self._leader.start()

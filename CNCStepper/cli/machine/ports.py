@@ -35,7 +35,7 @@ def command(context: click.Context, asked: tuple[str, ...], baud: int) -> None:
 
 
 def _list_ports() -> None:
-    from CNCStepper.control.transport.port_list import port_list
+    from CNCStepper.control.transport.link import port_list
 
     choices = port_list()
     for choice in choices:

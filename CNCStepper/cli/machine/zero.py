@@ -36,7 +36,7 @@ def command(axes: str, port: str, baud: int) -> None:
 def _zero_job(session: Path, axes: str) -> None:
     """Set the zero of a job that stands between two lines."""
     from CNCStepper.control.session.client import SessionClient
-    from CNCStepper.recovery.retract.jog_while_held import set_zero
+    from CNCStepper.recovery.retract.client import set_zero
 
     with SessionClient.attach(session) as client:
         click.echo(place(set_zero(client, axes)))

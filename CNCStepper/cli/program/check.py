@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""`cncstepper check`: what is wrong with a program on a machine, before it moves anything."""
+"""`cncstepper check`: what is wrong with a program on a machine, before it moves anything.
+
+A program that comes through a pipe, put into a file: what is checked is read more than once, but not held whole.
+"""
 
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from functools import partial
 from itertools import islice
 from pathlib import Path
@@ -31,8 +35,8 @@ from CNCStepper.cli.common.progress import Progress
 from CNCStepper.cli.common.start_state_options import StartOptions, start_options
 from CNCStepper.cli.common.verb import Verb
 from CNCStepper.cli.job_file import job_of
-from CNCStepper.cli.program.piped_program import regular_file
 from CNCStepper.errors import ProgramError
+from CNCStepper.input_file import MB
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tools.tool import Tool
 
@@ -41,6 +45,28 @@ if TYPE_CHECKING:
     from CNCStepper.job.prove import Proof
     from CNCStepper.job.prove_file import FileProof
     from CNCStepper.state import Start
+
+
+@contextmanager
+def regular_file(program: Path) -> Iterator[Path]:
+    """Give the regular file of a program: its own, or for a pipe one that is removed when the block ends.
+
+    Raises ProgramError, naming the program, for a line that is longer than any program's, and OSError on a full disk.
+    """
+    if program.is_file():
+        yield program
+        return
+    from CNCStepper.gcode.interpreter.file_chunks import byte_pieces  # it loads the interpreter
+
+    with TemporaryDirectory(prefix="cncstepper-pipe-") as folder:
+        file = Path(folder) / "program.nc"
+        with Progress(f"reading {program.name}") as progress, file.open("wb") as copy:
+            read = 0
+            for piece in byte_pieces(program):
+                read += copy.write(piece)
+                progress.doing(f"reading {program.name}, {read / MB:.0f} MB so far")
+        yield file
+
 
 STAGES = {
     "make": "making the shapes of",
@@ -137,7 +163,7 @@ def _conclude(proof: Proof | FileProof, program: Path, json_path: Path | None, c
     if json_path:
         write_report(json_path, proof.report)
     if certificate:
-        from CNCStepper.cli.common.reproduce_options import reproduce_options
+        from CNCStepper.cli.common.options import reproduce_options
         from CNCStepper.job.certify import certificate_of
 
         certificate_of(proof).sending(made_with=reproduce_options()).write(certificate)

@@ -11,10 +11,9 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from CNCStepper.cli.common.findings_output import save, show_figures, show_findings, write_report
-from CNCStepper.cli.common.options import FilePath
+from CNCStepper.cli.common.options import FilePath, ReproduceOptions, plain_options
 from CNCStepper.cli.common.path_types import OutputFolder
 from CNCStepper.cli.common.progress import Progress
-from CNCStepper.cli.common.reproduce_options import ReproduceOptions, plain_options
 from CNCStepper.cli.common.verb import Verb
 from CNCStepper.cli.job_file import job_and_machine
 from CNCStepper.output_files import MADE_BY

@@ -13,7 +13,7 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from CNCStepper.cli.common.reproduce_options import digest_of_file
+from CNCStepper.cli.common.options import digest_of_file
 from CNCStepper.control.journal.store import PROFILE
 from CNCStepper.control.session.files import write_private
 from CNCStepper.control.transport.link import BAUD

@@ -74,7 +74,7 @@ def _told(story: JobReplay) -> Iterator[tuple[str, str]]:
 def _reached(story: JobReplay) -> ProgressInterval | None:
     """Return the interval as places, None where the program is not there as it was sent."""
     from CNCStepper.control.journal.progress_interval import progress_interval
-    from CNCStepper.control.journal.sent_program import text_sent
+    from CNCStepper.control.journal.replay import text_sent
 
     text = text_sent(story) if story.first_line else None
     return None if text is None else progress_interval(story, text)

@@ -5,16 +5,19 @@
 
 A file that was cut off anywhere still gives all records before the cut: the torn one was never relied on. One that
 is whole and yet wrong was damaged later, which is another thing.
+
+One entry of a journal: how far a job may have gone, and how far it certainly has.
 """
 
 from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import Any
 from zlib import crc32
 
+from CNCStepper.control.protocol.grbl.report import Vector
 from CNCStepper.errors import Text
 
 NUMBER = "n"
@@ -71,3 +74,37 @@ def _faults(contents: list[dict[str, Any] | None]) -> Iterator[str]:
         elif content[NUMBER] != expected:
             yield Text("line {place} of the journal is not the one that was written there", place=place)
         expected = (expected if content is None else content[NUMBER]) + 1
+
+
+@dataclass(frozen=True)
+class Group:
+    """Counts of wire lines from the job's first, and their offsets in the file.
+
+    time_s: since 1970. may_be_sent: no line from here on has gone out. acknowledged: the controller took these.
+    finished: these are certainly cut. first_line: the file's line of the first that is not; 0 when all are.
+    last_line: the file's line of the last that may be sent; 0 for none. state, mpos_mm, wpos_mm: last reported.
+    """
+
+    time_s: float
+    may_be_sent: int
+    acknowledged: int
+    finished: int
+    first_line: int
+    last_line: int
+    state: str = ""
+    mpos_mm: Vector | None = None
+    wpos_mm: Vector | None = None
+
+    def to_content(self) -> dict[str, Any]:
+        """Return it as plain data, short: a long job writes one a second."""
+        return {"group": list(asdict(self).values())}
+
+    @classmethod
+    def from_content(cls, content: dict[str, Any]) -> Group:
+        """Return the group of `to_content`, after its way through JSON."""
+        values: list[Any] = content["group"]
+        return cls(*values[:-2], *map(_vector, values[-2:]))
+
+
+def _vector(values: list[float] | None) -> Vector | None:
+    return tuple(values) if values else None

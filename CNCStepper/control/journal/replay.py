@@ -3,21 +3,69 @@
 
 lines   0 ... finished | first ... last | may_be_sent ... total
         certainly cut  | not certain    | certainly not sent
+
+Which line of the first program a line of its restart is, kept as the pairs of lines from which both count on.
+
+restart    1 ... 9 | 10 11 12 | 13 14 ...      [[10, 812], [13, 809]]: line 11 of the restart is line 813
+first      (entry)   812 ...    809 ...        of the first program, and its loop runs 809 again
+
+The program text named by a journal, if its file still holds what was sent.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
-from CNCStepper.control.journal.entry import Group
-from CNCStepper.control.journal.records import Records, read_records
-from CNCStepper.control.journal.restart_line_map import FirstProgram
+from CNCStepper.control.journal.records import Group, Records, read_records
 from CNCStepper.control.processes.file_lock import is_locked
+from CNCStepper.control.program.certificate import digest_of_text
 from CNCStepper.control.session.status import DONE
 from CNCStepper.errors import JobError, Place, Text
+from CNCStepper.gcode.syntax.text_format import decoded
+
+Pairs = Sequence[Sequence[int]]
+
+
+@dataclass(frozen=True)
+class FirstProgram:
+    """The program that a restart goes on with; file: its whole path, or its name where it is no file."""
+
+    file: str
+    sha256: str
+    pairs: Pairs
+
+    @classmethod
+    def of(cls, content: Mapping[str, Any]) -> FirstProgram | None:
+        """Return the one of `to_content`, or None where there is none."""
+        return cls(content["file"], content["program_sha256"], content["lines"]) if content else None
+
+    def to_content(self) -> dict[str, Any]:
+        """Return it as plain data."""
+        return {"file": self.file, "program_sha256": self.sha256, "lines": [list(pair) for pair in self.pairs]}
+
+    def line(self, line: int) -> int:
+        """Return which of its lines a line of the restart is; a line of the entry is where the restart begins."""
+        here, there = next((pair for pair in reversed(self.pairs) if pair[0] <= line), self.pairs[0])
+        return there + max(line - here, 0)
+
+    @property
+    def goes_back(self) -> bool:
+        """Whether the restart runs some line of it again after later ones, so that its number names no place."""
+        return any(next_there < there + here_to - here for (here, there), (here_to, next_there) in pairwise(self.pairs))
+
+
+def pairs_of(file_lines: Sequence[int]) -> Iterator[tuple[int, int]]:
+    """Yield the pairs of a restart. file_lines: the first program's line of each of its lines, 0 for the entry's."""
+    before = -1
+    for here, there in enumerate(file_lines, 1):
+        if there and there != before + 1:
+            yield here, int(there)
+        before = int(there) if there else -1
+
 
 FORMAT, VERSION = "CNCStepper journal", 1
 RUNNING, KILLED = "running", "killed"
@@ -132,3 +180,15 @@ def _story(path: Path, records: Records, is_running: bool) -> JobReplay:
 
 def _refusal(code: str, what: str, path: Path) -> JobError:
     return JobError(code, what, advice="look at the machine, and restart the program by hand", place=Place(str(path)))
+
+
+def text_sent(story: JobReplay, texts: Iterable[str] = ()) -> str | None:
+    """Return the text that was sent, found among these texts or in its file; None where neither is it any more."""
+    sha256, file = story.header["program_sha256"], Path(story.header["file"])
+    if (found := next((text for text in texts if digest_of_text(text) == sha256), None)) is not None:
+        return found
+    try:
+        text = decoded(file.read_bytes())[0]
+    except OSError:  # gone, or not to be read by whoever asks
+        return None
+    return text if not sha256 or digest_of_text(text) == sha256 else None

@@ -6,32 +6,170 @@
 
 One entry at most is on its way; it also says what was acknowledged and what is certainly cut. A range may be
 taken back by a smaller one: lines beyond it are not sent from the moment at which it is asked for.
+
+The first record of a journal: the program, its certificate, the machine and its work zero.
+
+The file of one journal while it is written: locked, its owner's only, every record on the disk before it counts.
+
+How many lines a journal records ahead of the lines sent: never so few that the stream waits.
+
+A slow line after slow ones says nothing of the next, which may be one of many short ones: so never fewer are allowed
+than the line can carry while a slow disk writes.
 """
 
 from __future__ import annotations
 
+import operator
+import os
 import shutil
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from concurrent.futures import Executor, Future, ThreadPoolExecutor
+from contextlib import suppress
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
-from CNCStepper.control.journal.entry import Group
-from CNCStepper.control.journal.header import header_of
-from CNCStepper.control.journal.journal_file import JournalFile
+from CNCStepper import __version__
+from CNCStepper.control.journal.records import Group, to_line
+from CNCStepper.control.journal.replay import FORMAT, VERSION
 from CNCStepper.control.journal.store import JOURNAL, prune
-from CNCStepper.control.journal.write_ahead import WriteAhead
+from CNCStepper.control.processes.file_lock import take_lock_with_retries
 from CNCStepper.control.processes.thread_priority import go_first
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.protocol.grbl.connect import ControllerInfo, offsets_of
 from CNCStepper.control.protocol.grbl.driver import Grbl, Received
-from CNCStepper.control.session.files import new_session
+from CNCStepper.control.session.files import new_session, sync_folder
 from CNCStepper.control.session.status import Outcome
-from CNCStepper.control.stream.controller_buffer import Capacity
-from CNCStepper.control.stream.executed_lines import finished_lines, longest_step_mm
+from CNCStepper.control.stream.executed_lines import Capacity, finished_lines, longest_step_mm
+from CNCStepper.control.stream.status_snapshot import HOMING
+from CNCStepper.control.transport.output_queue import BITS_PER_BYTE
+from CNCStepper.control.transport.port_identity import identify
 from CNCStepper.errors import JobError, Text
+
+
+def header_of(job: SendJob, driver: Grbl, found: ControllerInfo) -> dict[str, Any]:
+    """Return the first record of a job's journal, as plain data; positions and offsets in mm.
+
+    goes_back: some line of the file is sent again after later ones, so that its number alone names no place.
+    made_with, profile: the options of the command line, and the machine's profile; empty where they are not known.
+    """
+    return {
+        "format": FORMAT,
+        "version": VERSION,
+        "made_by": f"CNCStepper {__version__}",
+        "begin": time.strftime("%Y-%m-%d %H:%M:%S"),
+        "file": _where(job.file),
+        "program_sha256": job.program_sha256,
+        "restart_of": dict(job.restart_of),
+        "certificate_sha256": job.certificate_sha256,
+        "machine": job.machine,
+        "profile": job.retrace.get("machine", {}),
+        "made_with": dict(job.made_with),
+        "lines": len(job.lines),
+        "last_line": job.place(len(job.lines) - 1).line,
+        "goes_back": any(map(operator.gt, job.file_lines, islice(job.file_lines, 1, None))),
+        "port": job.port,
+        "port_identity": identify(job.port).to_json(),
+        "baud": job.baud,
+        "firmware": found.version,
+        "greeted": found.greeted,
+        "homing": bool(found.settings.get(HOMING)),
+        "modes": found.modes,
+        "offsets_mm": offsets_of(driver, found),
+        "dialect": job.dialect,
+        "controller": found.firmware.key,
+        "mpos_mm": driver.mpos_mm,
+    }
+
+
+def _where(file: str) -> str:
+    """Return the whole path of a program's file, or its name where it is no file (a program within a document)."""
+    return str(Path(file).resolve()) if file and Path(file).is_file() else file
+
+
+class JournalFile:
+    """A new journal at `path`; raises OSError when it cannot be made."""
+
+    def __init__(self, path: Path):
+        self.path = path
+        descriptor = os.open(path, os.O_RDWR | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0), 0o600)
+        self._file = open(descriptor, "r+b", buffering=0)  # noqa: SIM115 - closed by `close`
+        self._count = 0
+        self._end = 0  # of what is on the disk
+        try:
+            take_lock_with_retries(self._file)
+            sync_folder(path.parent)
+        except OSError:
+            self.close()
+            path.unlink()
+            raise
+
+    def append(self, content: Mapping[str, Any]) -> None:
+        """Write one record; when this returns it is on the disk. After an OSError the file is as it was before."""
+        line = to_line(self._count, content)
+        try:
+            self._write(line)
+        except OSError:
+            with suppress(OSError):  # if not now, the next record is written over what is there
+                self._file.truncate(self._end)
+            raise
+        self._end += len(line)
+        self._count += 1
+
+    def close(self) -> None:
+        """Close the file, and let its lock go."""
+        self._file.close()
+
+    def _write(self, line: bytes) -> None:
+        self._file.seek(self._end)
+        left = memoryview(line)
+        while left:
+            left = left[self._file.write(left) or 0 :]
+        os.fsync(self._file.fileno())
+
+
+LEAST, MOST = 16, 8192  # lines, whatever the baud rate
+DISK_S = 0.4  # of lines as quick as the line carries them: for half of that a write may take
+LINE_BYTES = 12  # of a short line with its end
+AHEAD_S = 2.0  # of lines at the present rate
+REFILL = 0.5  # of them left: time to write the next
+WINDOW_S = 1.0  # over which the rate is taken
+
+
+def least_lines(baud: int) -> int:
+    """Return how many lines are always allowed ahead on a line of so many bits a second."""
+    return min(max(round(DISK_S * baud / (BITS_PER_BYTE * LINE_BYTES)), LEAST), MOST)
+
+
+class WriteAhead:
+    """Follows the rate at which lines go out; a disk that was too slow for it once gets twice the time."""
+
+    def __init__(self, now_s: float, baud: int):
+        self.lines = self._least = least_lines(baud)
+        self._rate = 0.0  # of the window before
+        self._sent, self._since_s = 0, now_s
+
+    def is_short(self, sent: int, permitted: int) -> bool:
+        """Return whether the next range is due."""
+        return permitted - sent <= self.lines * REFILL
+
+    def next_range(self, sent: int, permitted: int, now_s: float) -> int:
+        """Return how many lines may be sent in all from now on; called once for each group."""
+        least = 2 * self.lines if sent >= permitted else self._least
+        self.lines = round(min(max(self._rate_now(sent, now_s) * AHEAD_S, least), MOST))
+        return sent + self.lines
+
+    def _rate_now(self, sent: int, now_s: float) -> float:
+        """Return lines a second, of this window or of the one before, whichever is more."""
+        elapsed_s = now_s - self._since_s
+        rate = (sent - self._sent) / max(elapsed_s, WINDOW_S)
+        more = max(rate, self._rate)
+        if elapsed_s >= WINDOW_S:
+            self._rate, self._sent, self._since_s = rate, sent, now_s
+        return more
+
 
 ROOM_BYTES = 10_000_000  # a day's journal
 PROGRESS_S = 2.0  # between two entries that permit nothing new

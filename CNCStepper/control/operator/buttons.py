@@ -4,22 +4,219 @@
 Pn: in a status ──► hear ──┐
                            ├──► Debouncer ──► edge ──► told, and asked of the sender or the desk
 PinWatch of a port ────────┘
+
+A contact that bounces, followed until it rests.
+
+looked at   0   0 | 1   0   1   1   1 | 1   1
+steady      0   0   0   0   0   0   1   1   1      after debounce_s without a change
+edge                                ^ True
+
+What a button of the machine asks for: the same commands that a window and a terminal ask.
+
+act            pressed                                   let go
+start          resume; of an idle desk its last job      -
+pause          hold                                      -
+back           request_retract, back_mm farther                -
+stop           stop                                      -
+flood, mist    override coolant                          -
+spindle_stop   override spindle stop                     -
+switch         its line, while the machine is idle       its release_line
+
+The status pins of a parallel port, polled by a thread; or a file in place of a port.
+
+base + 1   status    bits 3 to 7   pins 15 13 12 10 11; the port turns 11 round: a 1 is low
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+import threading
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any
+from pathlib import Path
+from typing import Any, Protocol
 
-from CNCStepper.control.operator.button_actions import Button
-from CNCStepper.control.operator.debounce import Debouncer
-from CNCStepper.control.operator.status_pins import PinWatch, StatusPins, open_pins
 from CNCStepper.control.protocol.grbl.driver import Received
 from CNCStepper.control.protocol.grbl.report import Greeting, Status
 from CNCStepper.control.protocol.grbl.timeouts import Timing
+from CNCStepper.control.pulses.ports import CLAIM, RELEASE, is_parallel_port, no_port
 from CNCStepper.control.session.command import Command
-from CNCStepper.errors import LinkError, Text
+from CNCStepper.errors import JobError, LinkError, Text
+
+
+class Debouncer:
+    """Follows one contact; the first steady level is only learnt, so that what is pressed at the begin does nothing.
+
+    debounce_s: how long a level must last before it is believed, at two looks at least; 0 believes every look.
+    """
+
+    def __init__(self, debounce_s: float):
+        self._debounce_s = debounce_s
+        self._steady: bool | None = None
+        self._seen: bool | None = None
+        self._since_s = 0.0
+
+    def look(self, level: bool, now_s: float) -> bool | None:
+        """Take what the contact shows now; return its new level where it has just changed, else None."""
+        if level != self._seen:
+            self._seen, self._since_s = level, now_s
+            if self._debounce_s > 0:
+                return None
+        if level == self._steady or now_s - self._since_s < self._debounce_s:
+            return None
+        is_first, self._steady = self._steady is None, level
+        return None if is_first else level
+
+
+COMMANDS = {
+    "start": Command("resume"),
+    "pause": Command("hold"),
+    "stop": Command("stop"),
+    "flood": Command("override", {"kind": "coolant", "step": "flood"}),
+    "mist": Command("override", {"kind": "coolant", "step": "mist"}),
+    "spindle_stop": Command("override", {"kind": "spindle", "step": "stop"}),
+}
+
+
+@dataclass(frozen=True)
+class Button:
+    """One button, as `machine.input_pins.Input` checked it; `pin` is a letter of `Pn:`, or a number on `port`."""
+
+    pin: int | str
+    act: str
+    port: str = ""
+    level: str = "high"
+    debounce_ms: float = 30.0
+    line: str = ""
+    release_line: str = ""
+    back_mm: float = 1.0
+
+    @classmethod
+    def from_content(cls, content: Mapping[str, Any]) -> Button:
+        """Return the button of plain data; raises JobError where it is none."""
+        try:
+            button = cls(**content)
+        except TypeError as error:
+            raise JobError(
+                "input", Text("this is no input of a machine: {error}", error=error), advice="make the job again"
+            ) from error
+        if button.act not in (*COMMANDS, "back", "switch"):
+            raise JobError(
+                "input", Text("there is no act '{act}'", act=str(button.act)[:40]), advice="make the job again"
+            )
+        return button
+
+    @property
+    def name(self) -> str:
+        """How a person finds it."""
+        return Text("pin {pin} of {port}", pin=self.pin, port=self.port) if self.port else f"pin {self.pin}"
+
+    def command(self, pressed: bool) -> Command | None:
+        """Return what it asks for when it was just pressed, or let go; None for nothing."""
+        if self.act == "switch":
+            line = self.line if pressed else self.release_line
+            return Command("switch", {"line": line}) if line else None
+        if self.act == "back":
+            return Command("want_back", {"distance_mm": self.back_mm}) if pressed else None
+        return COMMANDS[self.act] if pressed else None
+
+
+def buttons_of(inputs: Iterable[Mapping[str, Any]]) -> tuple[Button, ...]:
+    """Return the buttons of a job's `inputs`; raises JobError where one is none."""
+    return tuple(map(Button.from_content, inputs))
+
+
+READ_STATUS = 0x80017081  # of Linux's ppdev.h
+BITS = {15: 3, 13: 4, 12: 5, 10: 6, 11: 7}
+INVERTED = (11,)
+LOOK_EVERY_S = 0.005
+CLOSE_LIMIT_S = 1.0  # another program may have claimed the port
+
+Pins = frozenset[int]
+
+
+class StatusPins(Protocol):
+    """Inputs of one port."""
+
+    def high(self) -> Pins:
+        """Return the pins that are high now; raises LinkError where they cannot be read."""
+
+
+class ParallelStatus:
+    """The status pins of a parallel port by its device file, which others may use between two looks."""
+
+    def __init__(self, path: Path):
+        self._path = path
+        self.high()
+
+    def high(self) -> Pins:
+        """Return the pins that are high now."""
+        from fcntl import ioctl
+
+        try:
+            with self._path.open("rb", buffering=0) as port:
+                ioctl(port, CLAIM)
+                register = ioctl(port, READ_STATUS, b"\0")
+                ioctl(port, RELEASE)
+        except OSError as error:
+            raise no_port(self._path, error) from error
+        return high_pins(register[0])
+
+
+class FilePins:
+    """A text file with the numbers of the pins that are high: a port for trials."""
+
+    def __init__(self, path: Path):
+        self._path = path
+        self.high()
+
+    def high(self) -> Pins:
+        """Return the pins that are high now."""
+        try:
+            return frozenset(map(int, self._path.read_text("utf-8").split()))
+        except (OSError, ValueError) as error:
+            advice = "name a parallel port (/dev/parport0), or a text file with the numbers of the pins that are high"
+            raise LinkError(
+                "input-port", Text("{path} has no pins to read: {error}", path=self._path, error=error), advice=advice
+            ) from error
+
+
+def high_pins(register: int) -> Pins:
+    """Return the pins that are high for the value of the status register."""
+    return frozenset(pin for pin, bit in BITS.items() if bool(register >> bit & 1) != (pin in INVERTED))
+
+
+def open_pins(port: str) -> StatusPins:
+    """Return the pins of a port's device file, or those of a text file; raises LinkError where they cannot be read."""
+    path = Path(port)
+    return ParallelStatus(path) if is_parallel_port(path) else FilePins(path)
+
+
+class PinWatch:
+    """Looks at the pins of one port again and again, on a thread of its own, until `close`.
+
+    look: gets the pins that are high. lost: hears why they cannot be read any more; nothing is looked at then.
+    """
+
+    def __init__(self, pins: StatusPins, look: Callable[[Pins], None], lost: Callable[[LinkError], None]):
+        self._pins = pins
+        self._look = look
+        self._lost = lost
+        self._closed = threading.Event()
+        self._thread = threading.Thread(target=self._run, name="pins", daemon=True)
+        self._thread.start()
+
+    def close(self) -> None:
+        """Look no more."""
+        self._closed.set()
+        self._thread.join(CLOSE_LIMIT_S)
+
+    def _run(self) -> None:
+        try:
+            while not self._closed.wait(LOOK_EVERY_S):
+                self._look(self._pins.high())
+        except LinkError as error:
+            self._lost(error)
+
 
 POLL_S = 0.1  # between two `?`, so that a button need not be pressed for long
 WORDS = {

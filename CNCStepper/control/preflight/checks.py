@@ -1,19 +1,300 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Whether a machine, as it was just met, is what its job was proven for: settings, work zero, modes, line lengths."""
+"""Whether a machine, as it was just met, is what its job was proven for: settings, work zero, modes, line lengths.
+
+Checks that the controller reads the lines of a job as the proof did: they are sent unchanged.
+
+G90 X40 Y0 F300      a cut at F300 in the language of thesis A, a rapid to grbl that has just begun
+
+The modes that a program takes for granted: it was proven with those of a fresh controller.
+
+    $G                 G1 G54 G17 G20 G91 G94 M3 ... S9000      what an earlier program, or somebody's hand, has left
+    program            G90 / X10 / ... G1 ...                   says G90 before it moves, but not G21: 10 inches,
+                                                                and no M3 before it cuts: the spindle still turns
+
+A soft reset brings the fresh modes back, but M2 leaves the units, the tool's length and S as they are. The motion is
+not among them: what is sent names it (`gcode/wire/wire_text.py`).
+
+The first move of a restart goes straight up to its height; a tool above that height would dive.
+
+{"system": "G54", "z_mm": 5.0, "height_mm": 5.0}    z_mm: of the machine from that system's zero, the tool's length with
+                                                    it; height_mm: the same as --height tells it
+
+A controller that restarted when its port was opened: its position is unknown, and a word for its zero seldom counts.
+
+It counts from where it stands: that place is its machine position 0, wherever it was before, while its work offsets are
+the stored ones. So the work zero is where it was set only if the tool stands on it and all offsets are 0, as they are
+when it was set right after a restart like this one (`cncstepper zero`). That nothing has moved the machine since only a
+person can say; whether the numbers fit that word is seen here.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from itertools import filterfalse
 
-from CNCStepper.control.preflight.controller_restart import check_zero_here
-from CNCStepper.control.preflight.dialect import check_dialect
-from CNCStepper.control.preflight.modal_state import check_modes, mode_differences
-from CNCStepper.control.preflight.restart_height import check_restart_height
 from CNCStepper.control.program.send_job import SendJob
+from CNCStepper.control.program.wire_line import is_move
 from CNCStepper.control.protocol.grbl.connect import ControllerInfo, check_units, offsets_of
 from CNCStepper.control.protocol.grbl.driver import Grbl
-from CNCStepper.control.protocol.grbl.readiness import check_offsets, check_settings, differences, offset_differences
-from CNCStepper.errors import Text
+from CNCStepper.control.protocol.grbl.firmware import FIRMWARES, Firmware
+from CNCStepper.control.protocol.grbl.motion_interlock import UNKNOWN
+from CNCStepper.control.protocol.grbl.readiness import (
+    OFFSET_TOLERANCE_MM,
+    check_offsets,
+    check_settings,
+    differences,
+    offset_differences,
+)
+from CNCStepper.control.protocol.grbl.report import Vector
+from CNCStepper.errors import MachineRefusal, Text
+from CNCStepper.state import WORK_SYSTEMS
+
+
+def check_dialect(dialect: str, firmware: Firmware) -> None:
+    """Refuse a program that was read in another language than a controller's; raises MachineRefusal.
+
+    dialect: "" is that of a job that nobody has read; its lines are the controller's own.
+    """
+    if dialect and dialect not in firmware.dialects:
+        what = Text(
+            "the program was read as {dialect}: to {firmware} its lines may mean other moves, or nothing",
+            dialect=dialect,
+            firmware=firmware.name,
+        )
+        raise _dialect_refusal(dialect, what, firmware)
+
+
+def check_sendable(dialect: str, controller: str) -> None:
+    """Refuse what the controller of a machine profile does not read, or no controller to which lines are sent.
+
+    controller: as the profile names it; "" where there is none. Raises MachineRefusal.
+    """
+    named = next((firmware for firmware in FIRMWARES if firmware.key == controller), None)
+    if named:
+        check_dialect(dialect, named)
+    elif not any(dialect in firmware.dialects for firmware in FIRMWARES):
+        what = Text(
+            "the program was read as {dialect}, which no controller understands that lines are sent to", dialect=dialect
+        )
+        raise _dialect_refusal(dialect, what, FIRMWARES[0])
+
+
+def _dialect_refusal(dialect: str, what: str, firmware: Firmware) -> MachineRefusal:
+    own = firmware.dialects[0]
+    return MachineRefusal(
+        "dialect-differs",
+        what,
+        value=dialect,
+        limit=" or ".join(firmware.dialects),
+        advice=Text(
+            "write it in the controller's own: cncstepper convert PROGRAM --dialect {dialect} --to {own} -o NEW",
+            dialect=dialect,
+            own=own,
+        ),
+    )
+
+
+FRESH = {
+    "G17": ("G17", "G18", "G19"),
+    "G21": ("G20", "G21"),
+    "G90": ("G90", "G91"),
+    "G94": ("G93", "G94", "G95"),
+}
+SWITCHED = {  # what may be on -> what a program says of it, and what is wanted where it says nothing
+    "M3": (("M3", "M4", "M5"), "M5"),
+    "M4": (("M3", "M4", "M5"), "M5"),
+    "M7": (("M7", "M9"), "M9"),
+    "M8": (("M8", "M9"), "M9"),
+}
+TURNS = {"M3", "M4"}
+LENGTH_TOLERANCE_MM = 0.002
+_CODE = re.compile(r"([GM])0*([0-9]+(?:\.[0-9]+)?)")
+_CUT = re.compile(r"G0*(?:[1235]|33|38|7[346]|8[1-9])(?:\.[0-9]+)?(?![0-9])")
+_USES_MODES = re.compile(r"[XYZIJKRF][-+.0-9]")
+
+
+def implied_modes(lines: Iterable[str]) -> tuple[str, ...]:
+    """Return the fresh modes that wire lines do not name up to the first one with a length or a feed."""
+    missing = dict(FRESH)
+    for line in lines:
+        said = _codes(line)
+        missing = {mode: group for mode, group in missing.items() if not said.intersection(group)}
+        if _USES_MODES.search(line):
+            return tuple(missing)
+    return ()
+
+
+def codes_before_cut(lines: Iterable[str]) -> set[str]:
+    """Return the codes of wire lines up to the first that cuts, its own too."""
+    said: set[str] = set()
+    for line in lines:
+        said |= _codes(line)
+        if _CUT.search(line):
+            break
+    return said
+
+
+def cuts_at_implied_speed(lines: Iterable[str]) -> bool:
+    """Return whether wire lines cut with the spindle switched on before any of them names S."""
+    turns = False
+    for line in lines:
+        if "S" in line:
+            return False
+        turns = bool(TURNS & _codes(line)) or (turns and "M5" not in _codes(line))
+        if turns and _CUT.search(line):
+            return True
+    return False
+
+
+def mode_differences(modes: str, offsets_mm: Mapping[str, Sequence[float] | None], lines: Sequence[str]) -> list[str]:
+    """Return in words what the controller holds and the program takes for granted to be otherwise.
+
+    modes: the words of `$G`. offsets_mm: by name, as `$#` has them. What is not reported is left out.
+    """
+    held = modes.split()
+    found: list[str] = [
+        Text("{word} is in force, wanted {wanted}", word=word, wanted=wanted)
+        for wanted in implied_modes(lines)
+        for word in held
+        if word in FRESH[wanted] and word != wanted
+    ]
+    found += [
+        Text("{word} is in force, wanted {wanted}", word=word, wanted=wanted) for word, wanted in _left_on(held, lines)
+    ]
+    length = offsets_mm.get("TLO")
+    if length and any(abs(value) > LENGTH_TOLERANCE_MM for value in length):
+        found.append(Text("a tool length of {length:.3f} mm is in force, wanted none (G49)", length=length[-1]))
+    return found
+
+
+def _left_on(held: Sequence[str], lines: Sequence[str]) -> list[tuple[str, str]]:
+    """Return what is on that the program does not speak of before it cuts, and what is wanted instead."""
+    on = [word for word in held if word in SWITCHED]
+    said = codes_before_cut(lines) if on else set()
+    found = [(word, SWITCHED[word][1]) for word in on if not said.intersection(SWITCHED[word][0])]
+    speed = next((word for word in held if word.startswith("S") and float(word[1:]) != 0), "")
+    return [*found, (speed, "S0")] if speed and cuts_at_implied_speed(lines) else found
+
+
+def _codes(line: str) -> set[str]:
+    return {letter + number for letter, number in _CODE.findall(line)}
+
+
+def check_modes(found: Sequence[str]) -> None:
+    """Refuse a controller on which the program would mean something else; raises MachineRefusal."""
+    if found:
+        raise MachineRefusal(
+            "modes-differ",
+            "an earlier program has left modes that this one does not set: " + "; ".join(found),
+            advice="send the wanted words by hand or reset the controller, look at the work zero, and send again",
+        )
+
+
+ABOVE_MM = 0.01
+HEIGHT_STEP_MM = 0.1  # in which another height is proposed
+
+
+def check_restart_height(job: SendJob, driver: Grbl, found: ControllerInfo, tell: Callable[[str, str], None]) -> None:
+    """Refuse a restart whose first move would go down from the tool's height; raises MachineRefusal.
+
+    Where the machine homes itself first, its way down from there is told only: nobody has moved the tool since.
+    """
+    above_mm = _above_mm(job, driver, found)
+    if above_mm <= ABOVE_MM:
+        return
+    height_mm = job.lift["height_mm"]
+    here_mm = math.ceil((height_mm + above_mm) / HEIGHT_STEP_MM - ABOVE_MM) * HEIGHT_STEP_MM
+    high, low = f"{height_mm + above_mm:.3f}", f"{height_mm:.3f}"
+    if job.home_first:
+        tell(
+            "warning",
+            Text(
+                "the restart goes straight down first, from Z {high}, where the machine has homed, to Z {low}",
+                high=high,
+                low=low,
+            ),
+        )
+        return
+    raise MachineRefusal(
+        "restart-above",
+        Text(
+            "the tool stands at Z {high}, and the restart goes straight down to Z {low} first, as a rapid",
+            high=high,
+            low=low,
+        ),
+        advice=Text(
+            "jog it down to that height where you see what is below it, or restart with the "
+            "height {here_mm:.1f} (--height), from which it goes over the place at once",
+            here_mm=here_mm,
+        ),
+    )
+
+
+def _above_mm(job: SendJob, driver: Grbl, found: ControllerInfo) -> float:
+    """Return how far above that height the machine stands; minus infinity where it is not known."""
+    zero_mm = offsets_of(driver, found).get(job.lift["system"]) if job.lift else None
+    if zero_mm is None or driver.mpos_mm is None:
+        return -math.inf
+    return driver.mpos_mm[2] - zero_mm[2] - float(job.lift["z_mm"])
+
+
+_SYSTEM = re.compile(r"G(5[4-8]|59(?:\.[123])?)(?![\d.])")
+_MACHINE_PLACE = re.compile(r"G(28|30|53)(?![\d.])")
+WHAT_TO_DO = (
+    "home the machine; or move the tool to the work zero, set the zero of all axes there, and send without moving it "
+    "in between"
+)
+
+
+def counts_from_here(driver: Grbl) -> bool:
+    """Return whether a freshly greeted controller has machine position 0 at its present place."""
+    return driver.mpos_mm is not None and _is_zero(driver.mpos_mm)
+
+
+def check_counts_from_here(driver: Grbl) -> None:
+    """Refuse a controller whose reset kept its count: its zero is unknown; raises MachineRefusal."""
+    if not counts_from_here(driver):
+        raise _restart_refusal("its machine position is not 0", _words(driver.mpos_mm or ()))
+
+
+def check_zero_here(lines: Iterable[str], driver: Grbl, found: ControllerInfo) -> None:
+    """Refuse a program whose work zero was not where the machine stood at the restart; raises MachineRefusal."""
+    in_force = next((word for word in found.modes.split() if word in WORK_SYSTEMS), "G54")
+    systems = {in_force, *_systems(lines)}
+    for name in sorted(systems | {"G92", "TLO"}):
+        offset = driver.mm(found.offsets.get(name))
+        if offset is None and name in systems:
+            raise _restart_refusal(Text("{name} is not reported", name=name), "")
+        if offset and not _is_zero(offset):
+            raise _restart_refusal(Text("{name} was set before", name=name), _words(offset))
+
+
+def _systems(lines: Iterable[str]) -> Iterator[str]:
+    """Yield the work systems that a program names; raises MachineRefusal where it goes to a place of the machine."""
+    for line in filterfalse(is_move, lines):
+        plain = line.replace(" ", "").upper()
+        if place := _MACHINE_PLACE.search(plain):
+            raise _restart_refusal(
+                Text("the program has {place}, which goes by the machine's own zero", place=place[0]), line[:40]
+            )
+        yield from (f"G{number}" for number in _SYSTEM.findall(plain))
+
+
+def _is_zero(vector: Vector) -> bool:
+    return all(abs(value) <= OFFSET_TOLERANCE_MM for value in vector)
+
+
+def _words(vector: Vector) -> str:
+    return ",".join(f"{value:.3f}" for value in vector)
+
+
+def _restart_refusal(why: str, value: str) -> MachineRefusal:
+    what = Text(
+        "the controller restarted when its port was opened, so the machine's position is unknown: {why}", why=why
+    )
+    return MachineRefusal(UNKNOWN, what, value=value, advice=WHAT_TO_DO)
 
 
 def check_found(job: SendJob, driver: Grbl, found: ControllerInfo, tell: Callable[[str, str], None]) -> None:

@@ -7,26 +7,120 @@
     client.phase, client.status, client.outcome, client.error
 
 What is asked is asked: whether it was done shows in the status and the events, a refusal is an event.
+
+Starts a connection service on a thread: finding a Python and starting it take time.
+
+Finds the job of a command line that holds a machine's port, before a connection service is launched.
 """
 
 from __future__ import annotations
 
 import secrets
 import subprocess
+import threading
 import time
 from concurrent.futures import Future
 from pathlib import Path
 from typing import Any
 
 from CNCStepper.control.processes.process_file import is_alive, is_closed
-from CNCStepper.control.service import connection_launch
-from CNCStepper.control.service.connection_launch import Launched
-from CNCStepper.control.session.files import LOG, OUTCOME, read_private, running_services
-from CNCStepper.control.session.local_socket import Address
-from CNCStepper.control.session.nonblocking_socket import LineSocket
+from CNCStepper.control.processes.python_finder import find_python
+from CNCStepper.control.session.client import SessionClient
+from CNCStepper.control.session.detached_process import start
+from CNCStepper.control.session.files import (
+    DESK,
+    LOG,
+    OUTCOME,
+    new_session,
+    read_private,
+    running_services,
+    service_at,
+    session_folder,
+    session_near,
+)
+from CNCStepper.control.session.local_socket import Address, LineSocket
 from CNCStepper.control.session.status import Outcome, SenderStatus, error_from_json, take_refusal
 from CNCStepper.control.session.unreachable import closed, garbled, silent, unreadable
-from CNCStepper.errors import CNCStepperError, LinkError, Text
+from CNCStepper.errors import CNCStepperError, LinkError, MachineRefusal, Text
+
+
+def check_no_job(port: str, folder: Path | None = None) -> None:
+    """Raise MachineRefusal where a job that was sent from a command line has the port; a killed one has it no more."""
+    if session := session_near(port, folder):
+        try:
+            with SessionClient.attach(session) as client:
+                status = client.status() if client.outcome is None else None
+        except LinkError as error:  # it was killed, and its journal tells of it, or it does not answer
+            check_over(session, port, error)
+            return
+        if status:
+            raise port_held_by_job(session, port, status)
+
+
+def check_over(file: Path, port: str, error: LinkError) -> None:
+    """Raise MachineRefusal where the process that could not be reached lives: then it has the port."""
+    if is_alive(file):
+        what = Text("{port} is held by a process of yours that does not answer", port=port)
+        raise MachineRefusal("port-held", what, advice=error.advice) from error
+
+
+def port_held_by_job(file: Path, port: str, status: SenderStatus) -> MachineRefusal:
+    """Return the refusal for a port that a job holds, from the file of its session or service."""
+    return MachineRefusal(
+        "port-held",
+        Text(
+            "{port} is held by a job of yours, {status_file}, which is {phase}",
+            port=port,
+            status_file=status.file or "a program",
+            phase=status.phase,
+        ),
+        advice=Text(
+            "go on with it or stop it where it was started, or with: cncstepper back --session {file}", file=file.stem
+        ),
+    )
+
+
+WORKER = "CNCStepper.workers.connection_service"
+YIELD_S = 0.005  # the thread of the window goes on first
+
+Launched = tuple[Path, subprocess.Popen | None]
+
+
+def launch(port: str, baud: int, folder: Path | None) -> Future[Launched]:
+    """Return a future of the service's file at `port` and its process; None when it runs already.
+
+    Its exception is MissingPackage when no Python can be the desk's, MachineRefusal while a job that was sent from a
+    command line has the port, or LinkError when it cannot be started.
+    """
+    answer: Future[Launched] = Future()
+
+    def work() -> None:
+        time.sleep(YIELD_S)
+        try:
+            path, process = _launched(port, baud, folder or session_folder())
+        except CNCStepperError as error:
+            answer.set_exception(error)
+            return
+        except Exception as error:  # the disk is full, the folder is gone: the window is to say so
+            answer.set_exception(
+                LinkError("desk-start", Text("the desk cannot be started: {error}", error=error), advice="try again")
+            )
+            return
+        answer.set_result((path, process))
+        if process:
+            process.wait()  # so that nothing is left of it when it has ended
+
+    threading.Thread(target=work, name="launch-desk", daemon=True).start()
+    return answer
+
+
+def _launched(port: str, baud: int, folder: Path) -> Launched:
+    if there := service_at(port, folder):
+        return there, None
+    check_no_job(port, folder)
+    path = new_session(folder, DESK)
+    return path, start(find_python(), WORKER, path, port, str(baud))
+
 
 __all__ = ["ConnectionClient", "running_services"]
 
@@ -62,7 +156,7 @@ class ConnectionClient:
     @classmethod
     def launch(cls, port: str, baud: int = 115_200, folder: Path | None = None) -> ConnectionClient:
         """Start a connection service for a port and return at once; attach to it if one runs there already."""
-        return cls(port, connection_launch.launch(port, baud, folder))
+        return cls(port, launch(port, baud, folder))
 
     @classmethod
     def attach(cls, session_file: Path) -> ConnectionClient:

@@ -20,8 +20,7 @@ from typing import Any
 
 from CNCStepper.control.journal.writer import Journal
 from CNCStepper.control.operator.actions import fresh_status
-from CNCStepper.control.operator.button_actions import buttons_of
-from CNCStepper.control.operator.buttons import Buttons
+from CNCStepper.control.operator.buttons import Buttons, buttons_of
 from CNCStepper.control.program.bundle import copy_private
 from CNCStepper.control.program.certificate import sendable
 from CNCStepper.control.program.send_job import SendJob
@@ -39,8 +38,7 @@ from CNCStepper.control.stream.job_run import MAY_HAVE_RESTARTED, JobRun, Refuse
 from CNCStepper.control.stream.pause_id import PauseCounter
 from CNCStepper.control.stream.position_trust import LOST, PositionTrust, check_program, is_lost
 from CNCStepper.control.stream.status_snapshot import forward_messages
-from CNCStepper.control.transport.background_open import open_unless
-from CNCStepper.control.transport.link import Link, open_link
+from CNCStepper.control.transport.link import Link, open_link, open_unless
 from CNCStepper.errors import CNCStepperError, JobError, Text
 from CNCStepper.state import WORK_SYSTEMS
 

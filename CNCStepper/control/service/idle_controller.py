@@ -7,9 +7,8 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from CNCStepper.control.operator import actions
-from CNCStepper.control.operator.console import Console
-from CNCStepper.control.operator.console_line import HOME as HOME_LINE
-from CNCStepper.control.operator.console_line import MOVING_KINDS, UNLOCK, kind_of
+from CNCStepper.control.operator.console import HOME as HOME_LINE
+from CNCStepper.control.operator.console import MOVING_KINDS, UNLOCK, Console, kind_of
 from CNCStepper.control.operator.homing import HOME, check_took
 from CNCStepper.control.operator.jog import Jogger, JogMove, check_in_time
 from CNCStepper.control.protocol.grbl import connect

@@ -11,8 +11,8 @@ from collections.abc import Callable
 from pathlib import Path
 
 from CNCStepper.control.processes.process_file import is_alive
+from CNCStepper.control.service.connection_client import check_no_job, check_over, port_held_by_job
 from CNCStepper.control.service.connection_session import ConnectionSession
-from CNCStepper.control.service.port_of_job import check_no_job, check_over, port_held_by_job
 from CNCStepper.control.session.files import closed_files, service_near
 from CNCStepper.control.session.unreachable import closed
 from CNCStepper.errors import LinkError, MachineRefusal, Text

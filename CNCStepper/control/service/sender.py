@@ -7,10 +7,9 @@ import time
 from collections.abc import Callable
 from dataclasses import replace
 
-from CNCStepper.control.operator.button_actions import buttons_of
-from CNCStepper.control.operator.buttons import Buttons
+from CNCStepper.control.operator.buttons import Buttons, buttons_of
 from CNCStepper.control.operator.homing import home
-from CNCStepper.control.preflight.controller_restart import check_counts_from_here
+from CNCStepper.control.preflight.checks import check_counts_from_here
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.protocol.grbl import connect
 from CNCStepper.control.protocol.grbl.driver import Answered, Grbl, Received
@@ -23,8 +22,7 @@ from CNCStepper.control.stream.job_run import JobRun, Refuse, Stopped, Tell
 from CNCStepper.control.stream.journal_protocol import Journals
 from CNCStepper.control.stream.position_trust import AT_HOME, LOST, check_program, is_lost, trust_at_connect
 from CNCStepper.control.stream.status_snapshot import forward_messages
-from CNCStepper.control.transport.background_open import open_unless
-from CNCStepper.control.transport.link import Link, open_link
+from CNCStepper.control.transport.link import Link, open_link, open_unless
 from CNCStepper.errors import MachineRefusal
 
 NO_HOMING = "-error-5"  # homing is not enabled

@@ -8,14 +8,18 @@ by its button too, leaves the line that it was at with an `ok`, even a pause tha
 
     acknowledged   G0Z5 | G1X1 | G1X2 | G1X2 | G1X3 | S900 |      a planner of 2: X3 and X2 may be to come,
                             ^ the first that may be               all before the first X2 is cut
+
+How many acknowledged moves a controller still holds, from its own reports.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
+from CNCStepper.control.protocol.grbl.driver import PLANNER_BLOCKS, Received
 from CNCStepper.control.protocol.grbl.readiness import STEPS_PER_MM
+from CNCStepper.control.protocol.grbl.report import Feedback, Status, sizes
 
 LOOK_BACK = 400  # lines: a millisecond or two
 SEGMENTS = 12  # between planner and motors, the most of grbl, grblHAL and FluidNC
@@ -77,3 +81,23 @@ def _is_plain(text: str, words: Words) -> bool:
     return not text.startswith("$") and all(
         number in _HARMLESS if letter == "G" else letter != "M" or number not in _ENDS for letter, number in words
     )
+
+
+class Capacity:
+    """`moves` is the largest number reported."""
+
+    def __init__(self) -> None:
+        self._blocks = 0
+
+    @property
+    def moves(self) -> int:
+        """Moves in the planner and behind it."""
+        return (self._blocks or PLANNER_BLOCKS) + SEGMENTS
+
+    def on_message(self, received: Iterable[Received]) -> None:
+        """Take `[OPT:letters,blocks,bytes]`, and the free blocks of a status."""
+        for report in received:
+            if isinstance(report, Status) and report.buffer:
+                self._blocks = max(self._blocks, report.buffer[0])
+            elif isinstance(report, Feedback) and report.tag == "OPT":
+                self._blocks = max(self._blocks, sizes(report.text)[0])

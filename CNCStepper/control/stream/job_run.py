@@ -35,8 +35,7 @@ from CNCStepper.control.session.status import DONE, FAILED, REFUSED, STOPPED, Ou
 from CNCStepper.control.stream import stop_sequence
 from CNCStepper.control.stream.backlash_side import BacklashTracker, backlash_tracker
 from CNCStepper.control.stream.feeder import Feeder
-from CNCStepper.control.stream.journal_protocol import ActiveJournal, Journals, NoJournal, check_not_held
-from CNCStepper.control.stream.leg_journal import LegJournal
+from CNCStepper.control.stream.journal_protocol import ActiveJournal, Journals, LegJournal, NoJournal, check_not_held
 from CNCStepper.control.stream.overrides import NORMAL, override_byte, restore
 from CNCStepper.control.stream.path_retract import LAST, STANDS, PathRetract, check_place, reset_at_rest
 from CNCStepper.control.stream.path_watch import PathWatch

@@ -1,9 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a job's run asks of a journal, and the one that keeps none."""
+"""What a job's run asks of a journal, and the one that keeps none.
+
+The journal of a program while its machine is led along a leg: back, forward, or on along the rest.
+"""
 
 from __future__ import annotations
 
 import sys
+from dataclasses import replace
 from typing import Protocol
 
 from CNCStepper.control.program.send_job import SendJob
@@ -90,3 +94,57 @@ class NoJournal:
     def end(self, outcome: Outcome) -> list[str]:
         """Do nothing."""
         return []
+
+
+class LegJournal:
+    """Counts the lines of a leg as the program's, where they are its rest; of another leg nothing is written.
+
+    sent, acknowledged: how many of the program's lines, when the leg begins. lines_before: how many lie before those
+    of the leg; None when it is not the program's rest.
+    """
+
+    def __init__(self, program: ActiveJournal, sent: int, acknowledged: int, lines_before: int | None):
+        self.program, self.sent, self.acknowledged = program, sent, acknowledged
+        self._lines_before = lines_before
+
+    @classmethod
+    def from_now(cls, journal: ActiveJournal, sent: int, acknowledged: int, lines_before: int | None) -> LegJournal:
+        """Return the journal of the leg that begins now; `journal` is the program's, or that of the leg before."""
+        if isinstance(journal, LegJournal):
+            return cls(journal.program, journal.sent, journal.acknowledged, lines_before)
+        return cls(journal, sent, acknowledged, lines_before)
+
+    @property
+    def permitted(self) -> int:
+        """How many lines of the leg may be sent by now."""
+        return sys.maxsize if self._lines_before is None else self.program.permitted - self._lines_before
+
+    def on_message(self, received: list[Received]) -> None:
+        """Take the controller's buffer sizes from its messages."""
+        self.program.on_message(received)
+
+    def keep(self, sent: int, acknowledged: int, is_idle: bool) -> list[str]:
+        """Write due records of the program, and return warnings for the operator."""
+        if self._lines_before is None:
+            return self.program.keep(self.sent, self.acknowledged, False)
+        self.sent = max(0, self._lines_before + sent)
+        self.acknowledged = max(0, self._lines_before + acknowledged)
+        return self.program.keep(self.sent, self.acknowledged, is_idle)
+
+    def note_zero(self, found: ControllerInfo, sent: int) -> None:
+        """Record the machine's state at a pause."""
+        self.program.note_zero(found, self.sent if self._lines_before is None else max(0, self._lines_before + sent))
+
+    def holds(self, sent: int) -> bool:
+        """Return whether the leg must be held: no further line of the program can be put on the disk."""
+        return self._lines_before is not None and self.program.holds(max(0, self._lines_before + sent))
+
+    def mark_uncertain(self, line: int) -> None:
+        """Learn that a line of the leg, or one after it, was cut otherwise than it says."""
+        if self._lines_before is not None:
+            self.program.mark_uncertain(max(0, self._lines_before + line))
+
+    def end(self, outcome: Outcome) -> list[str]:
+        """Write how the job ended, and return warnings for the operator."""
+        status = replace(outcome.status, sent=self.sent, acknowledged=self.acknowledged)
+        return self.program.end(outcome if self._lines_before is not None else replace(outcome, status=status))

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from CNCStepper.control.preflight.controller_restart import counts_from_here
+from CNCStepper.control.preflight.checks import counts_from_here
 from CNCStepper.control.protocol.grbl.driver import Grbl
 from CNCStepper.control.protocol.grbl.firmware import TOOL
 from CNCStepper.control.protocol.grbl.motion_interlock import position_unknown

@@ -2,6 +2,10 @@
 """The link: bytes to and from a controller over anything that pyserial opens by name or URL.
 
 pyserial is imported inside functions only: its backend needs termios and fcntl, which Windows lacks.
+
+Opens a link without being deaf meanwhile: names are looked up and hosts called for seconds.
+
+The serial ports of this computer, as a person chooses among them.
 """
 
 from __future__ import annotations
@@ -12,9 +16,11 @@ import re
 import select
 import socket
 import sys
+import threading
 import time
 from collections.abc import Callable
 from contextlib import suppress
+from dataclasses import dataclass
 from typing import Any
 
 from CNCStepper.control.transport.output_queue import WireQueue
@@ -260,3 +266,68 @@ def _permission() -> str:
     if sys.platform.startswith("linux"):
         return "add yourself to its group (sudo usermod -aG dialout $USER) and log in again"
     return "ask for the right to use it"
+
+
+LOOK_EVERY_S = 0.02
+
+
+def open_unless(stopped: Callable[[], bool], opener: Callable[[str, int], Link], port: str, baud: int) -> Link | None:
+    """Return what `opener` returns, or raise what it raises; None as soon as `stopped` says so."""
+    opening = _Opening(opener, port, baud)
+    opening.thread.start()
+    while not opening.done.wait(LOOK_EVERY_S):
+        if stopped():
+            opening.give_up()
+            return None
+    if opening.error:
+        raise opening.error
+    return opening.link
+
+
+class _Opening:
+    """The opening of one link, in a thread of its own."""
+
+    def __init__(self, opener: Callable[[str, int], Link], port: str, baud: int):
+        self.link: Link | None = None
+        self.error: BaseException | None = None
+        self.done = threading.Event()
+        self.thread = threading.Thread(target=self._open, args=(opener, port, baud), name="open-link", daemon=True)
+        self._lock = threading.Lock()
+        self._given_up = False
+
+    def give_up(self) -> None:
+        """Close the link as soon as it is open: the caller waits no more."""
+        with self._lock:
+            self._given_up = True
+            if self.link:
+                self.link.close()
+
+    def _open(self, opener: Callable[[str, int], Link], port: str, baud: int) -> None:
+        try:
+            link = opener(port, baud)
+        except BaseException as error:  # raised where it is waited for
+            self.error = error
+        else:
+            with self._lock:
+                self.link = link
+                if self._given_up:
+                    link.close()
+        self.done.set()
+
+
+@dataclass(frozen=True)
+class PortChoice:
+    """A port: its name for `open_link`, and the text that a person recognizes it by."""
+
+    name: str
+    text: str
+
+
+def port_list() -> list[PortChoice]:
+    """Return the serial ports, sorted by name; raises MissingPackage without pyserial."""
+    return [PortChoice(name, _text(name, description)) for name, description in port_names()]
+
+
+def _text(name: str, description: str) -> str:
+    known = description not in ("", "n/a", name)
+    return f"{name} – {description}" if known else name

@@ -24,8 +24,8 @@ from CNCStepper.cycles.clearing.offset_rings import Ring, ring_tree, spots
 from CNCStepper.cycles.clearing.pattern import Area, Run
 from CNCStepper.cycles.clearing.ring_links import RingLinker
 from CNCStepper.geometry.curve import Curve
+from CNCStepper.geometry.curve_columns import complex_of, xy_of
 from CNCStepper.geometry.region import Region
-from CNCStepper.geometry.segments import complex_of, xy_of
 
 MOST_LOOKS = 64  # places on a ring at which a helix is tried
 

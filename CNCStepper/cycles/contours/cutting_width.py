@@ -12,8 +12,7 @@ from __future__ import annotations
 import math
 
 from CNCStepper.errors import CycleError, Text
-from CNCStepper.machine.tools.tool import Tool
-from CNCStepper.machine.tools.tool_point import cone_of
+from CNCStepper.machine.tools.tool import Tool, cone_of
 from CNCStepper.machine.tools.tool_shapes import BEAMS
 
 KERF_SHARE = 0.1  # of its width: wear and run-out make a rotating tool's cut no more narrower or wider than this

@@ -23,7 +23,7 @@ import shapely
 from CNCStepper.cycles.contours.contour_model import Lead
 from CNCStepper.errors import CycleError, Text
 from CNCStepper.geometry.curve import Curve, joined
-from CNCStepper.geometry.segments import xy_of
+from CNCStepper.geometry.curve_columns import xy_of
 
 SIZES = (1.0, 0.7, 0.5, 0.35, 0.25, 0.15)
 LONGEST = 16  # segments whose middles are tried first

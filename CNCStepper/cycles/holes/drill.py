@@ -21,8 +21,7 @@ from CNCStepper.cycles.holes.hole_patterns import Pattern, placed
 from CNCStepper.cycles.moves import Point, require_feed
 from CNCStepper.cycles.passes import require_few_blocks
 from CNCStepper.errors import CycleError, Text
-from CNCStepper.machine.tools.tool import Tool
-from CNCStepper.machine.tools.tool_point import Cone, cone_of
+from CNCStepper.machine.tools.tool import Cone, Tool, cone_of
 from CNCStepper.toolpath import TableBuilder
 
 SHAPES = ("drill", "flat", "v", "engraver")

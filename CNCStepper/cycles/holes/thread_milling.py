@@ -30,7 +30,7 @@ from CNCStepper.cycles.moves import Moves, require_setup
 from CNCStepper.cycles.passes import require_few_blocks, whole_steps
 from CNCStepper.errors import CycleError, Text
 from CNCStepper.geometry.curve import Curve
-from CNCStepper.machine.tools.tool_point import cone_of
+from CNCStepper.machine.tools.tool import cone_of
 from CNCStepper.toolpath import TableBuilder
 
 SHAPES = ("flat", "v", "engraver")

@@ -22,8 +22,7 @@ from CNCStepper.gcode.dialects import Dialect, dialect_named
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.syntax.words import program_lines, split_line
 from CNCStepper.gcode.writer.write import written
-from CNCStepper.gcode.writer.write_notes import Note
-from CNCStepper.gcode.writer.write_options import WriteOptions
+from CNCStepper.gcode.writer.write_options import Note, WriteOptions
 from CNCStepper.state import Start, State, ToolEntry
 from CNCStepper.toolpath import Toolpath
 

@@ -8,9 +8,8 @@ from CNCStepper.gcode.dialects import Dialect, dialect_named
 from CNCStepper.gcode.edit.edit_result import Edited, Lines
 from CNCStepper.gcode.edit.executed_lines import EXPAND
 from CNCStepper.gcode.edit.line_tokens import Token, changed, tokens_of
-from CNCStepper.gcode.edit.number_format import decimals_of, feed_decimals
 from CNCStepper.gcode.edit.verification import require_same_path
-from CNCStepper.gcode.edit.word_values import Value
+from CNCStepper.gcode.edit.word_values import Value, decimals_of, feed_decimals
 from CNCStepper.gcode.interpreter.flow.program_flow import run
 from CNCStepper.gcode.interpreter.flow.subprogram_files import library_of
 from CNCStepper.gcode.interpreter.interpret import interpret

@@ -1,19 +1,245 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One line of a program whose path is put elsewhere: its places, lengths, feeds and units."""
+"""One line of a program whose path is put elsewhere: its places, lengths, feeds and units.
+
+A line under edit: the values of its words, and where new values go.
+
+The words of arcs: their radius, their centre, and the sense in which they run.
+"""
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
-from CNCStepper.errors import Text
+from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects.codes import AXES, UNIT_CODES
-from CNCStepper.gcode.edit.arc_words import ArcWords
+from CNCStepper.gcode.edit.executed_lines import Meaning
 from CNCStepper.gcode.edit.line_tokens import Edit, Token
-from CNCStepper.gcode.edit.number_format import decimals_of, dialect_decimals, feed_decimals
-from CNCStepper.gcode.edit.word_kinds import CANNED, OTHER_AXES, kinds
-from CNCStepper.gcode.edit.word_values import Value
+from CNCStepper.gcode.edit.path_transforms import TransformState
+from CNCStepper.gcode.edit.word_values import (
+    CANNED,
+    OTHER_AXES,
+    Value,
+    decimals_of,
+    dialect_decimals,
+    feed_decimals,
+    kinds,
+    owner,
+)
 from CNCStepper.toolpath import PLANE_AXES, PLANE_NAMES
 from CNCStepper.units import UNIT_MM
+
+
+class LineWords:
+    """words: by letter. owner: the code that uses the axis words. made: the edits found so far."""
+
+    def __init__(self, state: TransformState, number: int, meaning: Meaning, tokens: list[Token]):
+        self.state = state
+        self.where = state.where
+        self.number = number
+        self.meaning = meaning
+        self.tokens = tokens
+        self.words = {token.letter: token for token in tokens}
+        self.owner = owner(tokens, meaning.motion)
+        self.blank = state.blank
+        self.units = state.units_of(meaning)
+        self.from_mm = UNIT_MM[meaning.units]
+        self.to_mm = UNIT_MM[self.units]
+        self.made: list[Edit] = []
+
+    @property
+    def step_mm(self) -> float:
+        """The last digit of the line's new numbers."""
+        return self.to_mm / 10 ** self.state.decimals(self.units)
+
+    def needed(self, axes: list[int]) -> list[int]:
+        """Return the axes on which the new words of `axes` depend, in their order."""
+        rows = self.coupled(axes)
+        return [other for other in range(3) if any(self.where.rows[axis][other] for axis in rows)]
+
+    def coupled(self, axes: list[int]) -> list[int]:
+        """Return the axes of which the new line says a coordinate: the old line's, and those that change with them."""
+        return [axis for axis in range(3) if axis in axes or any(self.where.rows[axis][other] for other in axes)]
+
+    def value(self, letter: str, axis: int) -> Value:
+        """Return a word's value in mm; without the word the tool's position (`axis`), or 0 for a distance."""
+        token = self.words.get(letter)
+        if token is not None:
+            return Value.of(token, self.from_mm)
+        if axis < 0:
+            return Value(0.0)
+        if math.isnan(self.meaning.begin[axis]) or self.meaning.compensated:
+            what = Text(
+                "where the tool stands along {letter} is not known here, and turning needs both coordinates",
+                letter=letter,
+            )
+            raise self.refused("edit-place", what, self.tokens[-1], Text("add {letter} to the line", letter=letter))
+        return Value(self.meaning.begin[axis])
+
+    def put(self, letter: str, value: Value, axis: int, add_carry: bool = False) -> None:
+        """Write a value (mm) in its word's place, or beside its neighbour; `axis` keeps the rounding error."""
+        decimals = self.state.decimals(self.units)
+        carry = self.state.carry_mm
+        if axis >= 0 and value.is_number:
+            exact = value.number + (carry[axis] if add_carry else 0.0)
+            step = self.to_mm / 10**decimals
+            counts = round(exact / step)
+            carry[axis] = exact - counts * step
+            value = Value(counts * step)
+        elif axis >= 0:
+            carry[axis] = 0.0
+        token = self.words.get(letter)
+        text = value.times(1.0 / self.to_mm).text(decimals, self._like(token))
+        if token is None:
+            self.insert(letter, text)
+        elif not self._says(token, value, decimals):
+            self.made.append((token.first, token.last, text))
+
+    def _says(self, token: Token, value: Value, decimals: int) -> bool:
+        """Whether a word says the new number already."""
+        if token.number is None or not value.is_number:
+            return value.is_same(token, self.from_mm) and self.from_mm == self.to_mm
+        return abs(token.number - value.number / self.to_mm) < 0.5 * 10.0**-decimals * 1e-3
+
+    def _like(self, token: Token | None) -> str:
+        """Return the number after whose form the new one is written; in another unit it has its own."""
+        return token.written if token is not None and not self.where.units else ""
+
+    def insert(self, letter: str, text: str) -> None:
+        """Write a new word beside its neighbour: X before Y, Y after X."""
+        neighbour = next(self.words[one] for one in ("XYZ" if letter in "XYZ" else "IJKPQ") if one in self.words)
+        if letter < neighbour.letter:
+            self.made.append((neighbour.begin, neighbour.begin, f"{letter}{text}{self.blank}"))
+        else:
+            self.made.append((neighbour.last, neighbour.last, f"{self.blank}{letter}{text}"))
+
+    def rename(self, token: Token, name: str) -> None:
+        """Write another code: G03 for G02."""
+        zero = "0" if token.written.startswith("0") else ""
+        self.made.append((token.first, token.last, zero + name[1:]))
+
+    def refused(self, code: str, what: str, token: Token, advice: str = "") -> ProgramError:
+        """Return the error that names this line and a word."""
+        value = token.letter + token.written
+        return self.state.source.refusal(self.number, code, what, token.begin + 1, value, advice)
+
+
+ARCS = {"G2": "G3", "G3": "G2"}
+COMPENSATIONS = {"G41": "G42", "G42": "G41", "G41.1": "G42.1", "G42.1": "G41.1"}
+CENTRES = "IJK"
+NEAR = (-1, 0, 1)  # last digits by which a rounded centre may be another one
+FARTHER = 0.25  # how much a centre farther from the exact one must be better
+
+
+class ArcWords(LineWords):
+    """What a line that may be an arc asks for."""
+
+    def arc(self, by_kind: dict[str, list[str]]) -> None:
+        """Find the edits of radius and centre; raises ProgramError where the map leaves no arc."""
+        if self.owner not in ARCS or not any(letter in self.words for letter in "XYZIJKR"):
+            return
+        in_plane = self.where.in_plane(self.meaning.plane)
+        if in_plane is None:
+            what = Text("an arc in the plane {plane} would be no arc any more", plane=self.meaning.plane)
+            advice = "scale all axes alike" if self.where.is_diagonal else "only arcs of G17 can be turned about Z"
+            raise self.refused("edit-arc", what, self.tokens[-1], advice)
+        if "R" in self.words:
+            self._radius(in_plane[0])
+        elif by_kind.get("centre"):
+            self._centre(by_kind["centre"])
+
+    def _radius(self, scale: float) -> None:
+        """Write R; where rounding made it too short for the chord, a last digit longer."""
+        value = Value.of(self.words["R"], self.from_mm).times(scale)
+        if value.is_number:
+            step = self.step_mm
+            least = self._chord_mm() / 2.0
+            if abs(round(value.number / step) * step) < least <= abs(value.number) + step:
+                value = Value(math.copysign(math.ceil(least / step - 1e-9) * step, value.number))
+        self.put("R", value, -1)
+
+    def _chord_mm(self) -> float:
+        """Return how far the rounded ends of the arc lie apart, 0 where that is not known."""
+        ends = self._ends()
+        return 0.0 if ends is None else abs(ends[1] - ends[0])
+
+    def _ends(self) -> tuple[complex, complex] | None:
+        """Return begin and end of the new arc in its plane, rounded, in mm; None where they are not known."""
+        first, second, _ = PLANE_AXES[PLANE_NAMES.index(self.meaning.plane)]
+        begin = np.array(self.meaning.begin[:3], float)
+        end = begin.copy()
+        for axis in (first, second):
+            token = self.words.get(AXES[axis])
+            if token is None:
+                continue
+            if token.number is None:
+                return None
+            end[axis] = token.number * self.from_mm + (0.0 if self.meaning.absolute else begin[axis])
+        if np.isnan(begin[[first, second]]).any() or self.meaning.compensated:
+            return None
+        step = self.step_mm
+        rounded = np.round(self.where.of(np.nan_to_num(np.array([begin, end]))) / step) * step
+        return complex(rounded[0][first], rounded[0][second]), complex(rounded[1][first], rounded[1][second])
+
+    def _centre(self, letters: list[str]) -> None:
+        axes = [CENTRES.index(letter) for letter in letters]
+        first, second, _ = PLANE_AXES[PLANE_NAMES.index(self.meaning.plane)]
+        coupled = [axis for axis in self.coupled(axes) if axis in (first, second)]
+        absolute = self.meaning.absolute_centres
+        values = {axis: self.value(CENTRES[axis], -1) for axis in self.needed(axes)}
+        new = {
+            axis: Value.total(
+                [(self.where.rows[axis][other], values[other]) for other in values],
+                self.where.shift[axis] if absolute else 0.0,
+            )
+            for axis in coupled
+        }
+        if self.where.units or not (absolute or self.where.moves_only):
+            new = self._best_centre(new, first, second)
+        for axis in coupled:
+            if CENTRES[axis] in self.words or not new[axis].is_number or abs(new[axis].number) > 0.0:
+                self.put(CENTRES[axis], new[axis], -1)
+
+    def _best_centre(self, new: dict[int, Value], first: int, second: int) -> dict[int, Value]:
+        """Return the rounded centre from the begin whose circle passes best through the rounded end."""
+        ends = self._ends()
+        both = {axis: new.get(axis, Value(0.0)) for axis in (first, second)}
+        if ends is None or self.meaning.absolute_centres or not all(value.is_number for value in both.values()):
+            return new
+        step = self.step_mm
+        exact = complex(both[first].number, both[second].number) / step
+        chord = (ends[1] - ends[0]) / step
+        near = [
+            complex(round(exact.real) + i, round(exact.imag) + j)
+            for i in NEAR
+            for j in NEAR
+            if (not i or first in new) and (not j or second in new)
+        ]
+        best = min(near, key=lambda one: abs(abs(one) - abs(chord - one)) + FARTHER * abs(one - exact))
+        counts = {first: best.real, second: best.imag}
+        return {axis: Value(counts[axis] * step) for axis in new}
+
+    def motion_words(self) -> None:
+        """Turn arcs and compensations round where the map does."""
+        in_plane = self.where.in_plane(self.meaning.plane)
+        turned = in_plane is not None and in_plane[1] < 0
+        said = next((token for token in self.tokens if token.name in ARCS), None)
+        moves = self.owner in ARCS and any(letter in self.words for letter in "XYZIJKR")
+        if self.meaning.motion not in ARCS:
+            self.state.motion = ""
+        elif said is not None or moves:
+            wanted = ARCS[self.meaning.motion] if turned else self.meaning.motion
+            if said is not None and wanted != said.name:
+                self.rename(said, wanted)
+            elif said is None and wanted != self.state.motion:
+                at = next(token.begin for token in self.tokens if token.letter != "N")
+                self.made.append((at, at, wanted + self.blank))
+            self.state.motion = wanted
+        for token in self.tokens:
+            if turned and token.name in COMPENSATIONS:
+                self.rename(token, COMPENSATIONS[token.name])
+
 
 INVERSE_DECIMALS = 6  # of F under G93: one a minute is a whole move
 

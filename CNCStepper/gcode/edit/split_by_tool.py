@@ -22,10 +22,10 @@ from CNCStepper.gcode.dialects.codes import CODE_OF_PLANE, MOTION_NAMES, UNIT_CO
 from CNCStepper.gcode.edit.edit_result import Lines
 from CNCStepper.gcode.edit.executed_lines import require_straight, work_place
 from CNCStepper.gcode.edit.line_tokens import changed, tokens_of
-from CNCStepper.gcode.edit.number_format import MOST_DECIMALS, dialect_decimals, number_text
+from CNCStepper.gcode.edit.word_values import MOST_DECIMALS, dialect_decimals, number_text
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
-from CNCStepper.gcode.interpreter.state.modal_words import modal_words
+from CNCStepper.gcode.interpreter.state.modal_state_stack import modal_words
 from CNCStepper.gcode.syntax.words import is_percent_mark
 from CNCStepper.state import Start, State
 from CNCStepper.toolpath import RAPID, Toolpath

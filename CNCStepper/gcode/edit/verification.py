@@ -4,6 +4,8 @@
 Kinds, feeds, what is on and what happens between the rows must be as they were, arcs must lie about the mapped centre
 and go through their angle. A row's end is compared in work coordinates; an axis for which the program has said no
 coordinate of the work stands where the machine stood, in the old table as in the new one.
+
+State that no path edit may change: outputs, tool, and the modes of path control.
 """
 
 from __future__ import annotations
@@ -16,11 +18,38 @@ from CNCStepper.errors import Place, ProgramError
 from CNCStepper.gcode.edit.edit_result import Edited
 from CNCStepper.gcode.edit.executed_lines import EXPAND, Source
 from CNCStepper.gcode.edit.path_transforms import Map
-from CNCStepper.gcode.edit.preserved_modes import modes_of, same_modes
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.interpreter.motion.arc_lengths import FULL_TURN, Ways, ways_of
 from CNCStepper.gcode.syntax.words import program_lines
+from CNCStepper.state import State
 from CNCStepper.toolpath import PLANE_AXES, PLANE_NAMES, RAPID, Event, Toolpath
+
+SAME_SURFACE = 1e-3  # relative: S of a constant surface speed is written in other units
+
+
+def modes_of(state: State) -> tuple:
+    """Return those of a state; a speed that follows X is not among them."""
+    rpm = state.spindle_rpm if not state.surface_m_min else 0.0
+    on = state.spindle, rpm, state.mist, state.flood, state.tool
+    return *on, state.work_system, state.feed_mode, state.path_mode
+
+
+def same_modes(old: Toolpath, new: Toolpath) -> np.ndarray:
+    """Return the rows of two tables of equal length that have the same modes, bool[n]."""
+    numbers: dict[tuple, int] = {}
+    one, other = (_by_row(path, numbers) for path in (old, new))
+    surface, after = (_surface(path) for path in (old, new))
+    return (one == other) & (np.abs(surface - after) <= SAME_SURFACE * surface)
+
+
+def _by_row(path: Toolpath, numbers: dict[tuple, int]) -> np.ndarray:
+    of_states = np.array([numbers.setdefault(modes_of(state), len(numbers)) for state in path.states])
+    return of_states[path.table().state]
+
+
+def _surface(path: Toolpath) -> np.ndarray:
+    return np.array([state.surface_m_min for state in path.states])[path.table().state]
+
 
 DIGITS = 1.001  # last digits that rounding may take away
 CENTRE_DIGITS = 12  # of a centre: ends and radii are rounded too

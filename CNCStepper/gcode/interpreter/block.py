@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """One block while it is executed: the values of its words, and its moves.
 
-The codes of a block are functions that take it (`modal_codes.py`, `motion_codes.py`), and `execute.py` calls them.
+The codes of a block are functions that take it (`execute.py`, `execute.py`), and `execute.py` calls them.
 """
 
 from __future__ import annotations
@@ -15,12 +15,10 @@ from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects import Dialect
 from CNCStepper.gcode.dialects.codes import ALL_AXES
 from CNCStepper.gcode.interpreter.canonical_output import SET_FEED, Canon, CanonicalBlock
-from CNCStepper.gcode.interpreter.motion.moves import SMALLEST_INVERSE_FEED, Arc, way_length
-from CNCStepper.gcode.interpreter.motion.rotated_arcs import chords
+from CNCStepper.gcode.interpreter.motion.moves import SMALLEST_INVERSE_FEED, Arc, chords, way_length
 from CNCStepper.gcode.interpreter.state import stand_alone_position
-from CNCStepper.gcode.interpreter.state.model import NO_FURTHER, Model, Point
-from CNCStepper.gcode.interpreter.state.spindle_speed import rpm_at
-from CNCStepper.gcode.interpreter.state.stored_points import length_scale
+from CNCStepper.gcode.interpreter.state.model import NO_FURTHER, Model, Point, rpm_at
+from CNCStepper.gcode.interpreter.state.parameters import length_scale
 from CNCStepper.gcode.syntax.line_grammar import Plan
 from CNCStepper.gcode.syntax.words import Word
 from CNCStepper.state import State

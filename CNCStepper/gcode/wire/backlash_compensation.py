@@ -10,15 +10,27 @@ The motors cross the gap no faster than the move goes that follows: where the ga
 stands elsewhere than was thought, it moves, and in the work. Only a laser's do so as a rapid, in which its beam is off.
 F stays what it was. Words keep their numbers where the motor stands where the tool does, and in incremental moves.
 Before a place is stored or named (G92, G10, G28.1, G30.1) the motors go back into the gap, to where the tool stands.
-Places of the machine (G28, G30, G53) are gone to as they are written (`backlash_machine_moves.py`). Probes are
-refused: where they
+Places of the machine (G28, G30, G53) are gone to as they are written. Probes are refused: where they
 end is not known.
+
+Lines that go to a place of the machine (G28, G30, G53): they are sent as written, since beyond it travel may end.
+
+text      A ───────────► P
+motors    A ─► ────────► P    what is left of the gaps first, where several axes move: so the tool goes straight
+tool      A ──────────► T     short of P by the play, where its axis goes against its true sense
+next feed move          T►P   begins with the motors' way on by the play, unless it leads this axis alone
+
+The words of moves with the motors ahead of the tool (`backlash_compensation.py`).
+
+A move that stays whole keeps its words, but for the ends that lie elsewhere; of one that is cut, the first piece has
+the words that act before a move, the last one those that act after it.
 """
 
 from __future__ import annotations
 
+import math
 from array import array
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence, Set
 from math import isnan
 
 import numpy as np
@@ -29,15 +41,196 @@ from CNCStepper.gcode.dialects.codes import MOTION_NAMES
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.interpreter.state.model import Model
 from CNCStepper.gcode.syntax.words import Word, words_of
-from CNCStepper.gcode.wire.backlash_machine_moves import AsWritten
-from CNCStepper.gcode.wire.backlash_words import AXES, Words, crossing
 from CNCStepper.gcode.wire.monotonic_split import Piece, arc_pieces, straight_pieces
-from CNCStepper.gcode.wire.wire_lines import WireLines
-from CNCStepper.gcode.wire.wire_text import WireText, check_wire_line
+from CNCStepper.gcode.wire.wire_text import WireLines, WireText, check_wire_line
 from CNCStepper.machine.backlash import SAME_MM, Backlash, Motors
 from CNCStepper.machine.profile import Machine
 from CNCStepper.state import Start
-from CNCStepper.toolpath import ARC_CCW, LINE, RAPID, Chunk
+from CNCStepper.toolpath import ARC_CCW, LINE, PLANE_AXES, PLANE_NAMES, RAPID, Chunk
+
+Vector = tuple[float, ...]
+
+
+class AsWritten:
+    """Follows the motors along such lines, and which axes have left their tool short of the place."""
+
+    def __init__(self, motors: Motors):
+        self._motors, self._play = motors, motors.play
+        self._short: dict[int, float] = {}  # by axis: how far the motor is ahead of the tool, which is not at its place
+
+    def ready_mm(self, position_mm: Sequence[float], first_mm: Sequence[float]) -> Vector | None:
+        """Return the motor positions at which the tool starts with them; None when they are there.
+
+        position_mm: of the tool, as the text says. first_mm: to which the motors go first.
+        """
+        at_mm = self._motors.at_mm
+        ready = list(at_mm)
+        for axis in (moved := self.moved(at_mm, first_mm)):
+            ahead_mm = self._ahead_mm(axis, position_mm)
+            if len(moved) > 1 and not isnan(ahead_mm):
+                sense = self._play.sense(axis, at_mm[axis], first_mm[axis])
+                place = at_mm[axis] - ahead_mm + self._play.ahead_mm(axis, sense)
+                ready[axis] = min(place, first_mm[axis]) if sense > 0 else max(place, first_mm[axis])
+        return tuple(ready) if any(abs(one - at) > SAME_MM for one, at in zip(ready, at_mm, strict=True)) else None
+
+    def go(self, axes: Iterable[int], position_mm: Sequence[float], places_mm: Iterable[Sequence[float]]) -> None:
+        """Let the motors of some axes go from place to place, the tool being where the text says."""
+        places = list(places_mm)
+        for axis in axes:
+            ahead_mm, at_mm = self._ahead_mm(axis, position_mm), self._motors.at_mm[axis]
+            for place in places:
+                ahead_mm = self._after(axis, ahead_mm, place[axis] - at_mm)
+                at_mm = place[axis]
+            self._motors.at_mm[axis] = at_mm
+            self._short.pop(axis, None)
+            if abs(ahead_mm) > SAME_MM and not isnan(at_mm):
+                self._short[axis] = ahead_mm
+
+    def rest_mm(self, moved: Set[int]) -> Vector | None:
+        """Return where the motors go before a feed move so that the tool is where the text says; None where it is.
+
+        moved: the axes that the move leads; one that it leads alone comes to its way by itself.
+        """
+        if not self._short.keys() - (moved if len(moved) == 1 else set()):
+            return None
+        ready = list(self._motors.at_mm)
+        for axis in self._short:
+            ready[axis] += self._play.ahead_mm(axis, -self._play.true_sense[axis])
+        return tuple(ready)
+
+    def went(self, axes: Iterable[int]) -> None:
+        """Note that the play of some axes was taken up, or that they go on by a way that takes it up."""
+        for axis in axes:
+            self._short.pop(axis, None)
+
+    def moved(self, begin_mm: Sequence[float], end_mm: Sequence[float]) -> set[int]:
+        """Return the axes that make steps between two places, of which none may be unknown."""
+        ways = enumerate(zip(begin_mm, end_mm, strict=True))
+        return {axis for axis, way in ways if not any(map(isnan, way)) and self._play.sense(axis, *way)}
+
+    def _ahead_mm(self, axis: int, position_mm: Sequence[float]) -> float:
+        """Return how far a motor is ahead of its tool; NaN where nobody knows."""
+        return self._short.get(axis, self._motors.at_mm[axis] - position_mm[axis])
+
+    def _after(self, axis: int, ahead_mm: float, way_mm: float) -> float:
+        """Return the same after a way; from a place that nobody knows the tool may be as short as it can."""
+        if isnan(ahead_mm) or isnan(way_mm):
+            return self._play.ahead_mm(axis, -self._play.true_sense[axis])
+        return self._play.ahead_after(axis, ahead_mm, way_mm)
+
+
+AXES, CENTRES = "XYZ", "IJK"
+STOPS = frozenset(("M0", "M1", "M2", "M30", "M60"))  # they are executed after the move of their line
+DECIMALS = {"mm": 5, "inch": 6}  # at least, of a number that changes: a hundredth of a step, or less
+OF_ARCS = (*CENTRES, "R", "P")
+MOTIONS = frozenset(MOTION_NAMES)
+
+
+def crossing(model: Model, stood_mm: Sequence[float], end_mm: Sequence[float], feed_mm_min: float | None = None) -> str:
+    """Return the line that takes the motors from elsewhere to `end_mm`, in the modes of `model`.
+
+    feed_mm_min: None is a rapid.
+    """
+    if model.turn is not None:
+        what = "the play of the axes cannot be taken up in coordinates that are turned"
+        raise ProgramError("take-up", what, advice="turn the program instead")
+    moved = [axis for axis, pair in enumerate(zip(stood_mm, end_mm, strict=True)) if abs(pair[0] - pair[1]) > SAME_MM]
+    places = "".join(AXES[axis] + place_text(model, axis, stood_mm, end_mm) for axis in moved)
+    if feed_mm_min is None:
+        return f"G0{places}"
+    way_mm = math.dist(*zip(*((stood_mm[axis], end_mm[axis]) for axis in moved), strict=True))
+    return f"G1{places}{_feed_word(model, feed_mm_min, way_mm)}"
+
+
+def place_text(model: Model, axis: int, stood_mm: Sequence[float], end_mm: Sequence[float]) -> str:
+    """Return the number that leads the motor of an axis from where it stood to its end.
+
+    Ways are those between places that are rounded themselves, so that what the digits leave out never adds up.
+    """
+    if model.absolute:
+        return number_text((end_mm[axis] - model.offset[axis]) / model.scale, model)
+    digits = DECIMALS[model.state.units]
+    stood, end = (round(place[axis] / model.scale, digits) for place in (stood_mm, end_mm))
+    return number_text(end - stood, model)
+
+
+def _feed_word(model: Model, feed_mm_min: float, way_mm: float) -> str:
+    """Return the F word of a way at this feed, nothing where the feed in force says it."""
+    mode, feed = model.state.feed_mode, feed_mm_min / model.scale
+    if mode == "inverse_time":
+        feed = feed_mm_min / way_mm
+    elif mode == "per_turn":
+        feed /= model.state.spindle_rpm
+    elif feed_mm_min == model.state.feed_mm_min:
+        return ""
+    return f"F{number_text(feed, model)}"
+
+
+class Words:
+    """Writes the pieces of one line, in their order.
+
+    model: as it is after the line. centre_mm: of an arc that is cut, None for any other line.
+    """
+
+    def __init__(self, words: list[Word], model: Model, pieces: list[Piece], centre_mm: Sequence[float] | None):
+        self._model, self._pieces, self._centre_mm = model, pieces, centre_mm
+        self._codes = [word for word in words if word.letter in "GM" and word.name not in STOPS]
+        self._stops = [word for word in words if word.name in STOPS]
+        self._ends = [word for word in words if word.letter in AXES]
+        self._others = [word for word in words if word.letter not in ("G", "M", *AXES)]
+
+    def line(self, number: int, stood_mm: Sequence[float], motors_mm: Sequence[float], says_motion: bool) -> str:
+        """Return the line of a piece, in which the motors go from `stood_mm` to `motors_mm`.
+
+        says_motion: it must name its motion, since another one is modal on the wire.
+        """
+        first, last = number == 0, number == len(self._pieces) - 1
+        codes = self._codes if first else []
+        words = [word.text for word in codes]
+        if (says_motion or not first) and not any(word.name in MOTIONS for word in codes):
+            words.append(MOTION_NAMES[self._model.motion])
+        if self._centre_mm is None:
+            words += [self._end(word, motors_mm[AXES.index(word.letter)]) for word in self._ends]
+        else:
+            words += self._arc_words(self._pieces[number], stood_mm, motors_mm, self._centre_mm)
+        words += [self._other(word, number) for word in self._others if first or self._is_shared(word)]
+        return "".join([*words, *(word.text for word in self._stops if last)])
+
+    def _end(self, word: Word, motor_mm: float) -> str:
+        """Return an axis word with the number at which the motor stands."""
+        ahead_mm = motor_mm - self._pieces[-1].end_mm[AXES.index(word.letter)]
+        if math.isnan(ahead_mm) or abs(ahead_mm) <= SAME_MM or not self._model.absolute:
+            return word.text
+        places = len(word.number.partition(".")[2])
+        return word.letter + number_text(float(word.number) + ahead_mm / self._model.scale, self._model, places)
+
+    def _arc_words(self, piece: Piece, stood_mm, motors_mm, centre_mm) -> list[str]:
+        """Return end and centre of a piece of an arc."""
+        model = self._model
+        one, two, normal = PLANE_AXES[PLANE_NAMES.index(model.state.plane)]
+        named = [one, two] + [normal] * any(word.letter == AXES[normal] for word in self._ends)
+        ends = [AXES[axis] + place_text(model, axis, stood_mm, motors_mm) for axis in named]
+        arms = [(axis, (centre_mm[axis] - piece.begin_mm[axis]) / model.scale) for axis in (one, two)]
+        return ends + [CENTRES[axis] + number_text(arm, model) for axis, arm in arms]
+
+    def _is_shared(self, word: Word) -> bool:
+        """Whether every piece needs a word: F, where it belongs to its line's move."""
+        return word.letter == "F" and self._model.state.feed_mode == "inverse_time"
+
+    def _other(self, word: Word, number: int) -> str:
+        if self._centre_mm is not None and word.letter in OF_ARCS:
+            return ""
+        share = self._pieces[number].share
+        if self._is_shared(word) and share < 1.0:
+            return "F" + number_text(float(word.number) / share, self._model)
+        return word.text
+
+
+def number_text(value: float, model: Model, places: int = 0) -> str:
+    """Return a number with its last digits trimmed, fine enough for the unit that is in force."""
+    text = f"{value:.{max(DECIMALS[model.state.units], places)}f}".rstrip("0").rstrip(".")
+    return "0" if text in ("-0", "") else text
+
 
 OF_MACHINE = frozenset(("G28", "G30", "G53"))
 NAMES_PLACE = frozenset(("G92", "G10", "G28.1", "G30.1"))

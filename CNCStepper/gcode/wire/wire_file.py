@@ -7,7 +7,13 @@
 
 It gives what `prepare` and `read_back` give of a whole text. From the first line that leads elsewhere on, it is read
 from the disk, line by line. Programs whose lines are written out before they are sent (`expansion.is_expanded`) are
-read by `expanded_wire_file.py`.
+read as they are run.
+
+A program's file whose lines are written out, read back from what is sent of it as it is run.
+
+file ──► lines on the disk ──► blocks as they are run ──► what is sent ──► sink, SHA-256
+                                  │                          │
+                                  └── comments ──────────────┴──► Interpreter ──► chunks
 """
 
 from __future__ import annotations
@@ -15,23 +21,23 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from itertools import islice
 from pathlib import Path
 
 import numpy as np
 
 from CNCStepper.errors import Place, ProgramError
 from CNCStepper.gcode.dialects import Dialect, dialect_named
-from CNCStepper.gcode.interpreter.file_chunks import byte_pieces, encoding_of
-from CNCStepper.gcode.interpreter.line_store import LineStore
-from CNCStepper.gcode.interpreter.program_file import FileReading
+from CNCStepper.gcode.interpreter.flow.o_words import is_plain
+from CNCStepper.gcode.interpreter.program_file import FileReading, LineStore, byte_pieces, encoding_of, text_pieces
 from CNCStepper.gcode.syntax.text_format import BOM
 from CNCStepper.gcode.syntax.words import program_lines
 from CNCStepper.gcode.wire.backlash_compensation import BacklashCompensation
-from CNCStepper.gcode.wire.encoder import WireEncoder
+from CNCStepper.gcode.wire.encoder import WireEncoder, wire_of_block
+from CNCStepper.gcode.wire.expansion import Block, expanded_lines, writes_out
 from CNCStepper.gcode.wire.line_runs import runs_of_piece
-from CNCStepper.gcode.wire.read_back import joined_lines
-from CNCStepper.gcode.wire.wire_lines import WireLines
-from CNCStepper.gcode.wire.wire_text import WireText, check_wire_line
+from CNCStepper.gcode.wire.read_back import groups_of, joined_lines, read_block
+from CNCStepper.gcode.wire.wire_text import WireLines, WireText, check_wire_line
 from CNCStepper.machine.backlash import Backlash
 from CNCStepper.state import Start
 from CNCStepper.toolpath import Chunk, Event, TableBuilder
@@ -218,3 +224,49 @@ class _LineNumbers:
     def of_events(self, lines: np.ndarray) -> np.ndarray:
         """Return the file's lines of events, int32[n]."""
         return self._numbers[lines - self._first]  # type: ignore[no-any-return]
+
+
+BLOCKS = 4096  # that are written out at once
+
+
+def wire_of_file(
+    path: Path,
+    start: Start | None,
+    dialect: str | Dialect,
+    play: Backlash | None = None,
+    *,
+    sink: Sink = lambda wire: None,
+    progress: Callable[[float], None] = lambda share: None,
+    name: str = "",
+    tells: bool = True,
+) -> WireFile:
+    """Return the reading of any program's file; see `WireFile`."""
+    language = dialect_named(dialect)
+    written_out = writes_out(language) and not all(map(is_plain, text_pieces(path)))
+    reading = WireBlocks if written_out else WireFile
+    return reading(path, start, language, play, sink=sink, progress=progress, name=name, tells=tells)
+
+
+class WireBlocks(WireFile):
+    """One reading of a program whose lines are written out."""
+
+    def _chunks(self) -> Iterator[Chunk]:
+        reader = self._reading.interpreter
+        with LineStore.of(text_pieces(self._path)) as lines:
+            blocks = expanded_lines(lines, self._language, self._start, self._name)
+            while some := list(islice(blocks, BLOCKS)):
+                self._read(some)
+                self._progress(min(1.0, some[-1].line / len(lines)))
+                yield from reader.table.take_whole()
+        yield from reader.toolpath().chunks
+
+    def _read(self, blocks: list[Block]) -> None:
+        """Send blocks, and read back what is sent of them."""
+        wire = self._sent(*self._encoder.join(map(wire_of_block, blocks)))
+        self._hand_on(wire)
+        sent = groups_of(wire)
+        for block in blocks:
+            read_block(self._reading.interpreter, block, sent)
+
+    def _with_lines(self, events: list[Event]) -> list[Event]:
+        return events

@@ -1,17 +1,80 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The wire text: the lines sent, their lines in the file, and the limits of a line."""
+"""The wire text: the lines sent, their lines in the file, and the limits of a line.
+
+The lines that are sent, held as the bytes that go over the wire.
+
+The first move of what is sent names its motion: which one is in force at the controller depends on what ran before.
+
+program   X10            proven as the rapid of a fresh controller
+sent      G0X10          after M2 of another program a bare X10 would be a cut (G1)
+"""
 
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Mapping
+import re
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import overload
 
 import numpy as np
 
 from CNCStepper.errors import Place, ProgramError, Text
 from CNCStepper.gcode.dialects import Dialect, dialect_named
-from CNCStepper.gcode.wire.wire_lines import WireLines
+from CNCStepper.gcode.dialects.codes import ALL_AXES, MOTION_NAMES, NO_MOTION
+from CNCStepper.gcode.syntax.words import words_of
+
+AT_ONCE = 4096  # lines that are made at once
+
+
+class WireLines(Sequence[str]):
+    """Lines of plain ASCII, each made from the bytes when it is asked for; a sequence as a tuple of them is.
+
+    data    G21\\nG0X1\\nM2\\n
+    ends       3    8  11      of each line, where its newline stands
+    """
+
+    def __init__(self, data: bytes):
+        self.data = data
+        self._ends = np.flatnonzero(np.frombuffer(data, np.uint8) == ord("\n"))
+
+    @overload
+    def __getitem__(self, index: int) -> str: ...
+
+    @overload
+    def __getitem__(self, index: slice) -> tuple[str, ...]: ...
+
+    def __getitem__(self, index: int | slice) -> str | tuple[str, ...]:
+        if isinstance(index, slice):
+            return tuple(self[place] for place in range(*index.indices(len(self))))
+        end = int(self._ends[index])
+        return self.data[self.data.rfind(b"\n", 0, end) + 1 : end].decode("ascii")
+
+    def begins(self, indices: np.ndarray) -> np.ndarray:
+        """Return where lines begin in `data`, int64[n]; the index behind the last one is the end."""
+        return np.append(0, self._ends + 1)[indices]
+
+    def __len__(self) -> int:
+        return len(self._ends)
+
+    def __iter__(self) -> Iterator[str]:
+        begin = 0
+        for last in range(AT_ONCE, len(self) + AT_ONCE, AT_ONCE):
+            end = int(self._ends[min(last, len(self)) - 1]) + 1
+            yield from self.data[begin:end].decode("ascii").split("\n")[:-1]
+            begin = end
+
+    def __eq__(self, other: object) -> bool:
+        if isinstance(other, WireLines):
+            return self.data == other.data
+        return tuple(self) == other if isinstance(other, tuple) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(self.data)
+
+    def __repr__(self) -> str:
+        return repr(tuple(self))
+
 
 REALTIME = frozenset(b"!?~\x18") | frozenset(range(0x80, 0x100))  # bytes that grbl acts upon wherever they stand
 
@@ -54,3 +117,32 @@ def check_wire_line(line: str, dialect: str | Dialect = "grbl", place: Place | N
         value = f"0x{acting[0]:02X}" if acting else repr(line)
         what = "the line holds a byte that the controller acts upon wherever it stands"
         raise ProgramError("realtime-byte", what, value=value, advice="take it out", place=place)
+
+
+_AXIS = re.compile(f"[{ALL_AXES}]")
+
+
+class FirstMove:
+    """Looks for the first move of a program in lines that come piece by piece."""
+
+    def __init__(self, dialect: Dialect):
+        self._dialect = dialect
+        self._is_known = dialect.first_motion == NO_MOTION
+
+    def without_motion(self, lines: WireLines) -> int | None:
+        """Return the index of the first line that moves, where no line up to it names a motion; else None."""
+        codes_of = self._dialect.codes
+        for index, line in enumerate(() if self._is_known else lines):
+            codes = [codes_of[word.name] for word in words_of(line) if word.name in codes_of]
+            names_motion = any(code.motion is not None for code in codes)
+            if names_motion or (_AXIS.search(line) and not any(code.axes for code in codes)):
+                self._is_known = True
+                return None if names_motion else index
+        return None
+
+
+def with_first_motion(lines: WireLines, index: int, dialect: Dialect) -> WireLines:
+    """Return the lines with the dialect's first motion before the line `index`."""
+    begin = sum(len(line) + 1 for line in lines[:index])
+    name = MOTION_NAMES[dialect.first_motion].encode("ascii")
+    return WireLines(lines.data[:begin] + name + lines.data[begin:])

@@ -2,17 +2,126 @@
 """The page that a writer fills: words in their modal order, nothing repeated, every line checked.
 
 It knows what the machine holds after each line: position in counts of the last digit, motion, feed, plane.
+
+Comments that are safe on any wire: plain ASCII without the bytes that controllers act upon.
+
+The grid of numbers that a text can hold: lengths as whole counts of its last digit.
+
+The writer works on this grid, so that it knows exactly where the machine stands after each line.
 """
 
 from __future__ import annotations
 
+import textwrap
+import unicodedata
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TypeVar
+
+import numpy as np
+
 from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects import Dialect, Writing
 from CNCStepper.gcode.dialects.codes import AXES, MOTION_NAMES, PLANE_CODES
-from CNCStepper.gcode.writer.ascii_comments import COMMENT_WIDTH, ascii_text, comment_lines
-from CNCStepper.gcode.writer.decimal_grid import Grid
-from CNCStepper.gcode.writer.write_notes import Notes
+from CNCStepper.gcode.writer.write_options import Notes
 from CNCStepper.toolpath import LINE, PLANE_AXES, RAPID, XY
+from CNCStepper.units import MM_PER_INCH
+
+COMMENT_WIDTH = 76
+_LETTERS = str.maketrans(
+    {
+        "ß": "ss",
+        "æ": "ae",
+        "Æ": "AE",
+        "œ": "oe",
+        "Œ": "OE",
+        "ø": "o",
+        "Ø": "O",
+        "đ": "d",
+        "Đ": "D",
+        "ł": "l",
+        "Ł": "L",
+        "ı": "i",
+        "°": " deg",
+        "×": "x",
+        "÷": "/",
+        "µ": "u",
+        "±": "+/-",
+        "–": "-",
+        "—": "-",
+        "‘": "'",
+        "’": "'",
+        "“": '"',
+        "”": '"',
+        "…": "...",
+        "(": "[",
+        ")": "]",
+        "!": ".",
+        "?": ".",
+        "~": "-",
+        "$": "S",
+        ";": ",",
+        "%": " percent",
+        "\t": " ",
+    }
+)
+
+
+def ascii_text(text: str) -> str:
+    """Return `text` in printable ASCII without ! ? ~ $ ; % and parentheses; what has no likeness becomes "_"."""
+    plain = unicodedata.normalize("NFKD", unicodedata.normalize("NFC", text).translate(_LETTERS)).translate(_LETTERS)
+    letters = (character for character in plain if not unicodedata.combining(character))
+    return " ".join("".join(letter if " " <= letter <= "\x7e" else "_" for letter in letters).split())
+
+
+def comment_lines(text: str) -> list[str]:
+    """Return `text` as lines of a comment, without what a dialect encloses them in."""
+    return textwrap.wrap(ascii_text(text), COMMENT_WIDTH)
+
+
+Lengths = TypeVar("Lengths", float, np.ndarray)
+
+
+@dataclass(frozen=True)
+class Grid:
+    """units: "mm" or "inch" of the text; decimals: digits after the point."""
+
+    units: str
+    decimals: int
+
+    @cached_property
+    def unit_mm(self) -> float:
+        """One unit of the text in mm."""
+        return MM_PER_INCH if self.units == "inch" else 1.0
+
+    @cached_property
+    def counts(self) -> int:
+        """How many counts of the last digit one unit of the text has."""
+        return 10**self.decimals
+
+    @property
+    def step_mm(self) -> float:
+        """The last digit in mm."""
+        return self.unit_mm / self.counts
+
+    def exact(self, length_mm: Lengths) -> Lengths:
+        """Return a length, or an array of them, in counts of the last digit, not rounded."""
+        return length_mm / self.unit_mm * self.counts
+
+    def count(self, length_mm: float) -> int:
+        """Return a length in whole counts of the last digit."""
+        return round(self.exact(length_mm))
+
+    def text(self, count: int) -> str:
+        """Return a length as text with all its decimals; there is no -0."""
+        sign = "-" if count < 0 else ""
+        whole, rest = divmod(abs(count), self.counts)
+        return f"{sign}{whole}.{rest:0{self.decimals}d}"
+
+    def short(self, length_mm: float) -> str:
+        """Return a length (a feed) as text without trailing zeros."""
+        return self.text(self.count(length_mm)).rstrip("0").rstrip(".")
+
 
 CENTRES = "IJK"
 MOST_FEED_ERROR = 0.005  # relative

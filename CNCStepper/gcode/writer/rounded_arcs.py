@@ -7,7 +7,7 @@ point does not lie on it (grbl: error:33); an arc whose ends round to one point 
     begin (rounded, where the machine is) --I J--> centre     of the centres near the true one, that is taken
     end   (rounded)                                           whose circle passes best through end and middle
 
-All points are in counts of the text's last digit (`decimal_grid.py`), in the plane of the arc.
+All points are in counts of the text's last digit (`block_emitter.py`), in the plane of the arc.
 """
 
 from __future__ import annotations

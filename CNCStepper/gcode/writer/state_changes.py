@@ -15,8 +15,7 @@ from __future__ import annotations
 
 from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects import Dialect
-from CNCStepper.gcode.writer.ascii_comments import comment_lines
-from CNCStepper.gcode.writer.block_emitter import BlockEmitter
+from CNCStepper.gcode.writer.block_emitter import BlockEmitter, comment_lines
 from CNCStepper.gcode.writer.write_options import WriteOptions
 from CNCStepper.state import State
 

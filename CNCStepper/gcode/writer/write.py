@@ -21,14 +21,11 @@ import numpy as np
 from CNCStepper.cancellation import checkpoint
 from CNCStepper.errors import Place, ProgramError, Text
 from CNCStepper.gcode.dialects import Dialect, dialect_named
-from CNCStepper.gcode.writer.ascii_comments import ascii_text
-from CNCStepper.gcode.writer.block_emitter import BlockEmitter
+from CNCStepper.gcode.writer.block_emitter import BlockEmitter, Grid, ascii_text
 from CNCStepper.gcode.writer.canned_cycle_blocks import CycleWriter
-from CNCStepper.gcode.writer.decimal_grid import Grid
 from CNCStepper.gcode.writer.move_rows import RowWriter
 from CNCStepper.gcode.writer.state_changes import Switches
-from CNCStepper.gcode.writer.write_notes import Note
-from CNCStepper.gcode.writer.write_options import WriteOptions
+from CNCStepper.gcode.writer.write_options import Note, WriteOptions
 from CNCStepper.state import State
 from CNCStepper.toolpath import PLANE_NAMES, RAPID, Event, Toolpath
 

@@ -19,8 +19,8 @@ import numpy as np
 
 from CNCStepper.errors import GeometryError
 from CNCStepper.geometry.curve import Curve, from_points
+from CNCStepper.geometry.curve_columns import complex_of, xy_of
 from CNCStepper.geometry.fitting.fit_kernels import fit_stretches
-from CNCStepper.geometry.segments import complex_of, xy_of
 
 CORNER_DEG = 30.0
 REACH = 6.0  # tolerances: noise within one of them turns the way by less than CORNER_DEG over that stretch

@@ -8,8 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from CNCStepper.simulation.tip_segments import Segments, segments
-from CNCStepper.simulation.views.path_lines import DRAWN_MM, lines_in_space
-from CNCStepper.simulation.views.polylines import Lines
+from CNCStepper.simulation.views.path_lines import DRAWN_MM, Lines, lines_in_space
 from CNCStepper.toolpath import RAPID, Toolpath
 
 MOST_POINTS = 60_000  # of the rapids, and of the feeds, that a 3D view is given to draw

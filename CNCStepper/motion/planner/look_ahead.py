@@ -19,8 +19,7 @@ import math
 import numpy as np
 
 from CNCStepper.kernels import njit_inline
-from CNCStepper.motion.planner.block_ring import next_place, place_before
-from CNCStepper.motion.planner.buffers import S_CURVE, TABLE, UNLIMITED, copy_axes
+from CNCStepper.motion.planner.buffers import S_CURVE, TABLE, UNLIMITED, copy_axes, next_place, place_before
 from CNCStepper.motion.planner.s_curve_look_ahead import plan_when_due
 
 MINIMUM_FEED_MM_S = 1.0 / 60.0

@@ -21,11 +21,9 @@ from __future__ import annotations
 import math
 
 from CNCStepper.kernels import njit_in_place
-from CNCStepper.motion.planner.block_ring import next_place
-from CNCStepper.motion.planner.buffers import PHASES
-from CNCStepper.motion.planner.jerk import change_length
+from CNCStepper.motion.planner.buffers import PHASES, next_place
 from CNCStepper.motion.planner.look_ahead import nominal_speed
-from CNCStepper.motion.planner.s_curve_look_ahead import plan_when_due
+from CNCStepper.motion.planner.s_curve_look_ahead import change_length, plan_when_due
 
 HALVINGS = 50
 CRUMB_S = 1e-4  # of a profile's end, which takes hardly any way

@@ -25,8 +25,15 @@ import numpy as np
 from CNCStepper.kernels import njit_inline
 from CNCStepper.machine.profile import LOOK_AHEAD_BLOCKS
 from CNCStepper.motion.planner.arc_segments import new_arc, next_point, start_arc
-from CNCStepper.motion.planner.block_ring import count_blocks, is_full, places_from
-from CNCStepper.motion.planner.buffers import SEGMENT_PLACES, TICKS_PER_S, Planner, copy_axes
+from CNCStepper.motion.planner.buffers import (
+    SEGMENT_PLACES,
+    TICKS_PER_S,
+    Planner,
+    copy_axes,
+    count_blocks,
+    is_full,
+    places_from,
+)
 from CNCStepper.motion.planner.look_ahead import push_line
 from CNCStepper.motion.planner.path_control_modes import next_corner_point, start_corner
 from CNCStepper.motion.planner.segment_generator import next_segment

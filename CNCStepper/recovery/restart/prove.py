@@ -13,7 +13,7 @@ from math import isnan
 from pathlib import Path
 from typing import Any
 
-from CNCStepper.control.journal.restart_line_map import FirstProgram, pairs_of
+from CNCStepper.control.journal.replay import FirstProgram, pairs_of
 from CNCStepper.control.program.certificate import Certificate, digest_of_text
 from CNCStepper.errors import Place
 from CNCStepper.job.certify import certificate_of
@@ -32,8 +32,8 @@ from CNCStepper.job.prove import (
 )
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tools.tool import Tool
+from CNCStepper.recovery.restart.approach import Options
 from CNCStepper.recovery.restart.description import height_mm
-from CNCStepper.recovery.restart.options import Options
 from CNCStepper.recovery.restart.places import RequestedPlace
 from CNCStepper.recovery.restart.restart_program import Restart, restart
 from CNCStepper.simulation.checks.stock_checks import JUDGE_ERROR_MM

@@ -1,19 +1,30 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A client that moves a held job back along its cut, forward again, and resumes it."""
+"""A client that moves a held job back along its cut, forward again, and resumes it.
+
+Moves the tool of a session along its cut when the machine's own buttons request it.
+
+A client that jogs a held job: the controller gives its lines up first, and the job's next way leads back to the cut.
+
+At a pause, or while the tool is changed, nothing is given up, and the zero can be set.
+
+held ---a leg that goes nowhere---> retreated, idle ---jogs---> beside the cut ---back, forward, rest---> ...
+"""
 
 from __future__ import annotations
 
 import tempfile
+import threading
 import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from CNCStepper.control.protocol.grbl.firmware import TOOL
 from CNCStepper.control.service.connection_session import ConnectionSession
 from CNCStepper.control.session.client import SessionClient
 from CNCStepper.control.session.status import SenderStatus
 from CNCStepper.control.stream.path_retract import STANDS, read_held, write_leg
-from CNCStepper.errors import LinkError, MachineRefusal, Text
+from CNCStepper.errors import CNCStepperError, LinkError, MachineRefusal, Text
 from CNCStepper.machine.profile import Machine
 from CNCStepper.recovery.retract.prove import HeldProgram, held_program
 
@@ -84,3 +95,89 @@ class RetractClient:
         if self._client.outcome is not None:
             what = Text("the job has ended: {outcome}", outcome=self._client.outcome.text)
             raise MachineRefusal("session-ended", what, advice="nothing is held any more")
+
+
+BUTTONS_EVERY_S = 0.1
+
+
+class ButtonClient(threading.Thread):
+    """A client of its own, until the session ends; tell: gets refusals, on this thread."""
+
+    def __init__(self, session_file: Path, tell: Callable[[str], None]):
+        super().__init__(name="leader", daemon=True)
+        self._file = session_file
+        self._tell = tell
+
+    def run(self) -> None:
+        """Look at what is wanted, and do it."""
+        try:
+            with SessionClient.attach(self._file) as client:
+                while client.outcome is None:
+                    self._look(client)
+                    time.sleep(BUTTONS_EVERY_S)
+        except LinkError as error:
+            self._tell(Text("the machine's buttons lead nothing back any more: {error}", error=error))
+
+    def _look(self, client: SessionClient) -> None:
+        try:
+            lead(client, client.status())
+        except LinkError:
+            raise
+        except CNCStepperError as error:
+            if client.outcome is None:
+                self._tell(str(error))
+
+
+def lead(client: SessionClient, status: SenderStatus) -> None:
+    """Begin the way that a status wants; raises what the proof or the session refuses."""
+    if status.phase not in STANDS or (status.wanted_back_mm is None and not status.wanted_rest):
+        return
+    back = RetractClient(client)
+    held = back.held()
+    back.go(held.rest() if status.wanted_back_mm is None else held.along(held.back_by(status.wanted_back_mm)))
+
+
+AT_REST = ("Idle", TOOL)
+BEGUN_S = 0.5  # within which a jog shows in the status
+
+
+def step_aside(client: SessionClient) -> None:
+    """Make a held machine idle, where it is not; raises MachineRefusal for one that moves, JobError, ProgramError."""
+    status = client.status()
+    if status.phase not in STANDS:
+        what = "a job runs, and the machine does not stand"
+        raise MachineRefusal("not-held", what, value=status.phase, advice="hold it first: Ctrl-C at `cncstepper send`")
+    if status.machine_state.startswith("Hold"):
+        back = RetractClient(client)
+        back.go(back.held().aside())
+        back.wait_for_leg()
+
+
+def jog(client: SessionClient, way: dict[str, float]) -> SenderStatus:
+    """Jog a machine that is idle, or waits for a new tool, and return its status then; raises what is refused.
+
+    way: x_mm, y_mm, z_mm and feed_mm_min.
+    """
+    client.ask("jog", **way)
+    begin_s, state = time.monotonic(), ""
+    while (time.monotonic() - begin_s < BEGUN_S or state not in AT_REST) and client.outcome is None:
+        for event in client.poll(LOOK_EVERY_S):
+            if event["event"] == "refused" and event.get("command") == "jog":
+                raise event["error"]
+            if event["event"] == "status":
+                state = event["status"]["machine_state"]
+    return client.status()
+
+
+def set_zero(client: SessionClient, axes: str) -> SenderStatus:
+    """Set the zero of axes at a machine paused between two lines; raises refusals."""
+    client.status()  # past the events of before
+    client.ask("set_zero", axes=axes)
+    while client.outcome is None:
+        for event in client.poll(LOOK_EVERY_S):
+            if event["event"] == "refused" and event.get("command") == "set_zero":
+                raise event["error"]
+            if event["event"] == "message" and event["text"].startswith("zero of"):
+                return client.status()
+    what = Text("the job has ended: {outcome}", outcome=client.outcome.text)
+    raise MachineRefusal("session-ended", what, advice="set the zero again")

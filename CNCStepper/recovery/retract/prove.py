@@ -19,23 +19,26 @@ from CNCStepper.errors import JobError, ProgramError, Text
 from CNCStepper.gcode.dialects import dialect_named
 from CNCStepper.gcode.dialects.codes import MOTION_NAMES
 from CNCStepper.gcode.interpreter.state.model import Model
-from CNCStepper.gcode.interpreter.state.parameters import offset_number
-from CNCStepper.gcode.interpreter.state.stored_points import stored_point
-from CNCStepper.gcode.wire.first_motion import FirstMove
-from CNCStepper.gcode.wire.wire_lines import WireLines
+from CNCStepper.gcode.interpreter.state.parameters import offset_number, stored_point
+from CNCStepper.gcode.wire.wire_text import FirstMove, WireLines
 from CNCStepper.job.certify import certificate_of
 from CNCStepper.job.prove import prove
 from CNCStepper.machine.backlash import Motors
 from CNCStepper.machine.profile import Machine
 from CNCStepper.motion.planner.backlash import tool_moves
-from CNCStepper.recovery.retract.backlash_compensation import crossing, taken_up
-from CNCStepper.recovery.retract.held_position import acknowledged, found_of
-from CNCStepper.recovery.retract.held_session import SessionContext
+from CNCStepper.recovery.retract.held_session import SessionContext, acknowledged, found_of
 from CNCStepper.recovery.retract.move_curve import Move, Point
-from CNCStepper.recovery.retract.path import Place, RetractPath
+from CNCStepper.recovery.retract.path import Part, Place, RetractPath, stretch_moves
 from CNCStepper.recovery.retract.path_search import PositionReport, PossiblePlaces
-from CNCStepper.recovery.retract.path_section import Part, stretch_moves
-from CNCStepper.recovery.retract.wire_writer import head_lines, modes_line, output_lines, over_lines, way_lines
+from CNCStepper.recovery.retract.wire_writer import (
+    crossing,
+    head_lines,
+    modes_line,
+    output_lines,
+    over_lines,
+    taken_up,
+    way_lines,
+)
 from CNCStepper.state import WORK_SYSTEMS, ZERO3, State
 
 BACK, FORWARD, ASIDE = "back", "forward", "aside"

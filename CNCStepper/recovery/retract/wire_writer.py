@@ -7,20 +7,30 @@ M3S8000  G4P3        what is to be on, and the time that it needs
 G1Z... G1X... G1Z... up, over and down to the way, where somebody has jogged off it
 G1X... F...          from where the machine stands to the way, less than a step, then along it
 G20G91F30            modes again in which the program's own lines go on
+
+The motors' moves along the tool's way, where the wire text compensates backlash.
+
+    tool    ◄────── x        held on its way there, and taken back
+    motors  ◄──── ◄─┼── x    they stood ahead of it on the other side, or anywhere in the gap: what is left of it first
+
+Where nobody knows on which side the motors stand, as after a jog, they come to the way so that they are known to.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 
 from CNCStepper.control.stream.return_path import Axes
 from CNCStepper.gcode.dialects.codes import MOTION_NAMES, PLANE_CODES, UNIT_CODES
-from CNCStepper.gcode.edit.number_format import number_text
+from CNCStepper.gcode.edit.word_values import number_text
 from CNCStepper.gcode.interpreter.state.modal_state_stack import FEED_MODES, SPINDLE
+from CNCStepper.gcode.wire.monotonic_split import Piece, arc_pieces
+from CNCStepper.machine.backlash import Backlash, Motors
 from CNCStepper.recovery.retract.move_curve import Move, Point
-from CNCStepper.recovery.retract.path_section import Part
+from CNCStepper.recovery.retract.path import Part
 from CNCStepper.state import State
-from CNCStepper.toolpath import PLANE_AXES, PLANE_NAMES, RAPID
+from CNCStepper.toolpath import LINE, PLANE_AXES, PLANE_NAMES, RAPID
 from CNCStepper.units import MM_PER_INCH
 
 AXES, CENTRES = "XYZ", "IJK"
@@ -34,7 +44,7 @@ def head_lines(state: State, position_mm: Point) -> list[str]:
     if state.tool_length_mm:
         lines.append(f"G43.1Z{_number(state.tool_length_mm)}")
     if any(state.g92_mm):
-        lines.append("G92" + _point(position_mm, state))
+        lines.append("G92" + _point_words(position_mm, state))
     return lines
 
 
@@ -49,7 +59,7 @@ def output_lines(state: State, spin_up_s: float) -> list[str]:
 
 def over_lines(ways: Iterable[tuple[Axes, float]], state: State) -> list[str]:
     """Return the lines that take a machine that was jogged away back, as `over` has their places and speeds."""
-    return [f"G1{_point(place_mm, state)}F{_number(feed_mm_min)}" for place_mm, feed_mm_min in ways]
+    return [f"G1{_point_words(place_mm, state)}F{_number(feed_mm_min)}" for place_mm, feed_mm_min in ways]
 
 
 def way_lines(moves: Iterable[tuple[Move, Part]], state: State) -> tuple[list[str], list[Part]]:
@@ -78,7 +88,7 @@ def modes_line(state: State, feed_mm_min: float) -> str:
 def _line(move: Move, state: State) -> str:
     """Return the line of a move; the centre is told from the begin as it was rounded."""
     feed = f"F{_number(move.feed_mm_min)}" if move.kind != RAPID else ""
-    words = f"{MOTION_NAMES[move.kind]}{_point(move.end, state)}"
+    words = f"{MOTION_NAMES[move.kind]}{_point_words(move.end, state)}"
     if not move.is_arc:
         return words + feed
     arms = (
@@ -88,7 +98,7 @@ def _line(move: Move, state: State) -> str:
     return PLANE_CODES[move.plane] + words + "".join(f"{letter}{_number(arm)}" for letter, arm in arms) + feed
 
 
-def _point(point_mm: Iterable[float | None], state: State) -> str:
+def _point_words(point_mm: Iterable[float | None], state: State) -> str:
     """Return the words of a point of the machine in work coordinates; an axis that is None has none."""
     axes = zip(AXES, point_mm, state.offset_mm, strict=False)
     return "".join(axis + _number(value - offset) for axis, value, offset in axes if value is not None)
@@ -96,3 +106,46 @@ def _point(point_mm: Iterable[float | None], state: State) -> str:
 
 def _number(value: float) -> str:
     return number_text(value, DECIMALS)
+
+
+def taken_up(moves: Iterable[tuple[Move, Part]], motors: Motors) -> Iterator[tuple[Move, Part]]:
+    """Yield the motors' moves that lead the tool along some of its own, which `motors` follows.
+
+    motors.at_mm: where they stand before the first, anywhere in their gaps.
+    """
+    for move, (row, first, last) in moves:
+        share = first
+        for piece in _one_way(move, motors.play):
+            stood_mm = motors.at_mm
+            ready_mm = motors.go(piece.begin_mm, piece.end_mm)
+            if ready_mm is not None:
+                yield crossing(stood_mm, ready_mm, move, motors.play), (row, share, share)
+            part = row, share, share + (last - first) * piece.share
+            yield _beside(move, piece, _point(ready_mm or stood_mm), _point(motors.at_mm)), part
+            share = part[2]
+
+
+def crossing(stood_mm: Sequence[float], ready_mm: Sequence[float], move: Move, play: Backlash) -> Move:
+    """Return the motors' move across the backlash at a move of the tool: no faster, and without a beam."""
+    if move.kind == RAPID or play.beam:
+        return Move(RAPID, _point(stood_mm), _point(ready_mm))
+    return Move(LINE, _point(stood_mm), _point(ready_mm), feed_mm_min=move.feed_mm_min)
+
+
+def _one_way(move: Move, play: Backlash) -> list[Piece]:
+    """Return a move cut where an axis turns back."""
+    if not move.is_arc:
+        return [Piece(move.begin, move.end, 1.0, 0)]
+    return arc_pieces(play, move.begin, move.end, move.centre, move.kind, move.plane, move.turns)
+
+
+def _beside(move: Move, piece: Piece, begin_mm: Point, end_mm: Point) -> Move:
+    """Return a piece of the tool's move as the motors go it, about a centre as far beside as they are."""
+    x, y, z = (place + motor - tool for place, motor, tool in zip(move.centre, end_mm, piece.end_mm, strict=True))
+    centre = (x, y, z) if move.is_arc else move.centre
+    return replace(move, begin=begin_mm, end=end_mm, centre=centre, turns=piece.turns)
+
+
+def _point(place_mm: Sequence[float]) -> Point:
+    x, y, z = place_mm
+    return x, y, z

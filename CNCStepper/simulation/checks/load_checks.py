@@ -1,8 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The load on the tool along the path: flutes, holder, engagement angle and chip load against what the tool allows."""
+"""The load on the tool along the path: flutes, holder, engagement angle and chip load against what the tool allows.
+
+The tip's path of a whole program, kept on the disk until all of it is known, with what each segment belongs to.
+"""
 
 from __future__ import annotations
 
+import tempfile
 from collections.abc import Iterable, Iterator
 from itertools import tee
 from typing import TYPE_CHECKING, Any
@@ -15,9 +19,59 @@ from CNCStepper.simulation.check_context import CheckContext, PartCheck
 from CNCStepper.simulation.cutter_solid import Tools, tool_numbered
 from CNCStepper.simulation.finding import Finding, Severity
 from CNCStepper.simulation.stock import Stock
+from CNCStepper.simulation.tip_segments import Segments
 
 if TYPE_CHECKING:
     from CNCStepper.simulation.removal.engagement import Area, Engagement
+
+BLOCK = 65_536  # segments that are read at once
+RECORD = np.dtype(
+    [
+        ("begin", "f8", 3),
+        ("end", "f8", 3),
+        ("row", "i8"),
+        ("line", "i4"),
+        ("tool", "i4"),
+        ("is_feed", "?"),
+        ("chip_mm", "f8"),
+    ]
+)
+
+
+class TipPathStore:
+    """Records of segments in the order in which they are run; iterating reads them, so many at once as a block holds.
+
+    The file has no name, so that nothing is left of a check that is killed.
+    """
+
+    def __init__(self) -> None:
+        self._file = tempfile.TemporaryFile(prefix="cncstepper-path-")  # noqa: SIM115  closed by close()
+
+    def add(self, records: np.ndarray) -> None:
+        """Keep further records; raises OSError on a full disk."""
+        self._file.seek(0, 2)
+        self._file.write(records.tobytes())
+
+    def __iter__(self) -> Iterator[np.ndarray]:
+        self._file.flush()
+        place = 0
+        while True:
+            self._file.seek(place)
+            data = self._file.read(BLOCK * RECORD.itemsize)
+            if not data:
+                return
+            place += len(data)
+            yield np.frombuffer(data, RECORD)
+
+    def close(self) -> None:
+        """Give the disk back."""
+        self._file.close()
+
+
+def path_of_records(records: np.ndarray) -> Segments:
+    """Return the segments of records; the row of each is its place among them."""
+    return Segments(records["begin"], records["end"], np.arange(len(records)))
+
 
 DEPTH_ERROR_MM = 0.01
 ANGLE_ERROR_DEG = 15.0  # of the map in which the angle is measured
@@ -35,7 +89,6 @@ class Loads(PartCheck):
         self._area: Area | None = None
         self._rows = 0
         if _any_says_something([tools] if isinstance(tools, Tool) else tools.values()):
-            from CNCStepper.simulation.checks.tip_path_store import TipPathStore
             from CNCStepper.simulation.removal.engagement import Area
 
             self._area, self._path = Area(stock, tools), TipPathStore()
@@ -57,7 +110,6 @@ class Loads(PartCheck):
 
     def _keep(self, subject: CheckContext, area: Area) -> None:
         """Keep the path of a part of the program."""
-        from CNCStepper.simulation.checks.tip_path_store import RECORD
         from CNCStepper.simulation.removal.engagement import path_of
 
         path, numbers = path_of(subject.toolpath)
@@ -75,7 +127,6 @@ class Loads(PartCheck):
 
     def _above_limits(self, last: CheckContext, area: Area) -> Iterator[Finding]:
         """Yield what the tools met along the path that is more than they may."""
-        from CNCStepper.simulation.checks.tip_path_store import path_of_records
 
         tools = {number: _Load(tool) for number, tool in sorted(area.used.items()) if _says_something(tool)}
         parts, again = tee(self._parts(area))
@@ -88,7 +139,6 @@ class Loads(PartCheck):
             yield from load.findings(last)
 
     def _parts(self, area: Area) -> Iterator[np.ndarray]:
-        from CNCStepper.simulation.checks.tip_path_store import path_of_records
 
         for records in self._path:
             yield from np.split(records, area.split_at(path_of_records(records), records["tool"]))

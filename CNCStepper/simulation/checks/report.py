@@ -2,6 +2,8 @@
 """The report of a program as plain data for strict JSON: the same program gives the same bytes.
 
 Lengths are those of the tip in work coordinates. What is not known is null, never NaN.
+
+A set of lines of a file, a bit each: that of 100 000 000 lines takes 13 MB.
 """
 
 from __future__ import annotations
@@ -14,7 +16,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from CNCStepper.simulation.arc_chords import extremes
-from CNCStepper.simulation.checks.line_set import LineSet
 from CNCStepper.simulation.finding import Finding
 from CNCStepper.simulation.tip_segments import Segments, clipped_below, segments_of_chunks, tips_mm, tips_of_chunks
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, RAPID, Span, Toolpath
@@ -24,6 +25,35 @@ if TYPE_CHECKING:
     from CNCStepper.simulation.exact.gouge import Worst
     from CNCStepper.simulation.exact.swept_area import Judgement
     from CNCStepper.simulation.removal.heightmap import HeightMap
+
+BITS = 8  # of a byte
+BLOCK = 1 << 20  # bytes that are counted at once
+
+
+class LineSet:
+    """Line numbers from 1; 0, no line, is never in it."""
+
+    def __init__(self) -> None:
+        self._bits = np.zeros(0, np.uint8)
+
+    def add(self, lines: np.ndarray) -> None:
+        """Take lines, int[n], in any order."""
+        if not len(lines):
+            return
+        first, last = int(lines.min()) // BITS, int(lines.max()) // BITS + 1
+        if last > len(self._bits):
+            self._bits = np.append(self._bits, np.zeros(last, np.uint8))
+        among = np.zeros((last - first) * BITS, bool)
+        among[lines - first * BITS] = True
+        if first == 0:
+            among[0] = False
+        self._bits[first:last] |= np.packbits(among)
+
+    def count(self) -> int:
+        """Return how many there are."""
+        blocks = (self._bits[first : first + BLOCK] for first in range(0, len(self._bits), BLOCK))
+        return sum(int(np.count_nonzero(np.unpackbits(block))) for block in blocks)
+
 
 DECIMALS = 6
 SAME_PLACE_DECIMALS = 3

@@ -13,8 +13,8 @@ from __future__ import annotations
 import numpy as np
 
 from CNCStepper.simulation.meshes.mesh_faces import RIM, Cells, Faces, borders_mm, drawn_heights
+from CNCStepper.simulation.removal.heightmap import Grid, Part, Tile
 from CNCStepper.simulation.removal.tile_kernels import TILE
-from CNCStepper.simulation.removal.tiles import Grid, Part, Tile
 
 
 class ChangedTiles:

@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 
 from CNCStepper.kernels import njit
-from CNCStepper.simulation.cutter_profile import height_at
+from CNCStepper.simulation.cutter_solid import height_at
 from CNCStepper.simulation.removal.line_kernels import lower, share_of
 from CNCStepper.simulation.removal.row_kernels import columns_between
 

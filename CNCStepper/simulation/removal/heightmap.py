@@ -2,23 +2,173 @@
 """The cut part as a map of heights: what pictures, meshes and the removed volume are made from.
 
 Each cell's height is that of the material at its centre, cut by the cutter's own profile along the
-move's own line, arc or helix; `cutter_profile.py` and the `removal_` modules say how.
+move's own line, arc or helix; `cutter_solid.py` and the `removal_` modules say how.
+
+A part as tiles of cells that are made when a move reaches them, and shared between moments of the part.
+
+A cell holds two heights: that of the material at its centre, and the mean over its area, in which the
+part of a cell that lies beyond a wall counts as uncut. The mean makes the volume independent of where
+the cells' centres fall; of several walls in one cell the one that takes most counts.
 """
 
 from __future__ import annotations
 
+import math
+import os
+from collections.abc import Mapping
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
 
 from CNCStepper.kernels import COMPILED
-from CNCStepper.simulation.cutter_profile import Form
-from CNCStepper.simulation.cutter_solid import Tools
+from CNCStepper.simulation.cutter_solid import Form, Tools
 from CNCStepper.simulation.removal.removal_moves import Moves, moves_of
-from CNCStepper.simulation.removal.tiles import Grid, Part
+from CNCStepper.simulation.removal.tile_kernels import TILE, bins, cut_tile
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.simulation.tip_segments import Segments
 from CNCStepper.toolpath import Toolpath
+
+BATCH = 262_144  # moves are sorted into tiles that many at a time
+THREADS = min(os.cpu_count() or 1, 8) if COMPILED else 1
+FEW = 2000  # moves that are not worth a second thread
+
+
+class Tile:
+    """Heights at the cells' centres and means over the cells, float32[rows, columns], mm.
+
+    Most cells' mean is their height, or the stock's bottom where that is lower; only the others are kept.
+    """
+
+    __slots__ = ("_bottom", "_places", "_values", "heights")
+
+    def __init__(self, heights: np.ndarray, means: np.ndarray, bottom_mm: float):
+        self.heights, self._bottom = heights, np.float32(bottom_mm)
+        other = np.flatnonzero(means != np.maximum(heights, self._bottom))
+        self._places, self._values = other.astype(np.uint16), means.ravel()[other]
+
+    @property
+    def means(self) -> np.ndarray:
+        """The means, an array of its own at each call."""
+        means = np.maximum(self.heights, self._bottom)
+        means.ravel()[self._places] = self._values
+        return means
+
+    @property
+    def nbytes(self) -> int:
+        """Memory of the arrays."""
+        return self.heights.nbytes + self._places.nbytes + self._values.nbytes
+
+
+@dataclass(frozen=True)
+class Grid:
+    """The cells that fill a stock exactly: `cells` along x and y, in tiles of TILE."""
+
+    stock: Stock
+    cells: tuple[int, int]
+
+    @classmethod
+    def of(cls, stock: Stock, cell_mm: float) -> Grid:
+        """Return the grid whose cells have sides of at most `cell_mm`."""
+        x, y = (max(math.ceil(length / cell_mm - 1e-9), 1) for length in stock.size_mm[:2])
+        return cls(stock, (x, y))
+
+    @property
+    def cell_mm(self) -> tuple[float, float]:
+        """Length of a cell along x and y."""
+        return self.stock.size_mm[0] / self.cells[0], self.stock.size_mm[1] / self.cells[1]
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Tiles along y and along x."""
+        return math.ceil(self.cells[1] / TILE), math.ceil(self.cells[0] / TILE)
+
+    @property
+    def frame(self) -> tuple[float, float, float, float]:
+        """Low x and y of the grid, and the lengths of a cell."""
+        return (*self.stock.low_mm[:2], *self.cell_mm)  # type: ignore[return-value]
+
+    def centres_mm(self, axis: int, first: int = 0, last: int | None = None) -> np.ndarray:
+        """Return the centres of the cells [first, last) along an axis."""
+        last = self.cells[axis] if last is None else min(last, self.cells[axis])
+        return self.stock.low_mm[axis] + (np.arange(first, last) + 0.5) * self.cell_mm[axis]
+
+    def tile_centres_mm(self, number: int) -> tuple[np.ndarray, np.ndarray]:
+        """Return x and y of the cells of a tile."""
+        row, column = divmod(number, self.shape[1])
+        x, y = (self.centres_mm(axis, k * TILE, (k + 1) * TILE) for axis, k in ((0, column), (1, row)))
+        return x, y
+
+    def window(self, number: int) -> tuple[slice, slice]:
+        """Return where a tile lies in the array of all cells."""
+        row, column = divmod(number, self.shape[1])
+        return slice(row * TILE, (row + 1) * TILE), slice(column * TILE, (column + 1) * TILE)
+
+
+@dataclass(frozen=True)
+class Part:
+    """A stock at one moment: the tiles that moves have reached, by number; nothing of it is ever changed."""
+
+    grid: Grid
+    tiles: Mapping[int, Tile] = field(default_factory=dict)
+
+    def after(self, moves: Moves, first: int = 0, last: int | None = None) -> Part:
+        """Return the part after the moves [first, last); tiles that none of them reaches are shared."""
+        tiles = dict(self.tiles)
+        last = len(moves) if last is None else last
+        for begin in range(first, last, BATCH):
+            work = list(bins(moves, begin, min(begin + BATCH, last), self.grid.frame, self.grid.shape).items())
+            if THREADS == 1 or last - first < FEW:
+                tiles.update(self._cut(moves, number, which, tiles) for number, which in work)
+                continue
+            work.sort(key=lambda item: -len(item[1]))  # the longest first, so that the threads end together
+            with ThreadPoolExecutor(THREADS) as threads:
+                tiles.update(threads.map(lambda item: self._cut(moves, item[0], item[1], tiles), work))
+        return Part(self.grid, tiles)
+
+    def _cut(self, moves: Moves, number: int, which: np.ndarray, tiles: Mapping[int, Tile]) -> tuple[int, Tile]:
+        x_mm, y_mm = self.grid.tile_centres_mm(number)
+        tops = self.grid.stock.tops_mm(x_mm, y_mm).astype(np.float32)
+        old = tiles.get(number)
+        heights, means = (tops.copy(), tops.copy()) if old is None else (old.heights.copy(), old.means)
+        frame = (float(x_mm[0]), float(y_mm[0]), *self.grid.cell_mm)
+        columns = (moves.begin, moves.end, moves.arc, moves.arcs, moves.form, moves.forms, moves.joined)
+        bottom_mm = self.grid.stock.bottom_mm
+        cut_tile((heights, means, tops, bottom_mm), frame, *columns, which)
+        return number, Tile(heights, means, bottom_mm)
+
+    def changed_since(self, other: Part) -> set[int]:
+        """Return the numbers of the tiles in which this part may differ from another moment of it; tiles are shared."""
+        numbers = self.tiles.keys() | other.tiles.keys()
+        return {number for number in numbers if self.tiles.get(number) is not other.tiles.get(number)}
+
+    def heights_mm(self) -> np.ndarray:
+        """Return the heights at all centres, float64[rows, columns], rows along y."""
+        return self._whole("heights")
+
+    def means_mm(self) -> np.ndarray:
+        """Return the mean heights of all cells, float64[rows, columns]; through a cut they are the bottom."""
+        return self._whole("means")
+
+    def _whole(self, which: str) -> np.ndarray:
+        grid = self.grid
+        whole = grid.stock.tops_mm(grid.centres_mm(0), grid.centres_mm(1))
+        for number, tile in self.tiles.items():
+            whole[grid.window(number)] = getattr(tile, which)
+        return whole
+
+    @property
+    def removed_volume_mm3(self) -> float:
+        """The volume that was cut from the stock; below its bottom there is nothing to cut."""
+        depths = 0.0
+        for number in sorted(self.tiles):
+            x_mm, y_mm = self.grid.tile_centres_mm(number)
+            tops = self.grid.stock.tops_mm(x_mm, y_mm)
+            shares = self.grid.stock.shares(x_mm, y_mm, self.grid.cell_mm)
+            depths += float(((tops.astype(np.float32) - self.tiles[number].means.astype(float)) * shares).sum())
+        return depths * self.grid.cell_mm[0] * self.grid.cell_mm[1]
+
 
 CELLS = 600 if COMPILED else 150  # along the stock's longer side; plain Python is 200 times slower
 

@@ -17,9 +17,17 @@ from __future__ import annotations
 import math
 
 from CNCStepper.kernels import njit
-from CNCStepper.simulation.cutter_profile import height_at, reach
-from CNCStepper.simulation.removal.ramp_kernels import AFTER_LAST, BEFORE_NEXT, place_of
-from CNCStepper.simulation.removal.row_kernels import between, columns_between, columns_of, inverse_of, strip_of
+from CNCStepper.simulation.cutter_solid import height_at, reach
+from CNCStepper.simulation.removal.row_kernels import (
+    AFTER_LAST,
+    BEFORE_NEXT,
+    between,
+    columns_between,
+    columns_of,
+    inverse_of,
+    place_of,
+    strip_of,
+)
 
 JOINT_MM = 1e-6  # the two sides of a joint overlap by it, so that rounding leaves no cell between them
 

@@ -20,13 +20,12 @@ from CNCStepper.errors import JobError
 from CNCStepper.machine.profile import Machine
 from CNCStepper.motion.planner.machine_limits import Limits
 from CNCStepper.motion.planner.plan import begun
-from CNCStepper.motion.planner.pulse_index import Pulse, Pulses
+from CNCStepper.motion.planner.segment_index import Pulse, Pulses
 from CNCStepper.simulation.cutter_solid import Tools
-from CNCStepper.simulation.removal.heightmap import HeightMap
+from CNCStepper.simulation.removal.heightmap import HeightMap, Part
 from CNCStepper.simulation.removal.removal_moves import Moves, moves_of
-from CNCStepper.simulation.removal.tiles import Part
 from CNCStepper.simulation.stock import Stock
-from CNCStepper.simulation.time_steps import end_after, end_before, ends_of_lines_s
+from CNCStepper.simulation.tip_track import end_after, end_before, ends_of_lines_s
 from CNCStepper.toolpath import Toolpath
 
 WORK_CELLS = 1e6  # cells that the moves between two check-points sweep: some 5 ms, where memory allows it

@@ -12,7 +12,6 @@ from collections.abc import Callable, Generator
 
 from CNCStepper.machine.profile import Machine
 from CNCStepper.virtual.grbl.axes import Axes
-from CNCStepper.virtual.grbl.eeprom import Eeprom
 from CNCStepper.virtual.grbl.error_codes import ALARM_HARD_LIMIT, ALARM_SOFT_LIMIT
 from CNCStepper.virtual.grbl.firmware import Firmware
 from CNCStepper.virtual.grbl.gcode.block import Parser
@@ -21,10 +20,9 @@ from CNCStepper.virtual.grbl.occasional_fields import OccasionalFields
 from CNCStepper.virtual.grbl.overrides import Overrides
 from CNCStepper.virtual.grbl.probe import Probe
 from CNCStepper.virtual.grbl.serial_buffer import LineReader, RxRing
-from CNCStepper.virtual.grbl.settings import HARD_LIMITS, HOMING, SOFT_LIMITS, Settings
+from CNCStepper.virtual.grbl.settings import HARD_LIMITS, HOMING, SOFT_LIMITS, Eeprom, Settings
 from CNCStepper.virtual.grbl.spindle_control import Spindle
-from CNCStepper.virtual.grbl.states import State
-from CNCStepper.virtual.grbl.suspend_state import SuspendState
+from CNCStepper.virtual.grbl.states import State, SuspendState
 from CNCStepper.virtual.grbl.tool_change import ToolChange
 
 Waiting = Generator[None, None, None]

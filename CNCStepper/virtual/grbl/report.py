@@ -7,11 +7,10 @@ from collections.abc import Iterable
 
 from CNCStepper.units import inch_from_mm
 from CNCStepper.virtual.grbl.board import Board
-from CNCStepper.virtual.grbl.eeprom import Eeprom
 from CNCStepper.virtual.grbl.firmware import GRBL, Firmware
 from CNCStepper.virtual.grbl.gcode.block import LAST_SYSTEM, PROBE_TOWARD, Modal, Parser, Z
 from CNCStepper.virtual.grbl.gcode.words import f32
-from CNCStepper.virtual.grbl.settings import INCHES, REPORTS_BUFFER, REPORTS_MPOS, Settings
+from CNCStepper.virtual.grbl.settings import INCHES, REPORTS_BUFFER, REPORTS_MPOS, Eeprom, Settings
 from CNCStepper.virtual.grbl.states import BUSY
 
 

@@ -12,8 +12,7 @@ from CNCStepper.virtual.grbl.board import Board
 from CNCStepper.virtual.grbl.input_pins import DOOR
 from CNCStepper.virtual.grbl.settings import LASER
 from CNCStepper.virtual.grbl.spindle_control import OFF
-from CNCStepper.virtual.grbl.states import State
-from CNCStepper.virtual.grbl.suspend_state import SuspendState
+from CNCStepper.virtual.grbl.states import State, SuspendState
 
 SPINDLE_RETURNS_S, COOLANT_RETURNS_S = 4.0, 1.0  # waits after the outputs are on again
 

@@ -12,8 +12,7 @@ from collections import Counter
 from collections.abc import Callable
 from random import Random
 
-from CNCStepper.virtual.faults.answer_faults import FaultyAnswers
-from CNCStepper.virtual.faults.byte_faults import FaultyDirection, is_due
+from CNCStepper.virtual.faults.link_faults import FaultyAnswers, FaultyDirection, is_due
 from CNCStepper.virtual.faults.plan import BOARD_KINDS, IN, OUT, SENDER_KINDS, WIRE_KINDS, Fault, FaultPlan
 from CNCStepper.virtual.grbl.machine import Grbl
 from CNCStepper.virtual.grbl.states import MOVING

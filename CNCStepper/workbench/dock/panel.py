@@ -155,7 +155,7 @@ class Panel(KeyboardArea):
 
     def _ports(self) -> list[tuple[str, str]]:
         """Return the serial ports with their names; none, and a message, when pyserial is missing."""
-        from CNCStepper.control.transport.port_list import port_list
+        from CNCStepper.control.transport.link import port_list
 
         try:
             return [(choice.name, choice.text) for choice in port_list()]

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from PySide import QtCore
 
-from CNCStepper.simulation.views.polylines import Lines
+from CNCStepper.simulation.views.path_lines import Lines
 from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.simulation import coin_nodes as nodes
 from CNCStepper.workbench.simulation.scene import FEED_RGB, RAPID_RGB

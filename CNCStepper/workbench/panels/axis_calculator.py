@@ -133,8 +133,7 @@ class AxisSheet(QtGui.QWidget):
 
     def _answers(self, seen: list[Property]) -> Any:
         """Return the worked answers; raises Refused, naming the line."""
-        from CNCStepper.machine.axis_calculation import answers
-        from CNCStepper.machine.axis_drive import Drive
+        from CNCStepper.machine.axis_drive import Drive, answers
 
         values = {entry.key: self._read(entry) for entry in seen}
         drive = {key: value for key, value in values.items() if key not in TRIAL}
@@ -249,7 +248,7 @@ def _typed(value: float, entry: Property) -> str:
 
 
 def _local(value: float) -> str:
-    from CNCStepper.machine.axis_calculation import shown
+    from CNCStepper.machine.axis_drive import shown
 
     return shown(value).replace(".", str(QtCore.QLocale().decimalPoint()))
 

@@ -41,7 +41,7 @@ if TYPE_CHECKING:
     from CNCStepper.recovery.restart.proof_folder import RestartPlace
     from CNCStepper.simulation.finding import Finding
     from CNCStepper.simulation.tip_track import TipTrack
-    from CNCStepper.simulation.views.polylines import Lines
+    from CNCStepper.simulation.views.path_lines import Lines
     from CNCStepper.state import Start
 
 WORKER = "CNCStepper.workers.proof"

@@ -42,7 +42,7 @@ class Row:
 
 
 def rows_of(told: Mapping[str, Any]) -> list[Row]:
-    """Return the rows of `recovery/restart/place_list.py`: each operation before its contours."""
+    """Return the rows of `recovery/restart/description.py`: each operation before its contours."""
     operations = [Row(OPERATION, number, line, name) for number, line, name in told["operations"]]
     contours = [Row(CONTOUR, *contour) for contour in told["contours"]]
     return list(merge(operations, contours, key=attrgetter("line")))

@@ -13,8 +13,8 @@ from contextlib import ExitStack, contextmanager
 from math import inf
 from unittest.mock import patch
 
-from CNCStepper.control.journal import write_ahead
-from CNCStepper.control.journal.journal_file import JournalFile
+from CNCStepper.control.journal import writer
+from CNCStepper.control.journal.writer import JournalFile
 
 LEAST_LINES, AHEAD_S = 4, 0.5
 FOR_GOOD_S = 3.0  # a person who finds no room for so long stops the job
@@ -55,7 +55,7 @@ class Disk:
         """Let every journal be written to this disk."""
         with ExitStack() as patches:
             patches.enter_context(patch.object(JournalFile, "_write", lambda file, line: self._write(file, line)))
-            patches.enter_context(patch.multiple(write_ahead, least_lines=lambda baud: LEAST_LINES, AHEAD_S=AHEAD_S))
+            patches.enter_context(patch.multiple(writer, least_lines=lambda baud: LEAST_LINES, AHEAD_S=AHEAD_S))
             yield
 
     def _write(self, file: JournalFile, line: bytes) -> None:

@@ -10,8 +10,8 @@ from typing import Any
 
 import pytest
 
-from CNCStepper.gcode.interpreter import file_chunks, line_store
-from CNCStepper.gcode.wire import expanded_wire_file
+from CNCStepper.gcode.interpreter import program_file
+from CNCStepper.gcode.wire import wire_file
 from CNCStepper.gcode.wire.wire_file import WireFile
 from CNCStepper.job import prove_file as prove_file_module
 from CNCStepper.job.certify import certificate_of
@@ -46,10 +46,10 @@ def pieces(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> N
 
     monkeypatch.setattr(WireFile, "chunks", small)
     monkeypatch.setattr(prove_file_module, "PART_ROWS", 2 * rows)
-    monkeypatch.setattr(file_chunks, "PIECE", size)
-    monkeypatch.setattr(line_store, "BLOCK", rows)
-    monkeypatch.setattr(line_store, "MOST_BLOCKS", 2)
-    monkeypatch.setattr(expanded_wire_file, "BLOCKS", 2 * rows)
+    monkeypatch.setattr(program_file, "PIECE", size)
+    monkeypatch.setattr(program_file, "BLOCK", rows)
+    monkeypatch.setattr(program_file, "MOST_BLOCKS", 2)
+    monkeypatch.setattr(wire_file, "BLOCKS", 2 * rows)
 
 
 def both(folder: Path, text: str, machine: Machine, dialect: str = "grbl", **more: Any) -> tuple[Any, FileProof]:

@@ -14,9 +14,8 @@ from pydantic.fields import FieldInfo
 
 from CNCStepper.cycles.catalogue import CYCLES
 from CNCStepper.errors import JobError
-from CNCStepper.job.model import Job, load_job
+from CNCStepper.job.model import Job, ToolFile, load_job
 from CNCStepper.job.shapes import ShapeForm
-from CNCStepper.job.tool_library import ToolFile
 from CNCStepper.machine.materials import Material
 from CNCStepper.machine.profile import Machine, load_machine
 from CNCStepper.quantities import Bounds

@@ -14,14 +14,14 @@ import pytest
 
 from CNCStepper.control.program.certificate import Certificate
 from CNCStepper.errors import JobError, ProgramError
-from CNCStepper.gcode.interpreter import file_chunks
+from CNCStepper.gcode.interpreter import program_file
 from CNCStepper.job import prove_file as prove_file_module
 from CNCStepper.job.certify import certificate_of
 from CNCStepper.job.prove import prove
 from CNCStepper.job.prove_file import prove_file
 from CNCStepper.machine.profile import Motor
 from CNCStepper.machine.tools.tool import Tool
-from CNCStepper.simulation.checks import tip_path_store
+from CNCStepper.simulation.checks import load_checks
 from CNCStepper.simulation.removal import engagement
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.state import Start
@@ -112,7 +112,7 @@ def test_tools_that_say_what_they_may_meet(tmp_path: Path, monkeypatch: pytest.M
     file.write_text(LOADED, encoding="ascii")
     whole = prove(LOADED, TABLE, file=str(file), dialect="grbl", stock=STOCK, tools=tools)
     if small:
-        monkeypatch.setattr(tip_path_store, "BLOCK", 3)
+        monkeypatch.setattr(load_checks, "BLOCK", 3)
         monkeypatch.setattr(engagement, "MOST_PLACES", 7)
     parts = prove_file(file, TABLE, dialect="grbl", stock=STOCK, tools=tools, sent=tmp_path)
     assert_same(whole, parts)
@@ -182,7 +182,7 @@ def test_three_times_the_lines_hold_no_more(
     monkeypatch.setattr("CNCStepper.toolpath.CHUNK_ROWS", rows)
     monkeypatch.setattr("CNCStepper.state.PIECE", rows)
     monkeypatch.setattr(prove_file_module, "PART_ROWS", 2 * rows)
-    monkeypatch.setattr(file_chunks, "PIECE", 4000)
+    monkeypatch.setattr(program_file, "PIECE", 4000)
     held: list[int] = []
     see = prove_file_module._FileProof._see
 

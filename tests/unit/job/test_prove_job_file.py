@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from CNCStepper.job.first_lines import FirstLines
+from CNCStepper.job.findings import FirstLines
 from CNCStepper.job.make import make_program
 from CNCStepper.job.model import Job, load_job
 from CNCStepper.job.prove import prove_job

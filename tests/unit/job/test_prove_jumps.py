@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 
 from CNCStepper.errors import ProgramError
-from CNCStepper.gcode.interpreter.line_store import LineStore
-from CNCStepper.gcode.wire.expanded_wire_file import WireBlocks, wire_of_file
+from CNCStepper.gcode.interpreter.program_file import LineStore
+from CNCStepper.gcode.wire.wire_file import WireBlocks, wire_of_file
 from CNCStepper.job.prove import prove
 from CNCStepper.job.prove_file import prove_file
 from CNCStepper.state import Start

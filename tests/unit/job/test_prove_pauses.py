@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from test_prove_file import TABLE, assert_same, both, pieces  # noqa: F401  a fixture
 
-from CNCStepper.gcode.interpreter import file_chunks
+from CNCStepper.gcode.interpreter import program_file
 from CNCStepper.job import prove_file as prove_file_module
 from CNCStepper.job.prove_file import prove_file
 from CNCStepper.motion.planner.standstills import RUNNING_EVENTS, EventsAsOne, StopEvents, Stops, dwell_ticks
@@ -51,7 +51,7 @@ def test_what_is_found_is_that_of_the_whole_text(tmp_path: Path, monkeypatch: py
 def test_three_times_the_lines_keep_no_more(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("CNCStepper.toolpath.CHUNK_ROWS", 50)
     monkeypatch.setattr(prove_file_module, "PART_ROWS", 100)
-    monkeypatch.setattr(file_chunks, "PIECE", 4000)
+    monkeypatch.setattr(program_file, "PIECE", 4000)
     held: Counter[str] = Counter()
     append, before = StopEvents.append, Stops.before
 

@@ -14,8 +14,7 @@ from pydantic import ValidationError
 
 from CNCStepper.cli.main import group
 from CNCStepper.errors import JobError
-from CNCStepper.machine.axis_calculation import answers, shown
-from CNCStepper.machine.axis_drive import Drive
+from CNCStepper.machine.axis_drive import Drive, answers, shown
 from CNCStepper.machine.profile import load_machine
 
 OPEN_LOOP = Drive(screw_pitch_mm=6, gear_ratio=5, steps_per_turn=48)

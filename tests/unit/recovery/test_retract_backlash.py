@@ -15,10 +15,9 @@ from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.wire.encoder import prepare
 from CNCStepper.machine.backlash import Backlash, Motors
 from CNCStepper.motion.planner.backlash import tool_moves
-from CNCStepper.recovery.retract.backlash_compensation import crossing, taken_up
 from CNCStepper.recovery.retract.move_curve import Move
-from CNCStepper.recovery.retract.path import Place, RetractPath
-from CNCStepper.recovery.retract.path_section import stretch_moves
+from CNCStepper.recovery.retract.path import Place, RetractPath, stretch_moves
+from CNCStepper.recovery.retract.wire_writer import crossing, taken_up
 from CNCStepper.simulation.tip_segments import segments
 from CNCStepper.state import Start
 from CNCStepper.toolpath import LINE, RAPID, Toolpath

@@ -13,8 +13,7 @@ import pytest
 from CNCStepper.control.stream.return_path import over
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.wire.wire_text import check_wire_line
-from CNCStepper.recovery.retract.path import Place, RetractPath
-from CNCStepper.recovery.retract.path_section import stretch_moves
+from CNCStepper.recovery.retract.path import Place, RetractPath, stretch_moves
 from CNCStepper.recovery.retract.wire_writer import head_lines, modes_line, output_lines, over_lines, way_lines
 from CNCStepper.state import Start
 

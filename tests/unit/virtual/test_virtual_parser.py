@@ -10,12 +10,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from CNCStepper.errors import MachineRefusal
-from CNCStepper.virtual.grbl.eeprom import no_places
 from CNCStepper.virtual.grbl.error_codes import ERRORS
 from CNCStepper.virtual.grbl.gcode.block import Modal, Parser
 from CNCStepper.virtual.grbl.gcode.checks import complete
 from CNCStepper.virtual.grbl.gcode.parser import read_block
 from CNCStepper.virtual.grbl.gcode.words import f32, read_number, read_words
+from CNCStepper.virtual.grbl.settings import no_places
 
 NO_PLACES = no_places()
 

@@ -12,9 +12,9 @@ from typing import Any
 import pytest
 
 from CNCStepper.control.journal import store
-from CNCStepper.control.journal.entry import Group
-from CNCStepper.control.journal.journal_file import JournalFile
+from CNCStepper.control.journal.records import Group
 from CNCStepper.control.journal.replay import FORMAT, VERSION
+from CNCStepper.control.journal.writer import JournalFile
 from CNCStepper.control.processes.python_finder import command, environment
 from CNCStepper.control.program.certificate import digest_of_text
 from CNCStepper.workers.unfinished_job import answered

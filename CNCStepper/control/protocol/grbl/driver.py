@@ -10,6 +10,8 @@ sent is remembered with its length until its answer comes; answers come in the o
 Of these at most the link's `queue_bytes` wait in this computer; the others are kept here until there is room.
 
 Real-time bytes are no lines: they are written at once, are never counted and may pass lines by.
+
+Limits unsolicited lines: a damaged or hostile controller would keep the sender from its work.
 """
 
 from __future__ import annotations
@@ -21,14 +23,53 @@ from dataclasses import dataclass
 
 from CNCStepper.control.protocol.grbl import report as grbl_report
 from CNCStepper.control.protocol.grbl.firmware import GRBL, Firmware, firmware_of_greeting, firmware_of_tag
-from CNCStepper.control.protocol.grbl.flood_limit import FloodLimit
 from CNCStepper.control.protocol.grbl.motion_interlock import MotionInterlock
-from CNCStepper.control.protocol.grbl.report import Answer, Damaged, Feedback, Greeting, Report, Setting, Status, Vector
-from CNCStepper.control.protocol.grbl.report_numbers import sizes
+from CNCStepper.control.protocol.grbl.report import (
+    Answer,
+    Damaged,
+    Feedback,
+    Greeting,
+    Report,
+    Setting,
+    Status,
+    Vector,
+    sizes,
+)
 from CNCStepper.control.transport.link import Link
 from CNCStepper.errors import LinkError, Text
 from CNCStepper.safe_text import printable
 from CNCStepper.units import mm_from_inch
+
+LINES_PER_S = 50.0  # for good; controllers that report by themselves do so 20 times a second
+MOST_LINES = 400  # at a time: what FluidNC says when it starts is a quarter of that
+MOST_OF_AN_ANSWER = 10_000  # to a `$` command, which may list all settings
+
+
+class FloodLimit:
+    """Counts unsolicited lines; clock: in s."""
+
+    def __init__(self, clock: Callable[[], float]):
+        self._clock = clock
+        self._lines = 0.0  # less what was due since
+        self._counted_s = clock()
+
+    def check(self, lines: int, is_asked: bool, name: str) -> None:
+        """Count lines; raises LinkError where they are too many. is_asked: a `$` command is under way."""
+        now_s = self._clock()
+        self._lines = max(0.0, self._lines - LINES_PER_S * (now_s - self._counted_s)) + lines
+        self._counted_s = now_s
+        most = MOST_OF_AN_ANSWER if is_asked else MOST_LINES
+        if self._lines <= most:
+            return
+        self._lines = 0.0
+        raise LinkError(
+            "link-flood",
+            Text("{name} says more than anybody asked for", name=name),
+            value=Text("more than {most} lines", most=most),
+            limit=f"{LINES_PER_S:g} lines/s",
+            advice="look at the baud rate, and at what reports the controller sends by itself",
+        )
+
 
 HOLD, RESUME, RESET, STATUS, JOG_CANCEL = b"!", b"~", b"\x18", b"?", b"\x85"
 WINDOW_BYTES = 127  # of grbl's 128 one stays free; larger buffers say so themselves ($I, Bf)

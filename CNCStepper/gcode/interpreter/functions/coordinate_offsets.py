@@ -18,9 +18,16 @@ from CNCStepper.gcode.interpreter.block import Block
 from CNCStepper.gcode.interpreter.functions.tools import set_tool
 from CNCStepper.gcode.interpreter.motion.moves import end_point, further_end
 from CNCStepper.gcode.interpreter.state.model import Model, Point, saved_g92
-from CNCStepper.gcode.interpreter.state.parameters import FIRST_G92, G92_IN_FORCE, WORK_SYSTEM, offset_number
+from CNCStepper.gcode.interpreter.state.parameters import (
+    FIRST_G92,
+    G92_IN_FORCE,
+    ROTATION,
+    WORK_SYSTEM,
+    offset_number,
+    store_point,
+    stored_point,
+)
 from CNCStepper.gcode.interpreter.state.stand_alone_position import continue_at, use_system
-from CNCStepper.gcode.interpreter.state.stored_points import ROTATION, store_point, stored_point
 from CNCStepper.state import UNKNOWN, WORK_SYSTEMS, ZERO9
 
 HOMES = {"G28": 5161, "G30": 5181}  # first parameter of each stored position (machine coordinates)

@@ -15,7 +15,7 @@ from CNCStepper.errors import Place, ProgramError, Text
 from CNCStepper.gcode.dialects.codes import ALL_AXES, Code
 from CNCStepper.gcode.interpreter.block import Block
 from CNCStepper.gcode.interpreter.state import stand_alone_position
-from CNCStepper.gcode.interpreter.state.stored_points import length_scale
+from CNCStepper.gcode.interpreter.state.parameters import length_scale
 from CNCStepper.state import ZERO9, ToolEntry
 
 LARGEST_ORIENTATION = 9

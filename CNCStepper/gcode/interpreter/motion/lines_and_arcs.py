@@ -13,7 +13,7 @@ from CNCStepper.gcode.dialects.codes import MOTION_NAMES
 from CNCStepper.gcode.interpreter.block import Block
 from CNCStepper.gcode.interpreter.cutter_compensation import compensated_path, compensation_codes
 from CNCStepper.gcode.interpreter.motion.moves import arc_of, check_feed, end_point, further_end, machine_end_point
-from CNCStepper.gcode.interpreter.state.spindle_speed import rpm_at
+from CNCStepper.gcode.interpreter.state.model import rpm_at
 from CNCStepper.toolpath import LINE
 
 

@@ -2,25 +2,90 @@
 """Where a move ends and where its arc has its centre, with all the checks that a controller makes.
 
 Nothing here changes the model: a move is worked out whole, and refused whole. Points are machine mm.
+
+Polar coordinates: @ is the distance from the zero of the work system and ^ the angle from X, degrees.
+
+Arcs in the planes ZX and YZ of a work system that is turned about Z: they lie in no plane of the machine.
+
+The table gets chords, whose middles lie within a tolerance of the arc:  sagitta = radius (1 - cos(angle / 2))
+
+The arithmetic of program arcs in their plane, once for the interpreter and for the kernel that compiles it.
+
+Only + - * / and sqrt make what goes into the table, so that both give the same bits. Lengths are mm.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from cmath import phase, rect
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from math import hypot, isnan, sqrt
+from math import acos, atan2, ceil, cos, hypot, isnan, pi, radians, sin, sqrt
 from typing import NamedTuple
 
 from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects import ArcRule, Dialect
 from CNCStepper.gcode.dialects.codes import AXES, MOTION_NAMES
-from CNCStepper.gcode.interpreter.motion.arc_geometry import FULL_TURN, centre_by_radius, length, radii_agree, sweep_rad
-from CNCStepper.gcode.interpreter.motion.polar_coordinates import polar_end
 from CNCStepper.gcode.interpreter.state.model import Model, Point
-from CNCStepper.gcode.interpreter.state.stored_points import FURTHER, length_scale
+from CNCStepper.gcode.interpreter.state.parameters import FURTHER, length_scale
 from CNCStepper.gcode.syntax.line_grammar import Plan
 from CNCStepper.state import UNKNOWN
 from CNCStepper.toolpath import ARC_CW, PLANE_AXES, PLANE_NAMES
+
+
+def polar_end(local: Model, plan: Plan, values: list[float], here: complex) -> tuple[float, float]:
+    """Return the end that @ (distance) and ^ (angle, degrees) give from the zero of the work system."""
+    if plan.axes[0] >= 0 or plan.axes[1] >= 0:
+        what = "@ and ^ stand for X and Y"
+        raise ProgramError("polar", what, value="X" if plan.axes[0] >= 0 else "Y", advice="take it out")
+    if here == 0 and not (local.absolute and "^" in plan.slots):
+        what = "the angle is not known at the zero of the work system"
+        raise ProgramError("polar", what, value="@" if "@" in plan.slots else "^", advice="give ^ with G90")
+    radius, angle = (values[plan.slots[letter]] if letter in plan.slots else None for letter in "@^")
+    length_mm, turn = abs(here), phase(here)
+    if radius is not None:
+        length_mm = radius * local.scale + (0.0 if local.absolute else length_mm)
+    if angle is not None:
+        turn = radians(angle) + (0.0 if local.absolute else turn)
+    end = rect(length_mm, turn)
+    return end.real, end.imag
+
+
+FULL_TURN = 2 * pi
+
+
+def length(x: float, y: float) -> float:
+    """Return the length of a vector."""
+    return sqrt(x * x + y * y)
+
+
+def centre_by_radius(
+    begin_x: float, begin_y: float, end_x: float, end_y: float, radius: float, clockwise: bool
+) -> tuple[float, float]:
+    """Return the centre of the arc with this radius (R word) between two points that differ.
+
+    It lies on the perpendicular over the middle of the chord; a negative radius is more than half a circle, one that
+    is shorter than half the chord makes half a circle.
+    """
+    x, y = end_x - begin_x, end_y - begin_y
+    chord = sqrt(x * x + y * y)
+    height = sqrt(max(0.0, radius * radius - chord * chord / 4))
+    left = -1.0 if clockwise == (radius > 0) else 1.0
+    return begin_x + x / 2 - left * height * y / chord, begin_y + y / 2 + left * height * x / chord
+
+
+def radii_agree(radius: float, at_end: float, slack: float, gap: float, relative: float) -> bool:
+    """Return whether the radii at both ends of an arc are so alike that a controller takes it (`ArcRule`)."""
+    difference = abs(radius - at_end)
+    too_much = difference > gap or difference > relative * max(radius, at_end)
+    return not (difference > slack and too_much)
+
+
+def sweep_rad(x1: float, y1: float, x2: float, y2: float, clockwise: bool) -> float:
+    """Return the angle from one vector to another in (0, 2 pi]."""
+    angle = atan2(x1 * y2 - y1 * x2, x1 * x2 + y1 * y2)
+    angle = -angle if clockwise else angle
+    return angle if angle > 0 else angle + FULL_TURN
+
 
 CENTRE_WORDS = "IJK"
 MOST_TURNS = 65_535
@@ -248,3 +313,26 @@ def _unknown(word: str, what: str) -> ProgramError:
     return ProgramError(
         "unknown-position", what, value=word, advice="move there first with absolute coordinates, or give the start"
     )
+
+
+TOLERANCE_MM = 0.002
+
+
+def chords(model: Model, motion: int, arc: Arc, end: Point) -> Iterator[Point]:
+    """Yield the ends of chords along an arc from the model's position to `end` (machine mm)."""
+    begin_work, end_work, centre_work = model.work(model.position), model.work(end), model.work(arc.centre)
+    first, second, normal = PLANE_AXES[arc.plane]
+    x, y = begin_work[first] - centre_work[first], begin_work[second] - centre_work[second]
+    begin, end_flat, centre = ((point[first], point[second]) for point in (begin_work, end_work, centre_work))
+    angle = sweep(begin, end_flat, centre, motion == ARC_CW) + (arc.turns - 1) * FULL_TURN
+    angle = -angle if motion == ARC_CW else angle
+    widest = 2 * acos(max(0.0, 1 - TOLERANCE_MM / hypot(x, y)))
+    count = max(1, ceil(abs(angle) / widest))
+    for step in range(1, count):
+        turn, share = angle * step / count, step / count
+        place = [0.0, 0.0, 0.0]
+        place[first] = centre_work[first] + x * cos(turn) - y * sin(turn)
+        place[second] = centre_work[second] + x * sin(turn) + y * cos(turn)
+        place[normal] = begin_work[normal] + share * (end_work[normal] - begin_work[normal])
+        yield model.machine((place[0], place[1], place[2]))
+    yield end

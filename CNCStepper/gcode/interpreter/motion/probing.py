@@ -8,7 +8,7 @@ from CNCStepper.gcode.dialects.codes import MOTION_NAMES
 from CNCStepper.gcode.interpreter.block import Block
 from CNCStepper.gcode.interpreter.motion.moves import end_point, further_end
 from CNCStepper.gcode.interpreter.state import stand_alone_position
-from CNCStepper.gcode.interpreter.state.stored_points import length_scale
+from CNCStepper.gcode.interpreter.state.parameters import length_scale
 from CNCStepper.state import UNKNOWN
 from CNCStepper.toolpath import LINE
 

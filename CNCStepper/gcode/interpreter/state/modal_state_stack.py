@@ -4,17 +4,18 @@
 LinuxCNC writes such blocks as text and executes them; so does this module, with its rounding of F and S:
 
     G21 | F123.5 S78 G94 G17 G49 G54 G90 M3 | M8 | M48        only what differs from the modes in force
+
+The modes that no row of the table shows, as words: how corners are followed, where cycles retract to, overrides.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Set
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.dialects.codes import NO_MOTION, UNIT_CODES, Code
 from CNCStepper.gcode.interpreter.block import Block
-from CNCStepper.gcode.interpreter.state.kept_modes import Modes
-from CNCStepper.gcode.interpreter.state.model import Model
+from CNCStepper.gcode.interpreter.state.model import Model, Modes
 from CNCStepper.gcode.syntax.line_grammar import Grammar
 from CNCStepper.gcode.syntax.words import words_of
 
@@ -135,3 +136,22 @@ MODE_ACTS: dict[str, Callable[[Block, Code], None]] = {
 
 def _level(block: Block) -> int:
     return block.model.parameters.level
+
+
+PATH_MODES, RETRACT_MODES = frozenset(("G61", "G61.1", "G64")), frozenset(("G98", "G99"))
+OVERRIDES = frozenset(("M48", "M49", "M50", "M51"))
+OVERRIDE_WORDS = {  # by whether feed and spindle may be overridden; a program begins with both
+    (True, True): "M48",
+    (True, False): "M51 P0",
+    (False, True): "M50 P0",
+    (False, False): "M49",
+}
+
+
+def modal_words(model: Model, said: Set[str]) -> tuple[str, ...]:
+    """Return the words of those modes in force that a program names; `said`: the names of its words."""
+    modes = modes_of(model)
+    path = (path_words(modes),) if said & PATH_MODES else ()
+    retract = ("G98" if model.to_initial else "G99",) if said & RETRACT_MODES else ()
+    allowed = "feed" in modes.overrides, "speed" in modes.overrides
+    return *path, *retract, *((OVERRIDE_WORDS[allowed],) if said & OVERRIDES else ())

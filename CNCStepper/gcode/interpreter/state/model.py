@@ -1,24 +1,68 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the interpreter remembers from line to line; a block changes a copy, which replaces it when all went well."""
+"""What the interpreter remembers from line to line; a block changes a copy, which replaces it when all went well.
+
+The modes that M70 and M73 keep.
+
+The words of canned cycles that stick while one is modal.
+
+The speed of the spindle at a place: under G96 it follows X.
+"""
 
 from __future__ import annotations
 
 from cmath import rect
 from dataclasses import replace
-from math import radians
-from typing import Any
+from math import inf, isnan, radians, tau
+from typing import Any, NamedTuple
 
+from CNCStepper.canned_drilling import Place
 from CNCStepper.errors import ProgramError
-from CNCStepper.gcode.canned.sticky_words import Run
 from CNCStepper.gcode.dialects import Dialect
 from CNCStepper.gcode.dialects.codes import CODE_OF_PLANE
 from CNCStepper.gcode.interpreter.cutter_compensation.held_moves import Compensation
 from CNCStepper.gcode.interpreter.motion.nurbs import Nurbs
-from CNCStepper.gcode.interpreter.state.kept_modes import Modes
-from CNCStepper.gcode.interpreter.state.parameters import G92_IN_FORCE, Parameters, offset_number, parameters_at
-from CNCStepper.gcode.interpreter.state.stored_points import ROTATION, further_of, nine, stored_point
+from CNCStepper.gcode.interpreter.state.parameters import (
+    G92_IN_FORCE,
+    ROTATION,
+    Parameters,
+    further_of,
+    nine,
+    offset_number,
+    parameters_at,
+    stored_point,
+)
 from CNCStepper.state import ZERO3, ZERO9, Start, State, ToolEntry
 from CNCStepper.units import MM_PER_INCH
+
+
+class Modes(NamedTuple):
+    """The modes of a moment; `on_return`: they come back when the subroutine ends (M73)."""
+
+    state: State
+    feed_number: float
+    plane: str  # its code
+    side: str  # "G40", "G41" or "G42"
+    diameter: bool
+    to_initial: bool
+    path_calls: tuple[str, ...]
+    overrides: frozenset[str]
+    has_length: bool
+    on_return: bool
+
+
+class Run(NamedTuple):
+    """What sticks: the height before the run, and the last block's Z, R and P or Q, as numbers of the text.
+
+    bore: I, J and K of a G87. dwell: the last P of any cycle.
+    """
+
+    initial: float
+    z: float
+    r: float
+    own: float
+    bore: Place = (0.0, 0.0, 0.0)
+    dwell: float = 0.0
+
 
 Point = tuple[float, float, float]
 ZERO: Point = ZERO3
@@ -274,3 +318,12 @@ def _first_position(start: Start, offset: Point, dialect: Dialect) -> Point:
 def saved_g92(model: Model) -> tuple[float, ...]:
     """Return what G92.3 brings back: the parameters, mm and degrees."""
     return stored_point(model.parameters, G92_IN_FORCE + 1, model.unit_mm)
+
+
+def rpm_at(model: Model, end: Point) -> float:
+    """Return the speed in turns a minute at a place: the one commanded, or what the surface speed asks for there."""
+    if not model.state.surface_m_min:
+        return model.state.spindle_rpm
+    radius = abs(model.work(end)[0])
+    rpm = model.state.surface_m_min * 1000.0 / (tau * radius) if radius else inf
+    return 0.0 if isnan(rpm) else min(rpm, model.largest_rpm)

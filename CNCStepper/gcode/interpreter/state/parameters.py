@@ -6,12 +6,23 @@
               #<name>       local, in the frame of the subroutine that runs
 
 What a block assigns is pending until the block is good: `commit` keeps it, `rollback` forgets it.
+
+Points that parameters hold: nine numbers in a row for X Y Z A B C U V W, lengths in the machine's own unit.
+
+LinuxCNC's parameter file (.var): what a machine remembers over night, and the start state that follows from it.
+
+5161  10.000000     number and value, one parameter a line, in the order of their numbers
+5221  -3.500000     lengths in the machine's own unit
 """
 
 from __future__ import annotations
 
-from CNCStepper.errors import ProgramError
-from CNCStepper.state import WORK_SYSTEMS, Start
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+
+from CNCStepper.errors import Place, ProgramError, Text
+from CNCStepper.gcode.dialects.codes import ALL_AXES
+from CNCStepper.state import WORK_SYSTEMS, ZERO3, ZERO9, Start
 
 LARGEST = 5601
 ARGUMENTS = 30  # the arguments of a subroutine are #1 to #30
@@ -120,3 +131,95 @@ def parameters_at(start: Start) -> Parameters:
             numbers[first + axis] = value / (1.0 if axis in TURNING else start.machine_unit_mm)
     numbers[G92_IN_FORCE] = float(any(start.g92_mm))
     return Parameters(numbers)
+
+
+FURTHER = ALL_AXES[3:]
+ROTATION = 9  # of a work system: its parameter comes after the nine offsets
+
+
+def nine(values: Sequence[float]) -> tuple[float, ...]:
+    """Return values of the first axes with 0 for the others."""
+    return tuple(map(float, values)) + ZERO9[len(values) :]
+
+
+def further_of(point: tuple[float, ...]) -> tuple[float, ...]:
+    """Return A B C U V W of a point."""
+    return point[3:]
+
+
+def length_scale(axis: int, scale: float) -> float:
+    """Return `scale` for an axis that measures lengths, 1 for one that turns."""
+    return 1.0 if axis in TURNING else scale
+
+
+def stored_point(parameters: Parameters, first: int, unit_mm: float) -> tuple[float, ...]:
+    """Return the point that begins at parameter `first`, mm and degrees."""
+    return tuple(parameters.get(first + axis) * length_scale(axis, unit_mm) for axis in range(9))
+
+
+def store_point(
+    parameters: Parameters, first: int, point: Sequence[float], unit_mm: float, axes: Iterable[int]
+) -> None:
+    """Keep some axes of a point, mm and degrees, in the parameters from `first` on."""
+    for axis in axes:
+        parameters.set(first + axis, point[axis] / length_scale(axis, unit_mm))
+
+
+def read_parameters(text: str, file: str = "") -> dict[int, float]:
+    """Return the parameters of LinuxCNC's file by number.
+
+    Raises ProgramError at a line that is not a number of a parameter and its value, or that is out of order.
+    """
+    numbers: dict[int, float] = {}
+    last = 0
+    for count, line in enumerate(text.splitlines(), start=1):
+        if not line.strip():
+            continue
+        number, value = _entry(line, Place(file, count, 1))
+        if number <= last:
+            what = "the parameters of the file are not in the order of their numbers"
+            raise ProgramError("parameter-file", what, value=str(number), place=Place(file, count, 1))
+        numbers[number] = value
+        last = number
+    return numbers
+
+
+def _entry(line: str, place: Place) -> tuple[int, float]:
+    """Return number and value of a line."""
+    try:
+        number, value = line.split()
+        entry = int(number), float(value)
+    except ValueError:
+        entry = 0, 0.0
+    if not 1 <= entry[0] <= LARGEST or not abs(entry[1]) < float("inf"):
+        what = "a line of a parameter file is the number of a parameter and its value"
+        limit = Text("numbers 1 to {largest}", largest=LARGEST)
+        raise ProgramError("parameter-file", what, value=line.strip()[:40], limit=limit, place=place)
+    return entry
+
+
+def with_parameters(start: Start, numbers: dict[int, float]) -> Start:
+    """Return a start state that remembers these parameters: its work offsets and its G92 are theirs.
+
+    Raises ProgramError where parameter 5220 names no work system.
+    """
+    system = numbers.get(WORK_SYSTEM, 1.0)
+    if system not in range(1, len(WORK_SYSTEMS) + 1):
+        what = "parameter 5220 names no work system"
+        raise ProgramError("parameter-file", what, value=f"{system:g}", limit=f"1 to {len(WORK_SYSTEMS)}")
+    parameters, unit_mm = Parameters(numbers), start.machine_unit_mm
+    offsets = {name: stored_point(parameters, offset_number(name), unit_mm) for name in WORK_SYSTEMS}
+    g92_mm = stored_point(parameters, FIRST_G92, unit_mm) if numbers.get(G92_IN_FORCE) else ZERO3
+    return replace(
+        start,
+        work_system=WORK_SYSTEMS[int(system) - 1],
+        work_offsets_mm={name: _short(point) for name, point in offsets.items() if any(point)},
+        g92_mm=_short(g92_mm),
+        zero_known=True,
+        parameters=start.parameters | numbers,
+    )
+
+
+def _short(point: tuple[float, ...]) -> tuple[float, ...]:
+    """Return X, Y and Z of a point, and its further axes where they are not 0."""
+    return point if any(point[3:]) else point[:3]

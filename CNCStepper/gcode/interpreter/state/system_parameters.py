@@ -11,8 +11,7 @@ from collections.abc import Callable
 from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects.codes import ALL_AXES, MOTION_NAMES
 from CNCStepper.gcode.interpreter.state.model import Model
-from CNCStepper.gcode.interpreter.state.parameters import FIRST_POSITION, LARGEST, READ_ONLY, Parameters
-from CNCStepper.gcode.interpreter.state.stored_points import length_scale
+from CNCStepper.gcode.interpreter.state.parameters import FIRST_POSITION, LARGEST, READ_ONLY, Parameters, length_scale
 from CNCStepper.state import WORK_SYSTEMS
 from CNCStepper.units import MM_PER_INCH
 

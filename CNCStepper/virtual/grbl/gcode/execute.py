@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A checked block is carried out, word by word in the order that the standard gives."""
+"""A checked block is carried out, word by word in the order that the standard gives.
+
+The probing moves, G38.2 to G38.5.
+"""
 
 from __future__ import annotations
 
@@ -8,10 +11,10 @@ from math import ceil, dist
 import numpy as np
 
 from CNCStepper.motion.planner.arc_segments import arc_points
-from CNCStepper.virtual.grbl import suspend
+from CNCStepper.virtual.grbl import report, suspend
 from CNCStepper.virtual.grbl.board import Board, Waiting
-from CNCStepper.virtual.grbl.error_codes import refused
-from CNCStepper.virtual.grbl.gcode import canned_cycles, checks, parser, probe_cycle
+from CNCStepper.virtual.grbl.error_codes import ALARM_PROBE_NO_CONTACT, ALARM_PROBE_START, refused
+from CNCStepper.virtual.grbl.gcode import canned_cycles, checks, parser
 from CNCStepper.virtual.grbl.gcode.block import (
     ARCS,
     CLEAR_OFFSET,
@@ -19,6 +22,9 @@ from CNCStepper.virtual.grbl.gcode.block import (
     DWELL,
     FEED,
     GO_HOME,
+    PROBE_AWAY,
+    PROBE_AWAY_QUIET,
+    PROBE_TOWARD_QUIET,
     PROBES,
     RAPID,
     SET_DATA,
@@ -32,6 +38,38 @@ from CNCStepper.virtual.grbl.gcode.words import f32
 from CNCStepper.virtual.grbl.settings import ARC_TOLERANCE, LASER, SOFT_LIMITS
 from CNCStepper.virtual.grbl.spindle_control import OFF
 from CNCStepper.virtual.grbl.states import State
+
+QUIET = (PROBE_TOWARD_QUIET, PROBE_AWAY_QUIET)  # G38.3 and G38.5 raise no alarm
+AWAY = (PROBE_AWAY, PROBE_AWAY_QUIET)
+
+
+def run_probe_cycle(machine: Board, block: Block) -> Waiting:
+    """Make a probing move and print its result."""
+    yield from machine.wait_for_stop()
+    if not machine.probe.await_change(machine.axes, block.modal.motion in AWAY):
+        machine.alarm(ALARM_PROBE_START)
+        return
+    machine.override_motion()
+    yield from machine.queue(block.target, block.feed)
+    machine.start_cycle()
+    while not machine.axes.stopped:
+        yield
+    _finish(machine, block)
+
+
+def _finish(machine: Board, block: Block) -> None:
+    probe = machine.probe
+    if not probe.found and block.modal.motion in QUIET:
+        probe.contact_steps = machine.axes.position_steps
+    probe.searching = False
+    machine.axes.reset()
+    machine.finish_cycle()
+    if not probe.found and block.modal.motion not in QUIET:
+        machine.alarm(ALARM_PROBE_NO_CONTACT)
+    machine.send(report.probe_result(machine.axes.mm_of(probe.contact_steps), probe.found, machine.memory.settings))
+    if probe.found:
+        block.target = machine.axes.position_mm
+
 
 PAUSE = 0  # M0
 FIRST_PLANE = 17
@@ -165,7 +203,7 @@ def _make_motion(machine: Board, block: Block) -> Waiting:
     elif block.modal.motion in CYCLES:
         yield from canned_cycles.run(machine, block)
     elif block.modal.motion in PROBES and machine.state is not State.CHECK:
-        yield from probe_cycle.run(machine, block)
+        yield from run_probe_cycle(machine, block)
     state.position = block.target
 
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Messages, and a console: lines typed to the controller, its answers, and the lines before with the arrow keys.
 
-What may be typed, and when, says the controller's process (`control/operator/console_line.py`).
+What may be typed, and when, says the controller's process (`control/operator/console.py`).
 """
 
 from __future__ import annotations

@@ -21,7 +21,7 @@ from CNCStepper.cli.editing import convert as convert_verb
 from CNCStepper.cli.main import group
 from CNCStepper.cli.program import check
 from CNCStepper.gcode.conversion import convert
-from CNCStepper.gcode.interpreter import file_chunks
+from CNCStepper.gcode.interpreter import program_file
 from CNCStepper.gcode.interpreter.fast_path import text_runs
 from CNCStepper.job.prove import STAGES
 
@@ -96,7 +96,7 @@ def zigzag(tmp_path: Path) -> Path:
 @pytest.mark.parametrize("verb", ["check", "convert"])
 def test_a_check_and_a_conversion_say_how_far_they_are(verb: str, tmp_path: Path, monkeypatch) -> None:
     told: dict[str, list[float]] = {"at once": []}
-    for module in (text_runs, file_chunks):
+    for module in (text_runs, program_file):
         monkeypatch.setattr(module, "PIECE", 5_000)
     monkeypatch.setattr(Progress, "doing", lambda self, what: told.setdefault(what.partition(" many")[0], []))
     monkeypatch.setattr(Progress, "share", lambda self, share: told[list(told)[-1]].append(share))

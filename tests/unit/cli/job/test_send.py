@@ -202,7 +202,7 @@ def test_a_certified_program_is_never_held_whole(
         return Outcome(DONE, "", True, SenderStatus("idle", total=len(job.lines)))
 
     monkeypatch.setattr("CNCStepper.cli.job.session_watch.watch", watch)
-    monkeypatch.setattr("CNCStepper.cli.job.program_file.read_program", lambda path: pytest.fail("it is held"))
+    monkeypatch.setattr("CNCStepper.cli.job.send.read_program", lambda path: pytest.fail("it is held"))
     sent = certified(program, "nowhere", certificate, "--machine", "table-a", *ZERO)
     assert sent.returncode == 0, sent.stderr
     proven = Certificate.read(certificate)

@@ -10,8 +10,8 @@ from types import SimpleNamespace
 
 import pytest
 
-from CNCStepper.cli.machine import echo_input
-from CNCStepper.cli.machine.echo_input import EchoInput
+from CNCStepper.cli.machine import console as echo_input
+from CNCStepper.cli.machine.console import EchoInput
 from CNCStepper.control.session.status import SenderStatus
 from CNCStepper.errors import LinkError
 

@@ -19,7 +19,7 @@ import pytest
 from click.testing import CliRunner, Result
 
 from CNCStepper.cli.main import group
-from CNCStepper.control.journal.restart_line_map import FirstProgram
+from CNCStepper.control.journal.replay import FirstProgram
 from CNCStepper.control.journal.store import replays
 from CNCStepper.control.program.certificate import Certificate, digest_of_text
 from CNCStepper.control.service.connection_session import attach, jobs_running

@@ -7,8 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from CNCStepper.control.journal.entry import Group
-from CNCStepper.control.journal.records import read_records, to_line
+from CNCStepper.control.journal.records import Group, read_records, to_line
 from CNCStepper.control.journal.replay import FORMAT, KILLED, VERSION, read_replay
 from CNCStepper.errors import JobError
 

@@ -11,8 +11,7 @@ import time
 import pytest
 
 from CNCStepper.control.journal import store
-from CNCStepper.control.journal.entry import Group
-from CNCStepper.control.journal.journal_file import JournalFile
+from CNCStepper.control.journal.records import Group
 from CNCStepper.control.journal.replay import FORMAT, KILLED, RUNNING, VERSION, read_replay
 from CNCStepper.control.journal.store import (
     RECENT_S,
@@ -21,6 +20,7 @@ from CNCStepper.control.journal.store import (
     prune,
     unfinished_at,
 )
+from CNCStepper.control.journal.writer import JournalFile
 from CNCStepper.control.processes.file_lock import is_locked
 
 GROUP = Group(1.0, 10, 5, 2, 3, 11).to_content()
@@ -101,7 +101,7 @@ def test_a_machine_is_known_by_its_port_whatever_it_is_called(tmp_path, port, ot
 def test_a_running_job_is_told_from_a_killed_one(tmp_path):
     path = tmp_path / "1.journal"
     script = (
-        "import sys, time; from pathlib import Path; from CNCStepper.control.journal.journal_file import JournalFile\n"
+        "import sys, time; from pathlib import Path; from CNCStepper.control.journal.writer import JournalFile\n"
         f"file = JournalFile(Path(sys.argv[1])); file.append({HEADER!r}); file.append({GROUP!r})\n"
         "print('written', flush=True); time.sleep(600)"
     )

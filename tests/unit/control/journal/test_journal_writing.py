@@ -11,11 +11,9 @@ from concurrent.futures import Executor, Future
 
 import pytest
 
-from CNCStepper.control.journal import journal_file
-from CNCStepper.control.journal.journal_file import JournalFile
+from CNCStepper.control.journal import writer
 from CNCStepper.control.journal.replay import read_replay
-from CNCStepper.control.journal.write_ahead import LEAST, MOST, WriteAhead
-from CNCStepper.control.journal.writer import MENDED, Journal
+from CNCStepper.control.journal.writer import LEAST, MENDED, MOST, Journal, JournalFile, WriteAhead
 from CNCStepper.control.processes import file_lock
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.protocol.grbl.connect import ControllerInfo
@@ -82,7 +80,7 @@ def disk(monkeypatch):
             raise OSError(errno.ENOSPC, "No space left on device")
         write(file, line)
 
-    monkeypatch.setattr(journal_file.JournalFile, "_write", limited)
+    monkeypatch.setattr(writer.JournalFile, "_write", limited)
     return state
 
 
@@ -258,7 +256,7 @@ def begun(folder, clock, lines, baud=SLOW_BAUD):
 
 @pytest.mark.slow
 def test_a_million_lines_need_a_small_file_and_no_memory(tmp_path, monkeypatch):
-    monkeypatch.setattr(journal_file.os, "fsync", lambda descriptor: None)
+    monkeypatch.setattr(writer.os, "fsync", lambda descriptor: None)
     clock = FakeClock()
     lines = Program(1_000_000)
     journal = begun(tmp_path, clock, lines)

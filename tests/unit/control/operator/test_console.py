@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import pytest
 
-from CNCStepper.control.operator.console_line import HOME, JOG, PROGRAM, QUESTION, SETTING, UNLOCK, kind_of
+from CNCStepper.control.operator.console import HOME, JOG, PROGRAM, QUESTION, SETTING, UNLOCK, kind_of
 from CNCStepper.errors import MachineRefusal
 from helpers.control.service_bench import Visit
 

@@ -7,7 +7,7 @@ import threading
 
 import pytest
 
-from CNCStepper.control.operator.status_pins import BITS, PinWatch, high_pins, open_pins
+from CNCStepper.control.operator.buttons import BITS, PinWatch, high_pins, open_pins
 from CNCStepper.errors import LinkError
 from CNCStepper.machine.wiring import INPUT_PINS
 

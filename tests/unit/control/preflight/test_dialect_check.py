@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import pytest
 
-from CNCStepper.control.preflight.dialect import check_sendable
+from CNCStepper.control.preflight.checks import check_sendable
 from CNCStepper.control.program.certificate import FORMAT, VERSION, Certificate
 from CNCStepper.control.program.send_job import read_job, write_job
 from CNCStepper.control.protocol.grbl.firmware import FIRMWARES as KNOWN

@@ -17,8 +17,8 @@ from pathlib import Path
 import pytest
 
 from CNCStepper.control.journal import store
-from CNCStepper.control.journal.journal_file import JournalFile
 from CNCStepper.control.journal.replay import read_replay
+from CNCStepper.control.journal.writer import JournalFile
 from CNCStepper.control.processes import process_file
 from CNCStepper.control.processes.process_file import ProcessFile, is_alive
 from CNCStepper.control.program.send_job import SendJob

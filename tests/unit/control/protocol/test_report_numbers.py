@@ -5,13 +5,25 @@ from __future__ import annotations
 
 import pytest
 
-from CNCStepper.control.operator.console_line import kind_of, setting_of
+from CNCStepper.control.operator.console import kind_of, setting_of
 from CNCStepper.control.protocol.grbl.connect import read_modes, read_offsets
 from CNCStepper.control.protocol.grbl.driver import Grbl
-from CNCStepper.control.protocol.grbl.report import OK, Alarm, Answer, Damaged, Feedback, Status, Unknown, parse
-from CNCStepper.control.protocol.grbl.report_numbers import count, decimal, sizes, vector
+from CNCStepper.control.protocol.grbl.report import (
+    OK,
+    Alarm,
+    Answer,
+    Damaged,
+    Feedback,
+    Status,
+    Unknown,
+    count,
+    decimal,
+    parse,
+    sizes,
+    vector,
+)
 from CNCStepper.control.protocol.grbl.timeouts import Timing
-from CNCStepper.control.stream.controller_buffer import Capacity
+from CNCStepper.control.stream.executed_lines import Capacity
 from CNCStepper.control.stream.status_snapshot import forward_messages, status_snapshot
 from CNCStepper.errors import LinkError, MachineRefusal
 from helpers.control.fake_controller import FakeClock, Unqueued

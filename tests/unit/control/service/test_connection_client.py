@@ -17,12 +17,11 @@ import pytest
 from CNCStepper.control.processes import python_finder
 from CNCStepper.control.processes.process_file import ProcessFile
 from CNCStepper.control.program.send_job import SendJob, write_job
-from CNCStepper.control.service.connection_client import ConnectionClient, running_services
-from CNCStepper.control.service.connection_launch import WORKER
+from CNCStepper.control.service.connection_client import WORKER, ConnectionClient, running_services
 from CNCStepper.control.session import detached_process
 from CNCStepper.control.session.files import DESK, LOG, OUTCOME, new_session, service_at
 from CNCStepper.control.session.status import DONE, STOPPED
-from CNCStepper.control.transport.port_list import PortChoice, port_list
+from CNCStepper.control.transport.link import PortChoice, port_list
 from CNCStepper.errors import CNCStepperError, MissingPackage
 from helpers.control.fake_controller import FakeServer
 
@@ -349,7 +348,7 @@ def test_desk_is_found_by_its_port(tmp_path):
 
 
 def test_ports_are_named_for_people(monkeypatch):
-    from CNCStepper.control.transport import port_list as module
+    from CNCStepper.control.transport import link as module
 
     found = [("/dev/ttyACM0", "Arduino Uno"), ("/dev/ttyS0", "n/a"), ("COM3", "COM3")]
     monkeypatch.setattr(module, "port_names", lambda: found)

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from CNCStepper.control.preflight.controller_restart import check_zero_here
+from CNCStepper.control.preflight.checks import check_zero_here
 from CNCStepper.control.program.bundle import write_bundle
 from CNCStepper.control.program.send_job import SendJob, read_job, write_job
 from CNCStepper.control.protocol.grbl.connect import ControllerInfo

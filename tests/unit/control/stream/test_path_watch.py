@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The path as it is planned, and the comparison of reported positions with it."""
+"""The path as it is planned, and the comparison of reported positions with it.
+
+A work zero that changes while a program runs: what the program itself changes is no fault, all else is one.
+"""
 
 from __future__ import annotations
 
@@ -14,10 +17,12 @@ from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.protocol.grbl.driver import Grbl
 from CNCStepper.control.protocol.grbl.report import Status, Unknown, parse
 from CNCStepper.control.service.sender import Sender
-from CNCStepper.control.stream.path_watch import held_modes
+from CNCStepper.control.session.status import DONE
+from CNCStepper.control.stream.path_watch import OffsetWatch, held_modes
 from CNCStepper.control.stream.planned_path import PlannedPath, arc_points
 from CNCStepper.state import Start
 from helpers.control.fake_controller import FakeClock, FakeController, FakeLink
+from helpers.control.workshop import Workshop
 
 NEAR_MM = (0.027, 0.027, 0.007)
 SQUARE = ("G21G90G94G17", "G1X10F600", "Y10", "X0", "Y0")
@@ -191,3 +196,54 @@ def test_memory_of_the_path_does_not_grow_with_the_program():
 
     few, many = most_bytes(1000), most_bytes(4000)
     assert many < few + 3000 * 8, (few, many)
+
+
+SYSTEMS = ("G54", "G55", "G56", "G57", "G58", "G59")
+ENDS = ("M2", "M30", "M02", "G1X-4M30")
+ZERO_MM, OTHER_MM = (-1.0, -2.0, 0.0), (0.0, 0.0, 0.0)
+# Each leaves an offset behind that the program's end takes away, or a reset before it.
+LEFT = {
+    "tool length": ("G43.1Z1", "G1X-2F2000"),
+    "G92": ("G92X0Y0Z0", "G1X-2F2000"),
+    "both, in another system": ("G55", "G43.1Z1", "G92X0Y0Z0", "G1X-2F2000"),
+}
+
+
+@pytest.fixture
+def shop(tmp_path) -> Workshop:
+    workshop = Workshop(tmp_path)
+    workshop.greet_nobody()
+    for number, place in workshop.board.memory.places.items():
+        if 54 <= number <= 59:
+            place[:] = [54.0 - number, 0.0, 0.0]
+    return workshop
+
+
+def cut(shop: Workshop, *lines: str) -> str:
+    outcome = shop.send(lines=("G21G90G94", *lines))
+    assert outcome.kind == DONE, outcome.text
+    return outcome.text
+
+
+@pytest.mark.parametrize("end", ENDS)
+@pytest.mark.parametrize("system", SYSTEMS)
+def test_a_program_in_any_work_system_may_end(shop, system, end):
+    cut(shop, system, "G1X-3Y-3Z-1F2000", "X-2", "G4P.5", end)
+    assert shop.board.axes.position_mm[1] == -3.0
+
+
+@pytest.mark.parametrize("end", ["M2", "M30"])
+@pytest.mark.parametrize("left", LEFT)
+def test_an_offset_that_is_left_ends_with_the_program(shop, left, end):
+    cut(shop, *LEFT[left], "G4P.5", end)
+
+
+@pytest.mark.parametrize(
+    ("line", "is_own"),
+    [("M2", True), ("m030", True), ("M 3 0", True), ("T1M6", True)]
+    + [(line, False) for line in ("G1X-2", "M20", "M3S200", "M300", "M62P1", "G1X2M5", "G0X30")],
+)
+def test_only_a_line_that_may_change_the_zero_excuses_a_change(line, is_own):
+    watch = OffsetWatch(["G90", line], ZERO_MM)
+    changed = watch.take(OTHER_MM, acknowledged=2, sent=2)
+    assert changed == (None if is_own else (ZERO_MM, OTHER_MM))

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from CNCStepper.machine.input_pins import Input
 from CNCStepper.machine.profile import Machine, load_machine
+from CNCStepper.machine.wiring import Input
 from helpers.control.retract_bench import Cut
 from helpers.control.retract_programs import THRICE
 from helpers.control.service_bench import Visit

@@ -15,7 +15,7 @@ from CNCStepper.cycles.cycle import Answer
 from CNCStepper.cycles.pockets.pocket import Pocket
 from CNCStepper.errors import CNCStepperError, CycleError, GeometryError
 from CNCStepper.geometry.curve import Curve, circle, from_points
-from CNCStepper.geometry.segments import complex_of, xy_of
+from CNCStepper.geometry.curve_columns import complex_of, xy_of
 from CNCStepper.toolpath import RAPID, Toolpath
 from helpers.cycles.product_verdict import cut, tool
 from helpers.cycles.random_pockets import box, slot

@@ -10,8 +10,7 @@ from CNCStepper.gcode.edit.cutting_passes import Rows, passes_of
 from CNCStepper.gcode.edit.edit_result import Edited
 from CNCStepper.gcode.edit.executed_lines import Source
 from CNCStepper.gcode.edit.path_transforms import mirrored, moved
-from CNCStepper.gcode.edit.reverse_passes import reverse
-from CNCStepper.gcode.edit.reverse_verification import require_reversed
+from CNCStepper.gcode.edit.reverse_passes import require_reversed, reverse
 from CNCStepper.gcode.edit.verification import require_same_path, verified
 from CNCStepper.gcode.interpreter.interpret import interpret
 

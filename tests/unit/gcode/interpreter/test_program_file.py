@@ -1,17 +1,23 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A program's file read in pieces is the program read whole, with progress and cancel."""
+"""A program's file read in pieces is the program read whole, with progress and cancel.
+
+A file's text in pieces is the same as whole, whatever its encoding, its ends of lines and the size of a piece.
+"""
 
 from __future__ import annotations
 
 from pathlib import Path
 
 import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 
 from CNCStepper.errors import ProgramError
-from CNCStepper.gcode.interpreter import file_chunks
+from CNCStepper.gcode.interpreter import program_file
 from CNCStepper.gcode.interpreter.fast_path import policy
 from CNCStepper.gcode.interpreter.interpret import interpret
-from CNCStepper.gcode.interpreter.program_file import FileReading, interpret_file
+from CNCStepper.gcode.interpreter.program_file import FileReading, interpret_file, text_pieces
+from CNCStepper.gcode.syntax.text_format import BOM, decoded
 from CNCStepper.state import Start
 from CNCStepper.toolpath import Toolpath
 from helpers.gcode.fast_path_programs import COLUMNS, PlainPrograms
@@ -37,7 +43,7 @@ def check(file: Path, text: str, dialect: str) -> None:
 def test_pieces_of_any_size_give_the_table_of_the_whole(
     piece: int, end: str, pays: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(file_chunks, "PIECE", piece)
+    monkeypatch.setattr(program_file, "PIECE", piece)
     monkeypatch.setattr(policy, "PAYS", pays)
     monkeypatch.setattr(policy, "PAYS_WITH_LOADING", pays)
     writer = PlainPrograms(piece, "grbl", ZERO)
@@ -76,7 +82,7 @@ def test_a_file_that_is_no_utf_8_is_latin_1(tmp_path: Path) -> None:
 def test_what_comes_after_plain_lines_may_lead_elsewhere(
     piece: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(file_chunks, "PIECE", piece)
+    monkeypatch.setattr(program_file, "PIECE", piece)
     monkeypatch.setattr(policy, "PAYS", 0)
     file = tmp_path / "loop.ngc"
     file.write_text(LOOP, "ascii")
@@ -85,7 +91,7 @@ def test_what_comes_after_plain_lines_may_lead_elsewhere(
 
 
 def test_a_refusal_names_line_and_column_of_the_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(file_chunks, "PIECE", 32)
+    monkeypatch.setattr(program_file, "PIECE", 32)
     file = tmp_path / "bad.nc"
     file.write_text("G0 X0 F100\n" + "G1 X1\n" * 40 + "G1 X2 Q1\n", "ascii")
     with pytest.raises(ProgramError) as caught:
@@ -94,7 +100,7 @@ def test_a_refusal_names_line_and_column_of_the_file(tmp_path: Path, monkeypatch
 
 
 def test_it_tells_how_far_it_is_and_can_be_cancelled(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(file_chunks, "PIECE", 1000)
+    monkeypatch.setattr(program_file, "PIECE", 1000)
     file = tmp_path / "long.nc"
     file.write_text("G0 X0 F100\n" + "G1 X1\nX2\n" * 2000, "ascii")
     shares: list[float] = []
@@ -113,3 +119,25 @@ def test_a_stream_gives_whole_chunks_and_keeps_none(tmp_path: Path) -> None:
     lengths = [len(chunk) for chunk in reading.chunks()]
     assert lengths == [65_536, 65_536, 140_001 - 2 * 65_536]
     assert reading.interpreter.table.take() == []
+
+
+contents = st.binary(max_size=60) | st.text("Gç1\r\n\x85\u2028", max_size=60).map(str.encode)
+
+
+@given(content=contents, mark=st.sampled_from([b"", BOM]), piece=st.integers(len(BOM), 20))
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None)
+def test_pieces_are_the_text_in_whole_lines(tmp_path: Path, content: bytes, mark: bytes, piece: int) -> None:
+    file = tmp_path / "peça.nc"
+    file.write_bytes(mark + content)
+    with pytest.MonkeyPatch.context() as here:
+        here.setattr(program_file, "PIECE", piece)
+        pieces = list(text_pieces(file))
+    assert "".join(pieces) == decoded(mark + content)[0]
+    assert all(before.endswith(("\n", "\r")) for before in pieces[:-1])
+
+
+def test_little_is_read_at_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    file = tmp_path / "long.nc"
+    file.write_text("G1 X1\n" * 1000, encoding="ascii")
+    monkeypatch.setattr(program_file, "PIECE", 100)
+    assert max(map(len, text_pieces(file))) <= 106

@@ -13,8 +13,8 @@ import shapely
 
 from CNCStepper.errors import GeometryError
 from CNCStepper.geometry.curve import Curve, circle, from_points
+from CNCStepper.geometry.curve_columns import complex_of
 from CNCStepper.geometry.fitting.point_fit import CORNER_DEG, corners, fit_points, refitted
-from CNCStepper.geometry.segments import complex_of
 
 CASES = 30
 HARD = ("tiny arc", "full circle", "collinear", "cusp", "nearly closed", "noise", "doubled points", "corner")

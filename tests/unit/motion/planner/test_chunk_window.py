@@ -75,7 +75,7 @@ def test_a_program_that_is_read_meanwhile_gives_the_pulses_of_the_whole_table(tm
     path_table.events = whole.interpreter.table.events
     rows, switches = everything(pulse_stream(path_table, MACHINE))
     monkeypatch.setattr(toolpath, "CHUNK_ROWS", 16)
-    monkeypatch.setattr("CNCStepper.gcode.interpreter.file_chunks.PIECE", 300)
+    monkeypatch.setattr("CNCStepper.gcode.interpreter.program_file.PIECE", 300)
     reading = FileReading(path, Start.at_zero())
     table = reading.interpreter.table
     chunks = []
@@ -91,7 +91,7 @@ def test_motors_with_play_are_led_while_the_program_is_read(tmp_path, monkeypatc
     play = Backlash((0.05, 0.1, 0.0), (-1, 1, -1), tuple(axis.steps_per_mm for axis in MACHINE.axes))
     rows, switches = everything(pulse_stream(motor_moves(interpret_file(file, Start.at_zero()), play), MACHINE))
     monkeypatch.setattr(toolpath, "CHUNK_ROWS", 16)
-    monkeypatch.setattr("CNCStepper.gcode.interpreter.file_chunks.PIECE", 300)
+    monkeypatch.setattr("CNCStepper.gcode.interpreter.program_file.PIECE", 300)
     reading, taken = FileReading(file, Start.at_zero()), []
     table = reading.interpreter.table
     path = Toolpath(table.start, [], table.states, table.events)
@@ -110,7 +110,7 @@ def test_a_way_is_timed_while_it_is_read_and_few_of_its_chunks_are_kept(tmp_path
     path = interpret_file(file, Start.at_zero())
     whole_s = duration_s(motor_moves(path, play) if play else path, MACHINE)
     monkeypatch.setattr(toolpath, "CHUNK_ROWS", 16)
-    monkeypatch.setattr("CNCStepper.gcode.interpreter.file_chunks.PIECE", 300)
+    monkeypatch.setattr("CNCStepper.gcode.interpreter.program_file.PIECE", 300)
     reading, taken, most = FileReading(file, Start.at_zero()), [], 0
 
     def watched():

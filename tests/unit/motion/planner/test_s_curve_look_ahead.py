@@ -7,8 +7,7 @@ import numpy as np
 import pytest
 
 from CNCStepper.machine.profile import load_machine
-from CNCStepper.motion.planner.block_ring import count_blocks, places_from
-from CNCStepper.motion.planner.buffers import new_planner
+from CNCStepper.motion.planner.buffers import count_blocks, new_planner, places_from
 from CNCStepper.motion.planner.look_ahead import plan_again, push_line
 from CNCStepper.motion.planner.machine_limits import Limits
 from CNCStepper.motion.planner.s_curve_look_ahead import plan_entries

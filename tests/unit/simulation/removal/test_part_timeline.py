@@ -10,8 +10,7 @@ from CNCStepper.errors import JobError
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.motion.planner import plan
 from CNCStepper.simulation.removal import timeline as module
-from CNCStepper.simulation.removal.heightmap import HeightMap, height_map
-from CNCStepper.simulation.removal.tiles import Tile
+from CNCStepper.simulation.removal.heightmap import HeightMap, Tile, height_map
 from CNCStepper.simulation.removal.timeline import Timeline
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.toolpath import ARC_CCW, ZX

@@ -10,10 +10,9 @@ import numpy as np
 import pytest
 
 from CNCStepper.machine.tools.tool import Tool
-from CNCStepper.simulation.cutter_profile import Form, form_of, height_at
-from CNCStepper.simulation.removal.heightmap import HeightMap
+from CNCStepper.simulation.cutter_solid import Form, form_of, height_at
+from CNCStepper.simulation.removal.heightmap import Grid, HeightMap, Part
 from CNCStepper.simulation.removal.removal_moves import Moves, moves_of
-from CNCStepper.simulation.removal.tiles import Grid, Part
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, YZ, ZX
 from helpers.simulation.programs import begun

@@ -13,7 +13,7 @@ import numpy as np
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.simulation.removal.removal_moves import moves_of
 from CNCStepper.simulation.stock import Cylinder, Stock
-from CNCStepper.simulation.removal.tiles import Grid, Part
+from CNCStepper.simulation.removal.heightmap import Grid, Part
 from CNCStepper.state import Start, State
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, TableBuilder
 tools = [("flat", {}), ("ball", {}), ("bullnose", {"corner_radius_mm": 0.7}), ("v", {"tip_angle_deg": 60})]

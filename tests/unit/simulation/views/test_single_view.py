@@ -19,7 +19,7 @@ from CNCStepper.simulation.removal.heightmap import height_map
 from CNCStepper.simulation.removal.timeline import Timeline
 from CNCStepper.simulation.stock import Cylinder, Stock
 from CNCStepper.simulation.views import single_view
-from CNCStepper.simulation.views.isometric_projection import surface
+from CNCStepper.simulation.views.isometric_view import surface
 from CNCStepper.simulation.views.path_lines import Until, drawn_path
 from CNCStepper.simulation.views.picture_style import COLOURS, GROUND
 from CNCStepper.simulation.views.scene import Scene, scene_at
