@@ -28,12 +28,12 @@ def command(from_pause: bool, session: str | None) -> None:
     that was sent from FreeCAD's window. `cncstepper hold` holds it, `cncstepper stop` ends it.
     """
     from CNCStepper.control.service.connection_session import attach
-    from CNCStepper.control.stream.phases import RETREATED
+    from CNCStepper.control.session.job_phase import Phase
 
     with attach(session_file(session)) as client:
         status = client.status()
         _check(status, from_pause)
-        if status.phase == RETREATED:
+        if status.phase == Phase.RETREATED:
             _from_cut(client)
         else:
             _from_pause(client, status)
@@ -43,11 +43,11 @@ def command(from_pause: bool, session: str | None) -> None:
 def _check(status: SenderStatus, from_pause: bool) -> None:
     """Refuse what nobody should start from here without having read why it stands; raises MachineRefusal."""
     from CNCStepper.cli.job.pause_prompt import why
-    from CNCStepper.control.stream.pause_id import WAITING
+    from CNCStepper.control.session.job_phase import WAITING, Phase
 
     if status.phase not in WAITING:
         raise MachineRefusal("not-held", "the job is not held", value=status.phase, advice="there is nothing to do")
-    if status.phase == "paused" and not from_pause:
+    if status.phase == Phase.PAUSED and not from_pause:
         advice = "see to that, then `cncstepper go --pause`"
         raise MachineRefusal("program-pause", f"the program pauses: {why(status)}", advice=advice)
     if status.phase == "door" and status.machine_state != "Door:0":
@@ -57,7 +57,7 @@ def _check(status: SenderStatus, from_pause: bool) -> None:
 
 
 def _from_pause(client: SessionClient | ConnectionSession, stood: SenderStatus) -> None:
-    from CNCStepper.control.stream.pause_id import WAITING
+    from CNCStepper.control.session.job_phase import WAITING
 
     client.ask("resume", stand=stood.stand)
     follow(client, stood, lambda now: now.stand != stood.stand or now.phase not in WAITING, "resume")

@@ -20,7 +20,7 @@ def command(session: str | None) -> None:
     """
     from CNCStepper.cli.job.pause_prompt import why
     from CNCStepper.control.service.connection_session import attach
-    from CNCStepper.control.stream.pause_id import WAITING
+    from CNCStepper.control.session.job_phase import WAITING
 
     with attach(session_file(session)) as client:
         client.hold()

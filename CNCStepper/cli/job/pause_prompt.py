@@ -26,19 +26,19 @@ from CNCStepper.cli.job.override import HELP as OVERRIDES
 from CNCStepper.cli.job.override import read_override
 from CNCStepper.cli.job.status_text import overrides_in_words
 from CNCStepper.control.session.client import SessionClient
+from CNCStepper.control.session.job_phase import WAITING, Phase
 from CNCStepper.control.session.status import SenderStatus
-from CNCStepper.control.stream.pause_id import WAITING
 from CNCStepper.errors import CNCStepperError
 
 
 def why(status: SenderStatus) -> str:
     """Return why the machine stands."""
-    return status.message or ("The program pauses" if status.phase == "paused" else "The machine holds")
+    return status.message or ("The program pauses" if status.phase == Phase.PAUSED else "The machine holds")
 
 
 def question(status: SenderStatus) -> str:
     """Return what is asked about a stand: why it is, and what may be answered."""
-    touches = ", zero z touches off" if status.phase == "paused" else ""
+    touches = ", zero z touches off" if status.phase == Phase.PAUSED else ""
     jogs = f", z-0.1 jogs{touches} ({_work_place(status)})" if status.machine_state in ("Idle", "Tool") else ""
     back = "; `cncstepper back` goes back" if status.phase != "door" and status.machine_state != "Tool" else ""
     return f"{why(status)}. Enter goes on, s stops{jogs}, ? says more{back}"
@@ -46,7 +46,7 @@ def question(status: SenderStatus) -> str:
 
 def unasked(status: SenderStatus) -> str:
     """Return what to say of a stand where standard input has ended and is no terminal."""
-    go = "cncstepper go --pause" if status.phase == "paused" else "cncstepper go"
+    go = "cncstepper go --pause" if status.phase == Phase.PAUSED else "cncstepper go"
     return (
         f"{why(status)}. Nobody can answer here, so the machine waits. In any terminal `{go}` goes on, "
         "`cncstepper back` goes back, `cncstepper stop` stops; so does Ctrl-C here"

@@ -15,9 +15,8 @@ from CNCStepper.cli.job.pause_prompt import PausePrompt, why
 from CNCStepper.cli.job.status_text import live
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.session.client import SessionClient
+from CNCStepper.control.session.job_phase import LEG_BEGINS, WAITING, Phase
 from CNCStepper.control.session.status import Outcome, SenderStatus
-from CNCStepper.control.stream.path_retract import STANDS
-from CNCStepper.control.stream.pause_id import WAITING
 
 if TYPE_CHECKING:
     from CNCStepper.recovery.retract.client import ButtonClient
@@ -116,12 +115,12 @@ class _Watch:
 
     def _stand(self, status: SenderStatus) -> None:
         """Ask once for each stand what to do."""
-        if status.phase in STANDS:
+        if status.phase in LEG_BEGINS:
             self._follow_buttons()
         if status.phase not in WAITING or status.stand <= self._answered:
             return
         self._answered = status.stand
-        if status.phase == "paused" and self._resume_pauses:
+        if status.phase == Phase.PAUSED and self._resume_pauses:
             self._tell(f"pause: {status.message or 'M0'}; going on")
             self._client.resume(status.stand)
         elif self._has_start:

@@ -22,11 +22,12 @@ from CNCStepper.cli.job.override import read_override
 from CNCStepper.cli.job.status_text import overrides_in_words
 from CNCStepper.cli.machine.jog import FEED_MM_MIN, jog_line
 from CNCStepper.cli.machine.service_client import LOOK_EVERY_S, ServiceClient, place, port_options
+from CNCStepper.control.session.job_phase import Phase
 from CNCStepper.control.session.status import SenderStatus
 from CNCStepper.errors import CNCStepperError, LinkError
 
 TOLD_EVENTS = ("message", "warning", "refused", "console")
-TOLD_PHASES = ("alarm", "held", "door")
+TOLD_PHASES = (Phase.ALARM, Phase.HELD, Phase.DOOR)
 
 
 class EchoInput:
@@ -134,7 +135,7 @@ class Session:
         self._talk = talk
         self._words: dict[str, Callable[[list[str]], None]] = {
             "?": lambda _: self._show(),
-            "!": lambda _: self._realtime(talk.client.hold, "held"),
+            "!": lambda _: self._realtime(talk.client.hold, Phase.HELD),
             "~": lambda _: self._go_on(),
             "stop": lambda _: self._realtime(talk.client.stop, "idle", "alarm"),
             "home": lambda _: talk.home(),

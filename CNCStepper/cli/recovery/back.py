@@ -76,12 +76,12 @@ def command(
     if sum(wishes) > 1:
         raise click.UsageError("give one of --distance, --line, --entry, --forward and --resume")
     from CNCStepper.control.service.connection_session import attach
-    from CNCStepper.control.stream.phases import RETREATED
+    from CNCStepper.control.session.job_phase import Phase
     from CNCStepper.recovery.retract.client import RetractClient
 
     with attach(session_file(session)) as client:
         back = RetractClient(client, machine)
-        if back.hold().phase != RETREATED or not any(wishes):
+        if back.hold().phase != Phase.RETREATED or not any(wishes):
             _show(back.hold(), back.held())
         if not any(wishes):
             _Dialogue(back, client).run()

@@ -33,6 +33,7 @@ from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.control.service.idle_controller import IdleController, is_fatal
 from CNCStepper.control.service.position_trust_file import PositionTrustFile
 from CNCStepper.control.session.command import VALUES, Command, Inbox
+from CNCStepper.control.session.job_phase import Phase
 from CNCStepper.control.session.status import REFUSED, Outcome, SenderStatus
 from CNCStepper.control.stream.job_run import MAY_HAVE_RESTARTED, JobRun, Refuse, Stopped, Tell
 from CNCStepper.control.stream.pause_id import PauseCounter
@@ -100,7 +101,7 @@ class ConnectionService:
         self._zero: dict[str, Any] = {}  # work system and offsets, as `SenderStatus` has them
         self._ending = False
         self._may_stop = True  # until it comes to rest
-        self._phase = "connecting"  # last told
+        self._phase: str = Phase.CONNECTING  # last told
 
     def ask(self, command: Command) -> None:
         """Ask for one of `commands`."""
@@ -117,7 +118,7 @@ class ConnectionService:
         run, idle, trust = self._run, self._idle, self._trust
         if idle is None or not self._connected:
             return SenderStatus()
-        if run is None or trust is None or (status := run.status()).phase == "connecting":
+        if run is None or trust is None or (status := run.status()).phase == Phase.CONNECTING:
             return replace(idle.status(), stand=stand, **self._zero)
         return replace(status, position_known=trust.position_known, homed=trust.homed, **self._zero)
 
@@ -336,7 +337,7 @@ class ConnectionService:
 
     def _come_to_rest(self, driver: Grbl, idle: IdleController) -> None:
         """Stop a jog, a homing or a typed line that is still under way; a job has ended already."""
-        if idle.phase in ("jogging", "homing", "busy"):
+        if idle.phase in (Phase.JOGGING, Phase.HOMING, Phase.BUSY):
             idle.stop()
         idle.turn()  # is the machine still there?
         end_s = self._clock() + self._timing.hold_s

@@ -19,6 +19,7 @@ from CNCStepper.control.protocol.grbl.report import Alarm, Feedback, Greeting, S
 from CNCStepper.control.protocol.grbl.status_poller import StatusPoller
 from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.control.session.command import Command
+from CNCStepper.control.session.job_phase import Phase
 from CNCStepper.control.session.status import SenderStatus
 from CNCStepper.control.stream import stop_sequence
 from CNCStepper.control.stream.job_run import Refuse, Tell
@@ -27,7 +28,14 @@ from CNCStepper.control.stream.position_trust import PositionTrust, trust_at_con
 from CNCStepper.control.stream.status_snapshot import status_snapshot
 from CNCStepper.errors import CNCStepperError, LinkError, MachineRefusal, Text
 
-PHASES = {"Idle": "idle", "Jog": "jogging", "Home": "homing", "Hold": "held", "Tool": "held", "Door": "door"}
+PHASES = {
+    "Idle": Phase.IDLE,
+    "Jog": Phase.JOGGING,
+    "Home": Phase.HOMING,
+    "Hold": Phase.HELD,
+    "Tool": Phase.HELD,
+    "Door": Phase.DOOR,
+}
 MOVING = ("Run", "Jog", "Home")
 LOCKED = {
     "Alarm": "the controller is locked: home the machine, or unlock it if its position is surely right",
@@ -100,13 +108,13 @@ class IdleController:
         if self._homing_since_s is not None:
             return "homing"
         state = self._driver.status.state if self._driver.status else ""
-        return "alarm" if state in LOCKED else PHASES.get(state, "busy")
+        return Phase.ALARM if state in LOCKED else PHASES.get(state, Phase.BUSY)
 
     @property
     def may_be_asked(self) -> bool:
         """Whether the controller answers to `$` commands now."""
         under_way = self._jogger.active or self._console.active
-        return not self._wants_reset and not under_way and self.phase in ("idle", "alarm")
+        return not self._wants_reset and not under_way and self.phase in (Phase.IDLE, Phase.ALARM)
 
     def status(self) -> SenderStatus:
         """Return this moment."""
@@ -169,7 +177,7 @@ class IdleController:
             self.lose_position()
         elif self._jogger.active or self.phase == "jogging":
             self._jogger.cancel()
-        elif self.phase in ("busy", "held", "door"):
+        elif self.phase in (Phase.BUSY, Phase.HELD, Phase.DOOR):
             trust = self.trust
             if stop_sequence.hold_and_reset(self._driver, self._timing):
                 self.trust = trust  # a reset at rest does not cost it
@@ -190,7 +198,7 @@ class IdleController:
     def check_at_rest(self) -> None:
         """Raise MachineRefusal while something moves or is under way."""
         self.check_no_jog()
-        if self.phase not in ("idle", "alarm"):
+        if self.phase not in (Phase.IDLE, Phase.ALARM):
             advice = "wait until it has ended, or stop it"
             raise MachineRefusal("machine-busy", "the machine is not at rest", value=self.phase, advice=advice)
 
@@ -211,7 +219,7 @@ class IdleController:
         raise MachineRefusal("not-running", "no job runs", advice="go line by line while a job runs")
 
     def _resume(self) -> None:
-        if self.phase not in ("held", "door"):
+        if self.phase not in (Phase.HELD, Phase.DOOR):
             raise MachineRefusal("nothing-to-resume", "the machine is not held", advice="there is nothing to resume")
         status = self._driver.status
         if status and status.name == "Hold:1":  # in which grbl forgets a cycle start

@@ -8,6 +8,7 @@ from typing import Any
 
 from CNCStepper import errors
 from CNCStepper.control.protocol.grbl.report import Vector
+from CNCStepper.control.session.job_phase import Phase
 from CNCStepper.errors import CNCStepperError, LinkError, Place, Text
 from CNCStepper.text_json import restored, with_texts
 
@@ -39,7 +40,7 @@ class SenderStatus:
     None stands for: not reported yet.
     """
 
-    phase: str = "connecting"
+    phase: str = Phase.CONNECTING
     sent: int = 0
     acknowledged: int = 0
     total: int = 0

@@ -31,18 +31,19 @@ from CNCStepper.control.protocol.grbl.report import Alarm, Greeting, Status
 from CNCStepper.control.protocol.grbl.status_poller import ANSWER_MISSING, StatusPoller
 from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.control.session.command import STOPS, Command, Inbox
+from CNCStepper.control.session.job_phase import LEG_BEGINS, Phase
 from CNCStepper.control.session.status import DONE, FAILED, REFUSED, STOPPED, Outcome, SenderStatus
 from CNCStepper.control.stream import stop_sequence
 from CNCStepper.control.stream.backlash_side import BacklashTracker, backlash_tracker
 from CNCStepper.control.stream.feeder import Feeder
 from CNCStepper.control.stream.journal_protocol import ActiveJournal, Journals, LegJournal, NoJournal, check_not_held
 from CNCStepper.control.stream.overrides import NORMAL, override_byte, restore
-from CNCStepper.control.stream.path_retract import LAST, STANDS, PathRetract, check_place, reset_at_rest
+from CNCStepper.control.stream.path_retract import LAST, PathRetract, check_place, reset_at_rest
 from CNCStepper.control.stream.path_watch import PathWatch
 from CNCStepper.control.stream.pause import Pause
 from CNCStepper.control.stream.pause_id import PauseCounter
 from CNCStepper.control.stream.pending_requests import PendingRequests
-from CNCStepper.control.stream.phases import RETREATED, Phases, check_no_tool_change
+from CNCStepper.control.stream.phases import Phases, check_no_tool_change
 from CNCStepper.control.stream.position_trust import counts_steps
 from CNCStepper.control.stream.remaining_time import Remaining
 from CNCStepper.control.stream.status_snapshot import status_snapshot
@@ -239,7 +240,7 @@ class JobRun:
         for report in received:
             self._take(driver, report)
         self._execute_command(driver)
-        self._requests.turn(self._phases.name in STANDS)
+        self._requests.turn(self._phases.name in LEG_BEGINS)
         if self._phases.stands and self._stand.is_left(driver):
             self._leave_pause(driver)
 
@@ -283,7 +284,7 @@ class JobRun:
     def _note_progress(self) -> None:
         """Learn how many lines are cut and how long the others take; all acknowledged ones are where the job rests."""
         assert self._path
-        rests = self._idle_reports >= IDLE_REPORTS or self._phases.name in ("paused", RETREATED)
+        rests = self._idle_reports >= IDLE_REPORTS or self._phases.name in (Phase.PAUSED, Phase.RETREATED)
         acknowledged, elapsed_s = self._feeder.acknowledged, self._clock() - self._begin_s
         self._done = acknowledged if rests else max(self._done, self._path.done(acknowledged))
         line, total = self.job.last_line(self._done), self._feeder.total
@@ -299,9 +300,9 @@ class JobRun:
         if self._feeder.complete and self._phases.feeding:
             if self._path_retract.leads_to_pause:
                 self._feeder.power.stand(driver)
-            self._phases.set("finishing")
+            self._phases.set(Phase.FINISHING)
         message = self._feeder.pause_text(driver) if self._phases.name == "running" else None
-        awaited = self._phases.name == "finishing" or message is not None
+        awaited = self._phases.name == Phase.FINISHING or message is not None
         finished = awaited and not driver.unanswered and self._watch.idle(driver, self._phases.changed_s)
         self._idle_reports = self._idle_reports + 1 if finished else 0
         if self._idle_reports < IDLE_REPORTS:
@@ -332,7 +333,7 @@ class JobRun:
         elif command.name == "want_back":
             self._phases.hold_or_resume("hold", driver)
             self._requests.request_retract(command)
-        elif command.name == "resume" and self._phases.name == RETREATED:
+        elif command.name == "resume" and self._phases.name == Phase.RETREATED:
             self._requests.request_resume(command)
         elif command.name == "by_line":
             self._by_line = self._feeder.by_line = command.values["on"]
@@ -388,7 +389,7 @@ class JobRun:
 
     def _stand_back(self, driver: Grbl) -> None:
         """Wait for the next leg: the machine is idle, so that it can be jogged."""
-        self._phases.set(RETREATED, LAST)
+        self._phases.set(Phase.RETREATED, LAST)
         self._stand.begin(driver, self._feeder.sent, leads_on=False)
         self._phases.stands = True
 

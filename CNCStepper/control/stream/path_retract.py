@@ -37,13 +37,12 @@ from CNCStepper.control.protocol.grbl.driver import Grbl
 from CNCStepper.control.protocol.grbl.readiness import MAX_RATE, STEPS_PER_MM
 from CNCStepper.control.protocol.grbl.report import Vector
 from CNCStepper.control.protocol.grbl.timeouts import Timing
+from CNCStepper.control.session.job_phase import LEG_BEGINS, Phase
 from CNCStepper.control.stream import stop_sequence
 from CNCStepper.control.stream.feeder import Feeder
-from CNCStepper.control.stream.phases import RETREATED
 from CNCStepper.errors import CNCStepperError, JobError, LinkError, MachineRefusal, Text
 from CNCStepper.state import WORK_SYSTEMS
 
-STANDS = ("held", "paused", RETREATED)  # the phases in which a leg may begin
 LAST, REST = "back along the cut: go on back, forward, or resume from here", "rest"
 HELD, LEG = "held.json", "leg.json"  # the heads of what is told and of a leg
 LEG_WIRE, OWN_MAP = "leg.txt", "own_map.npy"  # columns: the leg's lines; the lines of a leg's own text
@@ -112,7 +111,7 @@ class PathRetract:
     def note(self, driver: Grbl, feeder: Feeder, phase: str) -> None:
         """Keep the status just received when its position differs from the last one."""
         status, position_mm = driver.status, driver.mpos_mm
-        if status is None or position_mm is None or phase == RETREATED:
+        if status is None or position_mm is None or phase == Phase.RETREATED:
             return
         blocks = self._blocks - status.buffer[0] if status.buffer else -1
         percent = driver.overrides[0] if driver.overrides else 100
@@ -267,5 +266,5 @@ def check_place(driver: Grbl, leg: Leg) -> None:
 
 
 def _check_phase(phase: str) -> None:
-    if phase not in STANDS:
+    if phase not in LEG_BEGINS:
         raise MachineRefusal("not-held", "the machine does not stand", value=phase, advice="hold it first")

@@ -7,9 +7,8 @@ held 1 ──resume 1──► running ──M0──► paused 2 ──resume 1
 from __future__ import annotations
 
 from CNCStepper.control.session.command import Command
+from CNCStepper.control.session.job_phase import WAITING
 from CNCStepper.errors import MachineRefusal
-
-WAITING = ("held", "paused", "door", "retreated")  # the phases in which somebody is asked to go on
 
 
 class PauseCounter:

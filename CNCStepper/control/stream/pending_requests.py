@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from CNCStepper.control.session.command import Command
+from CNCStepper.control.session.job_phase import Phase
 from CNCStepper.errors import CNCStepperError, MachineRefusal
 
 LAPSE_S = 5.0  # at standstill: later, a motion would surprise
@@ -58,7 +59,7 @@ class PendingRequests:
 
 def _nobody() -> MachineRefusal:
     return MachineRefusal(
-        "retreated",
+        Phase.RETREATED,
         "nobody leads the tool along its cut; the program's lines for that are not at the controller",
         advice="go back with `cncstepper back`, and on with `cncstepper back --resume`",
     )

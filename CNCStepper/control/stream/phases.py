@@ -21,17 +21,15 @@ from CNCStepper.control.protocol.grbl.driver import HOLD, RESUME, Grbl
 from CNCStepper.control.protocol.grbl.firmware import TOOL, TOOL_CHANGED
 from CNCStepper.control.protocol.grbl.readiness import CHECK, state_refusal
 from CNCStepper.control.protocol.grbl.report import Alarm, Status
+from CNCStepper.control.session.job_phase import FEEDING, STANDING, Phase
 from CNCStepper.control.stream.feeder import Feeder
 from CNCStepper.control.stream.pause_id import PauseCounter
 from CNCStepper.errors import MachineRefusal, Text
 
 CHANGE_TOOL = "change the tool, then resume"
-STANDING = ("held", "paused", "door")
 CUTS_NOTHING = ("Sleep", CHECK, "Starting", "ConfigAlarm", "Critical")
 MOVES_OTHERWISE = ("Jog", "Home")  # than the program says, unless the program homes, or somebody jogs at a stand
-FEEDING = ("running", "finishing")
 DOOR_RETURNS = 3  # the substate in which a machine that goes on switches its outputs on again
-RETREATED = "retreated"  # between two ways along the cut: idle, after a reset
 
 
 class Phases:
@@ -41,7 +39,7 @@ class Phases:
     """
 
     def __init__(self, tell: Callable[[str, str], None], stands: PauseCounter):
-        self.name = "connecting"
+        self.name: str = Phase.CONNECTING
         self.message = ""
         self.changed_s = float("-inf")
         self._tell = tell
@@ -66,21 +64,21 @@ class Phases:
     def restart_with(self) -> None:
         """Begin with other lines after a reset; earlier requests are dropped."""
         self._hold_asked = self._resume_asked = False
-        self.set("running")
+        self.set(Phase.RUNNING)
 
     def stand(self, message: str) -> None:
         """Pause between two lines, until the phase is set anew."""
-        self.set("paused", message)
+        self.set(Phase.PAUSED, message)
         self.stands = True
 
     def hold_or_resume(self, command: str, driver: Grbl) -> None:
         """Carry out "hold" or "resume"; raises MachineRefusal where nothing that was held can go on."""
         if command == "hold":
             self._resume_asked = False
-            if self.feeding or self.name == "holding":
+            if self.feeding or self.name == Phase.HOLDING:
                 self._hold_asked = True
                 self._write(HOLD, driver)
-                self.set("holding")
+                self.set(Phase.HOLDING)
         elif self.feeding:
             self._tell("warning", "there is nothing to resume: the machine is not held")
         else:
@@ -88,7 +86,7 @@ class Phases:
 
     def check_no_jog(self, command: str, driver: Grbl) -> None:
         """Raise MachineRefusal for a jog in a hold, in which no controller takes one."""
-        if command in ("jog", "jog_on") and self.name in ("held", "paused"):
+        if command in ("jog", "jog_on") and self.name in (Phase.HELD, Phase.PAUSED):
             check_no_tool_change(driver)
             advice = "jog with `cncstepper jog`: it lets the controller give up its lines first"
             raise MachineRefusal("held-jog", "the controller takes no jog while it is held", advice=advice)
@@ -123,9 +121,9 @@ class Phases:
         if still and self._resume_asked:
             self._go_on(driver)
         elif message is not None:
-            self.set("paused", message)
+            self.set(Phase.PAUSED, message)
         else:
-            self.set("held" if still else "holding")
+            self.set(Phase.HELD if still else Phase.HOLDING)
 
     def _at_door(self, status: Status, driver: Grbl) -> None:
         if status.substate == DOOR_RETURNS:
@@ -139,7 +137,7 @@ class Phases:
                 "warning",
                 Text("the safety door is open or the machine is parking ({status}): resume later", status=status.name),
             )
-        self.set("door", "close the safety door, then resume")
+        self.set(Phase.DOOR, "close the safety door, then resume")
 
     def _at_tool_change(self, driver: Grbl, feeder: Feeder) -> None:
         """Stand until somebody has changed the tool: told of that, grblHAL takes jogs and a zero, once M6 is answered.
@@ -151,23 +149,23 @@ class Phases:
             driver.realtime(TOOL_CHANGED)
             self._go_on(driver)
         elif message is None:
-            self.set("paused", feeder.pause_message(driver) or CHANGE_TOOL)
+            self.set(Phase.PAUSED, feeder.pause_message(driver) or CHANGE_TOOL)
         elif not self.stands:
             driver.realtime(TOOL_CHANGED)
             self.stand(message or CHANGE_TOOL)
 
     def _moving(self, driver: Grbl) -> None:
         """The machine runs or is idle: somebody resumed it there, or it has not seen the hold yet."""
-        if self.name == "holding" and not self._resume_asked:
+        if self.name == Phase.HOLDING and not self._resume_asked:
             self._write(HOLD, driver)
-        elif self.name in STANDING or self.name == "holding":
+        elif self.name in STANDING or self.name == Phase.HOLDING:
             self._hold_asked = self._resume_asked = False
-            self.set("running")
+            self.set(Phase.RUNNING)
 
     def _go_on(self, driver: Grbl) -> None:
         self._hold_asked = self._resume_asked = False
         self._write(RESUME, driver)
-        self.set("running")
+        self.set(Phase.RUNNING)
 
     def _write(self, byte: bytes, driver: Grbl) -> None:
         driver.realtime(byte)

@@ -6,8 +6,9 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Sequence
 
+from CNCStepper.control.session.job_phase import STANDING
+
 TRUSTED_S = 5.0  # of planned time that must lie behind before the measured ratio counts wholly
-STANDING = ("held", "paused", "door")
 
 
 class Remaining:

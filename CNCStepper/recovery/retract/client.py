@@ -22,8 +22,9 @@ from typing import Any
 from CNCStepper.control.protocol.grbl.firmware import TOOL
 from CNCStepper.control.service.connection_session import ConnectionSession
 from CNCStepper.control.session.client import SessionClient
+from CNCStepper.control.session.job_phase import LEG_BEGINS
 from CNCStepper.control.session.status import SenderStatus
-from CNCStepper.control.stream.path_retract import STANDS, read_held, write_leg
+from CNCStepper.control.stream.path_retract import read_held, write_leg
 from CNCStepper.errors import CNCStepperError, LinkError, MachineRefusal, Text
 from CNCStepper.machine.profile import Machine
 from CNCStepper.recovery.retract.prove import HeldProgram, held_program
@@ -46,9 +47,9 @@ class RetractClient:
         status = self._client.status()
         if not status.total:
             raise MachineRefusal("not-held", "no job runs", advice="go back along the cut while a job runs")
-        if status.phase not in (*STANDS, DOOR):
+        if status.phase not in (*LEG_BEGINS, DOOR):
             self._client.hold()
-            status = self._until(lambda status: status.phase in (*STANDS, DOOR))
+            status = self._until(lambda status: status.phase in (*LEG_BEGINS, DOOR))
         if status.phase == DOOR:
             raise MachineRefusal("door-open", "the safety door is open", advice="close it and resume, then go back")
         return status
@@ -71,7 +72,7 @@ class RetractClient:
 
     def wait_for_leg(self) -> SenderStatus:
         """Wait for the end of the leg or a hold on it, and return the status."""
-        return self._until(lambda status: status.phase in STANDS)
+        return self._until(lambda status: status.phase in LEG_BEGINS)
 
     def _await(self, command: str, kind: str, text: str) -> None:
         """Wait for the event that a command leads to; raises why it is refused instead."""
@@ -130,7 +131,7 @@ class ButtonClient(threading.Thread):
 
 def lead(client: SessionClient, status: SenderStatus) -> None:
     """Begin the way that a status wants; raises what the proof or the session refuses."""
-    if status.phase not in STANDS or (status.wanted_back_mm is None and not status.wanted_rest):
+    if status.phase not in LEG_BEGINS or (status.wanted_back_mm is None and not status.wanted_rest):
         return
     back = RetractClient(client)
     held = back.held()
@@ -144,7 +145,7 @@ BEGUN_S = 0.5  # within which a jog shows in the status
 def step_aside(client: SessionClient) -> None:
     """Make a held machine idle, where it is not; raises MachineRefusal for one that moves, JobError, ProgramError."""
     status = client.status()
-    if status.phase not in STANDS:
+    if status.phase not in LEG_BEGINS:
         what = "a job runs, and the machine does not stand"
         raise MachineRefusal("not-held", what, value=status.phase, advice="hold it first: Ctrl-C at `cncstepper send`")
     if status.machine_state.startswith("Hold"):

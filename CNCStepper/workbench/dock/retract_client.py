@@ -6,10 +6,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from CNCStepper.control.session.job_phase import Phase
 from CNCStepper.control.session.status import error_from_json
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.workbench.dock.connection import Link, error_text
-from CNCStepper.workbench.dock.model.controller_state import RETREATED, STANDING, sentences
+from CNCStepper.workbench.dock.model.controller_state import STANDING, sentences
 from CNCStepper.workbench.dock.model.retract_state import FIND, RESUME, RetractFlow, request_of, why_not_back
 from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.services.message_translation import translated
@@ -33,7 +34,7 @@ class RetractRun:
 
     def command(self, name: str) -> None:
         """Pass hold, resume or stop on; where the tool was taken back the job goes on from there."""
-        if name == RESUME and self._link.moment.phase == RETREATED:
+        if name == RESUME and self._link.moment.phase == Phase.RETREATED:
             self.go(RESUME, True)
         elif name == RESUME:
             self._link.command(RESUME, self._link.stand)

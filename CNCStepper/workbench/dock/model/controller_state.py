@@ -8,14 +8,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from CNCStepper.control.session.job_phase import CONNECTED, JOB_RUNS, Phase
+from CNCStepper.control.session.job_phase import WAITING as STANDING
 from CNCStepper.workbench.services.translation import later
 
 OFF, CALM, GOING, WAITING, DANGER = "off", "calm", "going", "waiting", "danger"
-
-RETREATED = "retreated"  # idle between two ways along its cut
-STANDING = frozenset({"held", "paused", "door", RETREATED})
-JOB_RUNS = frozenset({"running", "holding", "finishing", "stopping", *STANDING})
-CONNECTED = frozenset({"idle", "alarm", "jogging", "homing", "busy", *JOB_RUNS})
 
 
 @dataclass(frozen=True)
@@ -71,7 +68,7 @@ FACES = {
     "finishing": Face(later("Finishing"), GOING, later("All lines are sent; the last moves are being cut.")),
     "holding": Face(later("Holding…"), WAITING, later("The machine slows down.")),
     "held": Face(later("Held"), WAITING, later("The machine stands; nothing is lost. Resume or stop.")),
-    RETREATED: Face(later("On its cut"), WAITING, later("The job waits on its cut. Resume cuts on from there.")),
+    Phase.RETREATED: Face(later("On its cut"), WAITING, later("The job waits on its cut. Resume cuts on from there.")),
     "paused": Face(later("Paused"), WAITING, later("The program waits. Resume goes on.")),
     "door": Face(later("Door"), WAITING, later("Close the safety door, then resume.")),
     "stopping": Face(later("Stopping…"), WAITING, later("The machine slows down, then the job is ended.")),
@@ -121,7 +118,7 @@ RULES = {
         later("The machine is not held: there is nothing to resume."),
     ),
     "back": Rule(
-        frozenset({"running", "holding", "finishing", "held", "paused", RETREATED}),
+        frozenset({"running", "holding", "finishing", "held", "paused", Phase.RETREATED}),
         later("Go back along the cut by this length; a machine that moves is held first."),
         later("The tool goes back along its cut while a job is cut, or is held."),
     ),
@@ -131,7 +128,7 @@ RULES = {
         later("The machine is made free to jog while a job is held."),
     ),
     "forward": Rule(
-        frozenset({"held", RETREATED}),
+        frozenset({"held", Phase.RETREATED}),
         later("Go forward again along the cut by this length, to where it had come at most."),
         later("The tool goes forward again only after it went back."),
     ),
@@ -176,7 +173,7 @@ RULES = {
 }
 AT_A_STAND = {  # the machine states in which these work between two lines, or two ways along the cut
     "paused": {"jog": ("Idle", "Jog", "Tool"), "zero": ("Idle", "Tool"), "hold": ("Jog",)},
-    RETREATED: {"jog": ("Idle", "Jog"), "hold": ("Jog",)},  # what lies behind was cut from the zero that it has
+    Phase.RETREATED: {"jog": ("Idle", "Jog"), "hold": ("Jog",)},  # what lies behind was cut from the zero that it has
 }
 HELD_AND_LOST = later(
     "The machine's position is unknown: stop what it was doing, then home it or set the zero of all axes."
