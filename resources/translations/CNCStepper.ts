@@ -5950,6 +5950,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a JSON of the first release, and too large</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a NURBS of order {order} needs as many control points</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8114,11 +8118,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it holds more than a bundle does</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it holds what no bundle does: {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it is a device</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>it is a folder</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it is damaged</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8162,11 +8178,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it was compressed or encrypted anew</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it would forget the settings: write the settings that are to change one by one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>its directory is too large</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>its file '{name}' is neither here nor in ../Bit</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>its head is no object of JSON</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>its head is too large</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8179,6 +8211,14 @@
         </message>
         <message>
             <source>its knots do not rise</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>its line map is no array of whole numbers</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>its lines are too long</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8831,10 +8871,6 @@
         </message>
         <message>
             <source>next is line {line}: {text}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>no JSON at byte {offset}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10622,6 +10658,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the file is cut short</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the file is empty</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10706,7 +10746,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the job cannot be read: {why}</source>
+            <source>the job cannot be read: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10811,6 +10851,10 @@
         </message>
         <message>
             <source>the largest disc of the {tool} tool stands more than a pitch above its tip: it cuts no thread</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the last line has no end</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11139,6 +11183,10 @@
         </message>
         <message>
             <source>the pins of the machine are not known to this reader</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the place cannot be written: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -5950,6 +5950,10 @@
             <translation>um G92 está em vigor onde a ferramenta é trocada: um novo programa não pode contar com ele</translation>
         </message>
         <message>
+            <source>a JSON of the first release, and too large</source>
+            <translation>um JSON da primeira versão, e grande demais</translation>
+        </message>
+        <message>
             <source>a NURBS of order {order} needs as many control points</source>
             <translation>uma NURBS de ordem {order} precisa do mesmo número de pontos de controle</translation>
         </message>
@@ -8114,12 +8118,24 @@
             <translation>ele tem: {entries}</translation>
         </message>
         <message>
+            <source>it holds more than a bundle does</source>
+            <translation>contém mais do que um pacote</translation>
+        </message>
+        <message>
+            <source>it holds what no bundle does: {name}</source>
+            <translation>contém o que nenhum pacote tem: {name}</translation>
+        </message>
+        <message>
             <source>it is a device</source>
             <translation>é um dispositivo</translation>
         </message>
         <message>
             <source>it is a folder</source>
             <translation>é uma pasta</translation>
+        </message>
+        <message>
+            <source>it is damaged</source>
+            <translation>está danificado</translation>
         </message>
         <message>
             <source>it is empty</source>
@@ -8162,12 +8178,28 @@
             <translation>ele já era um reinício: a primeira linha não certamente cortada é a {story} do programa</translation>
         </message>
         <message>
+            <source>it was compressed or encrypted anew</source>
+            <translation>foi comprimido ou cifrado novamente</translation>
+        </message>
+        <message>
             <source>it would forget the settings: write the settings that are to change one by one</source>
             <translation>ele esqueceria as configurações: escreva uma a uma as que devem mudar</translation>
         </message>
         <message>
+            <source>its directory is too large</source>
+            <translation>seu diretório é grande demais</translation>
+        </message>
+        <message>
             <source>its file '{name}' is neither here nor in ../Bit</source>
             <translation>o seu arquivo '{name}' não está aqui nem em ../Bit</translation>
+        </message>
+        <message>
+            <source>its head is no object of JSON</source>
+            <translation>seu cabeçalho não é um objeto JSON</translation>
+        </message>
+        <message>
+            <source>its head is too large</source>
+            <translation>seu cabeçalho é grande demais</translation>
         </message>
         <message>
             <source>its host is not this computer</source>
@@ -8180,6 +8212,14 @@
         <message>
             <source>its knots do not rise</source>
             <translation>seus nós não crescem</translation>
+        </message>
+        <message>
+            <source>its line map is no array of whole numbers</source>
+            <translation>seu mapa de linhas não é uma matriz de números inteiros</translation>
+        </message>
+        <message>
+            <source>its lines are too long</source>
+            <translation>suas linhas são longas demais</translation>
         </message>
         <message>
             <source>its machine position is not 0</source>
@@ -8832,10 +8872,6 @@
         <message>
             <source>next is line {line}: {text}</source>
             <translation>a próxima é a linha {line}: {text}</translation>
-        </message>
-        <message>
-            <source>no JSON at byte {offset}</source>
-            <translation>nenhum JSON no byte {offset}</translation>
         </message>
         <message>
             <source>no axis is set up for homing</source>
@@ -10622,6 +10658,10 @@
             <translation>o arquivo não contém um objeto</translation>
         </message>
         <message>
+            <source>the file is cut short</source>
+            <translation>o arquivo está incompleto</translation>
+        </message>
+        <message>
             <source>the file is empty</source>
             <translation>o arquivo está vazio</translation>
         </message>
@@ -10706,8 +10746,8 @@
             <translation>o porta-ferramenta da ferramenta {tool} entra no material</translation>
         </message>
         <message>
-            <source>the job cannot be read: {why}</source>
-            <translation>o trabalho não pode ser lido: {why}</translation>
+            <source>the job cannot be read: {error}</source>
+            <translation>o trabalho não pode ser lido: {error}</translation>
         </message>
         <message>
             <source>the job has ended: {outcome}</source>
@@ -10812,6 +10852,10 @@
         <message>
             <source>the largest disc of the {tool} tool stands more than a pitch above its tip: it cuts no thread</source>
             <translation>o maior disco da ferramenta {tool} fica mais de um passo acima da ponta: ela não corta rosca</translation>
+        </message>
+        <message>
+            <source>the last line has no end</source>
+            <translation>a última linha não tem fim</translation>
         </message>
         <message>
             <source>the leads fit nowhere in the scrap; the closest obstacle is {name} at X{x:.3f} Y{y:.3f}</source>
@@ -11140,6 +11184,10 @@
         <message>
             <source>the pins of the machine are not known to this reader</source>
             <translation>este leitor não conhece os pinos da máquina</translation>
+        </message>
+        <message>
+            <source>the place cannot be written: {error}</source>
+            <translation>não é possível gravar nesse local: {error}</translation>
         </message>
         <message>
             <source>the place of a restart is a line, an operation, a contour or a point</source>

@@ -48,8 +48,8 @@ MOST_HEAD_BYTES = 64_000_000
 MOST_BLOCK_BYTES = 1 << 24  # no controller reads lines of a thousandth of this
 NUMBER, NUMBER_BYTES = "i", 4  # of `array`
 _ARRAY_MAGIC = b"\x93NUMPY\1\0"
-_ARRAY_HEADER = "{{'descr': '<i4', 'fortran_order': False, 'shape': ({},), }}"
-_ARRAY_BEGIN = re.compile(re.escape(_ARRAY_HEADER.format("N")).replace("N", r"(\d{1,18})").encode() + rb" *\n")
+_ARRAY_HEADER = "{'descr': '<i4', 'fortran_order': False, 'shape': (N,), }"  # N numbers
+_ARRAY_BEGIN = re.compile(re.escape(_ARRAY_HEADER).replace("N", r"(\d{1,18})").encode() + rb" *\n")
 _ALIGNED = 64  # bytes, what comes before an array's first number
 _BLOCK_OF_LINES = re.compile(rb"(?:[^\n]*\n){%d}" % BLOCK)
 _LOCAL_HEADER = 30  # bytes of a member's own header, before its name
@@ -163,7 +163,7 @@ def number_bytes(numbers: Sequence[int]) -> Iterator[bytes]:
 
 def array_bytes(numbers: Sequence[int]) -> Iterator[bytes]:
     """Yield numbers for `write_bundle`, as an array of numpy's, which a sender's Python need not have."""
-    header, before = _ARRAY_HEADER.format(len(numbers)), len(_ARRAY_MAGIC) + 2
+    header, before = _ARRAY_HEADER.replace("N", str(len(numbers))), len(_ARRAY_MAGIC) + 2
     size = -(-(before + len(header) + 1) // _ALIGNED) * _ALIGNED - before
     yield _ARRAY_MAGIC + struct.pack("<H", size) + f"{header:{size - 1}}\n".encode("ascii")
     yield from number_bytes(numbers)

@@ -8,7 +8,6 @@ from collections import Counter
 from pathlib import Path
 
 import pytest
-from test_prove_file import TABLE, assert_same, both, pieces  # noqa: F401  a fixture
 
 from CNCStepper.gcode.interpreter import program_file
 from CNCStepper.job import prove_file as prove_file_module
@@ -16,6 +15,7 @@ from CNCStepper.job.prove_file import prove_file
 from CNCStepper.motion.planner.standstills import RUNNING_EVENTS, EventsAsOne, StopEvents, Stops, dwell_ticks
 from CNCStepper.simulation import finding
 from CNCStepper.toolpath import Event
+from helpers.job.prove_runs import TABLE, assert_same, both, pieces  # noqa: F401  a fixture
 
 LISTED = 5
 STILL = ("G4 P0.013", "G4 P1.21", "M0", "M0", "(MSG, look {k})", "M1", "M8", "M9", "(nothing)")
