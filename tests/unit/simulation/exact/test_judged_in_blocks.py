@@ -11,7 +11,6 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 import shapely
-from programs import Program, begun
 
 from CNCStepper.cycles.cycle import Removal
 from CNCStepper.machine.tools.tool import Tool
@@ -28,6 +27,7 @@ from CNCStepper.simulation.exact.stored_cuts import StoredCuts
 from CNCStepper.simulation.exact.swept_area import Judgement, judge
 from CNCStepper.simulation.stock import HeightField, Stock
 from CNCStepper.simulation.tip_segments import Segments
+from helpers.simulation.programs import Program, begun
 
 SEEDS = range(1, 1 + max(4, int(os.environ.get("CNCSTEPPER_CASES", "0")) // 8))
 SMALL = 40  # segments a block
