@@ -16,10 +16,9 @@ from CNCStepper.errors import Text
 
 TEMPLATES = "templates"
 MOST_VALUES, MOST_NESTED = 40, 8
-# no width that fills the memory
-FIELD = re.compile(
+FIELD = re.compile(  # no width that fills the memory
     r"\{[a-z_]\w*(![ra])?(:[^{}\d]{0,3}\d{0,2}(\.\d{1,2})?[a-zA-Z%]?)?\}"
-)  # no width that fills the memory
+)
 
 
 def dumps(content: Mapping[str, Any], **options: Any) -> str:
