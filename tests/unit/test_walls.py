@@ -89,7 +89,7 @@ def test_every_room_has_a_floor() -> None:
         ("CNCStepper.geometry.curve", "from ..machine.tool import Tool"),
         ("CNCStepper.gcode.writer.write", "def f():\n    from CNCStepper.cycles import form"),
         ("CNCStepper.control.service.sender", "import CNCStepper.virtual.grbl"),
-        ("CNCStepper.virtual.grbl.reader", "from CNCStepper.gcode.dialects import dialect"),
+        ("CNCStepper.virtual.grbl.serial_buffer", "from CNCStepper.gcode.dialects import dialect"),
         ("CNCStepper.motion.planner.plan", "import importlib\nimportlib.import_module('CNCStepper.simulation.stock')"),
         ("CNCStepper.motion.planner.plan", "import importlib\nimportlib.import_module(f'CNCStepper.cli.{verb}')"),
         ("CNCStepper.job.make", "import FreeCAD"),

@@ -56,7 +56,7 @@ def regular_file(program: Path) -> Iterator[Path]:
     if program.is_file():
         yield program
         return
-    from CNCStepper.gcode.interpreter.file_chunks import byte_pieces  # it loads the interpreter
+    from CNCStepper.gcode.interpreter.program_file import byte_pieces  # it loads the interpreter
 
     with TemporaryDirectory(prefix="cncstepper-pipe-") as folder:
         file = Path(folder) / "program.nc"

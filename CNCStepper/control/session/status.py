@@ -92,7 +92,7 @@ class SenderStatus:
 
 
 _TYPES: dict[str, tuple[type, ...]] = {  # of the annotations above, what JSON makes of them
-    "str": (str,),
+    "str": (str, Text),
     "int": (int,),
     "bool": (bool,),
     "float": (float, int),

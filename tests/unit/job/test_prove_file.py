@@ -25,7 +25,16 @@ from CNCStepper.simulation.checks import load_checks
 from CNCStepper.simulation.removal import engagement
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.state import Start
-from helpers.job.prove_runs import CORED, FLAT, STOCK, TABLE, assert_same, both, machine_with
+from helpers.job.prove_runs import (  # noqa: F401  pieces is a fixture
+    CORED,
+    FLAT,
+    STOCK,
+    TABLE,
+    assert_same,
+    both,
+    machine_with,
+    pieces,
+)
 from helpers.simulation.seeded_programs import clean_program, faults_of
 
 FAULTY = (  # each line of it is there for a check that looks beyond one row

@@ -16,6 +16,7 @@ from pathlib import Path
 
 import pytest
 
+from CNCStepper import text_json
 from CNCStepper.control.session import local_socket
 from CNCStepper.control.session.command import Command
 from CNCStepper.control.session.event_queue import LIMIT_BYTES, LIMIT_COUNT, TEXT_LIMIT, Backlog, EventQueue, line_of
@@ -30,6 +31,7 @@ from CNCStepper.control.session.local_socket import (  # fmt: skip
 )
 from CNCStepper.control.session.server import KNOWN_LIMIT, UNAUTHENTICATED_LIMIT, SessionServer
 from CNCStepper.control.session.status import SenderStatus
+from CNCStepper.errors import Text
 
 LIMIT_S = 10.0
 posix = pytest.mark.skipif(os.name != "posix", reason="Unix sockets, owners and modes of files")
@@ -384,3 +386,9 @@ def test_one_text_is_cut_and_bytes_are_bounded_as_well_as_numbers():
     assert taken.left_out + len(taken._texts.entries) == LIMIT_COUNT
     assert not news.take()
     assert len(line_of({"event": "phase", "text": "x" * 10 * TEXT_LIMIT})) > 10 * TEXT_LIMIT
+
+
+def test_a_status_whose_message_has_values_is_read_back_with_them():
+    told = SenderStatus(message=Text("line by line: line {line} is next", line=7))
+    read = SenderStatus.from_json(text_json.loads(text_json.dumps({"status": told.to_json()}))["status"])
+    assert read == told and read.message.values == {"line": 7}
