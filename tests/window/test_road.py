@@ -14,7 +14,6 @@ import FreeCADGui
 import pytest
 from hand import PICTURES, Hand
 
-from CNCStepper.job.model import save_job
 from CNCStepper.workbench import api
 from CNCStepper.workbench.document.core_job import proven_with
 from CNCStepper.workbench.features.base import proxy_type
@@ -58,6 +57,8 @@ def step(hand: Hand, title: str, seconds: float = 120.0) -> None:
 
 def keep_what_is_sent() -> None:
     """Write the job's program, and the job with which it is proven, as road-failed.nc and .json."""
+    from CNCStepper.job.model import save_job  # a FreeCAD without packages collects this module too
+
     (job,) = ours("Job")
     (PICTURES / "road-failed.nc").write_text(api.program_text(job), "utf-8")
     save_job(proven_with(job), PICTURES / "road-failed.json")

@@ -364,9 +364,10 @@ def show_view(seen: bool) -> None:
 
 
 def panel_sizes() -> dict[Any, tuple[int, int]]:
-    """Return width and height of each panel that is docked and seen."""
-    docks = FreeCADGui.getMainWindow().findChildren(QtGui.QDockWidget)
-    return {dock: (dock.width(), dock.height()) for dock in docks if dock.isVisible() and not dock.isFloating()}
+    """Return width and height of each panel that is docked and seen; those that lie over the view have no place."""
+    window, nowhere = FreeCADGui.getMainWindow(), QtCore.Qt.DockWidgetArea.NoDockWidgetArea
+    docks = [dock for dock in window.findChildren(QtGui.QDockWidget) if dock.isVisible() and not dock.isFloating()]
+    return {dock: (dock.width(), dock.height()) for dock in docks if window.dockWidgetArea(dock) != nowhere}
 
 
 def resize_panels(sizes: dict[Any, tuple[int, int]]) -> None:
