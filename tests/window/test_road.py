@@ -15,7 +15,6 @@ import pytest
 from hand import PICTURES, Hand
 
 from CNCStepper.workbench import api
-from CNCStepper.workbench.document.core_job import proven_with
 from CNCStepper.workbench.features.base import proxy_type
 
 DOCK, PANEL, PLAYER = "CNCStepper_Dock_", "CNCStepper_Panel_", "CNCStepper_Simulation_"
@@ -58,6 +57,7 @@ def step(hand: Hand, title: str, seconds: float = 120.0) -> None:
 def keep_what_is_sent() -> None:
     """Write the job's program, and the job with which it is proven, as road-failed.nc and .json."""
     from CNCStepper.job.model import save_job  # a FreeCAD without packages collects this module too
+    from CNCStepper.workbench.document.core_job import proven_with
 
     (job,) = ours("Job")
     (PICTURES / "road-failed.nc").write_text(api.program_text(job), "utf-8")
