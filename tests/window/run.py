@@ -55,6 +55,8 @@ def work(interface, keeper):
         traceback.print_exc(file=sys.__stderr__)
     finally:
         sys.setprofile(None)
+        for terminal in (sys.__stdout__, sys.__stderr__):  # a FreeCAD that does not end in order loses the summary
+            terminal.flush()
         interface.call(keeper.let_go)
         Path(os.environ["CNCSTEPPER_WINDOW_STATUS"]).write_text(str(status))
         interface.call(close)
