@@ -64,7 +64,7 @@ def make_program(job: Job, machine: Machine, title: str = "") -> Made:
     """
     job = job.on(machine)
     toolpath, answers = cut_operations(job)
-    return Made(write(toolpath, dialect(machine.controller), _options(job, machine, title)), toolpath, answers)
+    return Made(write(toolpath, dialect(machine.language()), _options(job, machine, title)), toolpath, answers)
 
 
 def is_split(job: Job, machine: Machine) -> bool:
@@ -79,7 +79,7 @@ def make_parts(job: Job, machine: Machine, title: str = "") -> list[Part]:
     """
     job = job.on(machine)
     toolpath, answers = cut_operations(job)
-    texts = write_split(toolpath, dialect(machine.controller), _options(job, machine, title))
+    texts = write_split(toolpath, dialect(machine.language()), _options(job, machine, title))
     stretches = groupby(zip(job.operation, answers, strict=True), key=lambda pair: pair[0].tool)
     return [
         Part(number, tool, text, [answer for _, answer in pairs])
@@ -138,5 +138,5 @@ def _options(job: Job, machine: Machine, title: str) -> WriteOptions:
         tools={tool.number: tool.words for tool in job.tool},
         tool_length=machine.tool_length,
         tool_lengths_mm=job.tool_lengths_mm,
-        rapid_mm_min=max(axis.max_rate_mm_min for axis in machine.axes),
+        rapid_mm_min=machine.fastest_mm_min,
     )

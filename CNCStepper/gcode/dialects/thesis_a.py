@@ -44,5 +44,6 @@ THESIS_A = Dialect(
     repeats=frozenset((RAPID, LINE)),
     arc_centres="absolute",
     default_feed_mm_min=900.0,
+    feed_is_setting=True,
     starts_at_work_zero=True,
 )

@@ -147,7 +147,7 @@ class BlockEmitter:
         self._own_axes = [axis for axis in range(3) if AXES[axis] in dialect.letters]
         self._number = 0
         self._motion = ""
-        self._feed = f"F{grid.short(dialect.default_feed_mm_min)}" if dialect.default_feed_mm_min else ""
+        self._feed = f"F{grid.short(dialect.default_feed_mm_min)}" if dialect.feed_is_setting else ""
         self._plane = XY
         self._stale: set[int] = set()  # axes whose next word is written even where nothing changes
         self._cycle = ""
@@ -156,6 +156,11 @@ class BlockEmitter:
     def in_cycle(self) -> bool:
         """Whether the last line is a block of a canned cycle."""
         return bool(self._cycle)
+
+    @property
+    def has_not_moved(self) -> bool:
+        """Whether no move is written yet."""
+        return not self._motion
 
     def text(self) -> str:
         """Return the program."""

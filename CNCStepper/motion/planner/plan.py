@@ -295,6 +295,9 @@ class Run:
         exact, allowed_mm = path_modes(self.toolpath.states, np.append(self.stops.state, chunk.state))
         dwell = self.stops.before(chunk)
         speed = chunk.feed / S_PER_MIN
+        if self.limits.rapid_mm_min is not None:  # the language leaves their speed to the machine
+            speed = np.where(kind == RAPID, self.limits.rapid_mm_min / S_PER_MIN, speed)
+            kind = np.where(kind == RAPID, LINE, kind)
         reach, after = self._corners_of(chunk, dwell, allowed_mm[1:])
         columns = kind, chunk.end, chunk.centre, plane, turns, speed, dwell, np.zeros_like(dwell)
         return Rows(*columns, chunk.first, exact[:-1], reach, after)
