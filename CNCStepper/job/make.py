@@ -106,12 +106,13 @@ def operation_name(operation: Cycle) -> str:
 def _cut(number: int, operation: Cycle, job: Job, table: TableBuilder) -> Answer:
     """Append one operation; an error names it, for a job may hold many of a kind."""
     tool = job.tools[operation.tool]
+    turns = tool.spindle_rpm > 0 and job.cutting.power == "operation"
     table.set_state(
         replace(
             table.state,
             tool=tool.number,
-            spindle="cw" if tool.spindle_rpm else "off",
-            spindle_rpm=tool.spindle_rpm,
+            spindle="cw" if turns else "off",
+            spindle_rpm=tool.spindle_rpm if turns else 0.0,
             mist=job.coolant == "mist",
             flood=job.coolant == "flood",
         )
@@ -132,7 +133,7 @@ def _options(job: Job, machine: Machine, title: str) -> WriteOptions:
         units=job.units,
         work_offset=job.work_offset,
         clearance_mm=job.clearance_mm,
-        spin_up_s=machine.spindle.spin_up_s,
+        spin_up_s=machine.spindle.spin_up_s if job.cutting.power == "operation" else 0.0,
         tool_change=machine.tool_change,
         title=title,
         tools={tool.number: tool.words for tool in job.tool},

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Settings of every dialect for what the machine behind it lacks, as `Machine.language` names them.
 
-    grbl:z=none               there is no Z: no word for it is written, and one that is read is refused
-    grbl:spindle=switch       M3 and M5 without S switch a torch
-    grbl:spindle=none         nothing is switched: M3, M4 and M5 are refused
-    thesis-a:spindle=always   the language has no words for it: the wire is on from the program's begin
-    grbl:feed=900             the feed, mm/min, of a program that has no F
+grbl:z=none               there is no Z: no word for it is written, and one that is read is refused
+grbl:spindle=switch       M3 and M5 without S switch a torch
+grbl:spindle=none         nothing is switched: M3, M4 and M5 are refused
+thesis-a:spindle=always   the language has no words for it: the wire is on from the program's begin
+grbl:feed=900             the feed, mm/min, of a program that has no F
 """
 
 from __future__ import annotations
@@ -46,8 +46,10 @@ def _spindle(dialect: Dialect, value: str) -> Dialect:
     if value == "switch":
         return replace(_without(dialect, SPEED_CODES, "S", f"{NO_S}: write M3 alone"), power="switch")
     bare = _without(dialect, (*SPEED_CODES, *SWITCH_CODES), "S", f"{NOT_SWITCHED}: take it out")
-    footer = bare.writing and tuple(line for line in bare.writing.footer if line not in SWITCH_CODES)
-    return replace(bare, writing=bare.writing and replace(bare.writing, footer=footer))
+    if bare.writing is None:
+        return bare
+    footer = tuple(line for line in bare.writing.footer if line not in SWITCH_CODES)
+    return replace(bare, writing=replace(bare.writing, footer=footer))
 
 
 def _feed(dialect: Dialect, value: str) -> Dialect:

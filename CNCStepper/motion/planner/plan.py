@@ -23,7 +23,7 @@ from CNCStepper.motion.planner.path_control_modes import path_modes, reaches
 from CNCStepper.motion.planner.standstills import Stops
 from CNCStepper.motion.planner.step_timeline import positions_at, step_table
 from CNCStepper.motion.planner.table_planning import Course, Rows, new_course, run_empty, run_rows, stand_still
-from CNCStepper.toolpath import LINE, Chunk, Toolpath, require_straight_axes
+from CNCStepper.toolpath import LINE, RAPID, Chunk, Toolpath, require_straight_axes
 from CNCStepper.units import S_PER_MIN
 
 SEGMENT_ROWS = 4096
