@@ -191,7 +191,8 @@ class Job(BaseModel):
     operation: cycles in the order in which they are cut, each already checked by its own model; none where only another
     program is proven with its machine, stock, tools and clamps. process: how it is cut. material: for milling of the
     table of materials, from which tools without feeds or speed take theirs; else of the cut chart, as consumable.
-    chart: the file of the shop's own chart. cut_data: the row that was found there. notes: what a person should know of the files that curves and tools came from.
+    chart: the file of the shop's own chart. cut_data: the row that was found there. notes: what a person should know of
+    the files that curves and tools came from.
     """
 
     model_config = ConfigDict(extra="forbid", frozen=True, arbitrary_types_allowed=True)
@@ -275,7 +276,7 @@ class Job(BaseModel):
         return {tool.number: tool.length_offset_mm for tool in self.tool if tool.length_offset_mm is not None}
 
     def on(self, machine: Machine) -> Job:
-        """Return the job as that machine cuts it: tools without feeds or speed have those of material or chart, if named.
+        """Return the job as that machine cuts it: tools without feeds have those of material or chart, if named.
 
         Raises JobError where the machine does not name the process, or the chart does not cover the job.
         """

@@ -242,7 +242,8 @@ class Machine(_Checked):
     @model_serializer(mode="wrap")
     def _without_what_is_usual(self, as_dict: Any) -> dict[str, Any]:
         """Leave out what a profile that does not say it means, so that its certificates stay what they were."""
-        usual: dict[str, Any] = {"processes": _usual_processes(self.spindle.laser), "feed_mm_min": None, "rapid_mm_min": None}
+        usual: dict[str, Any] = {"feed_mm_min": None, "rapid_mm_min": None}
+        usual["processes"] = _usual_processes(self.spindle.laser)
         if not self.has_spindle:
             usual["spindle"] = self.spindle
         told = {key for key in usual if getattr(self, key) != usual[key]}

@@ -49,7 +49,8 @@ class Writing:
     the program's one is the machine's. comment: its form, "" where there are none. block_end: what ends every block.
     code_digits: 2 for G01. number_step: from one N word to the next, 0 for none. helices, full_circles: whether an arc
     may leave its plane and end where it begins. whole_ends: every block names all coordinates. lifts: Z is the height.
-    rapid_feed: rapids heed F, so that both rapids and cuts name it. pointed: every number has its point.
+    rapid_feed: rapids heed F, so that both rapids and cuts name it. pointed: every number has its point. short: numbers
+    have no trailing zeros. keeps_distance: moves that were incremental stay so.
     """
 
     header: tuple[str, ...] = ()
@@ -72,6 +73,8 @@ class Writing:
     lifts: bool = True
     rapid_feed: bool = False
     pointed: bool = False
+    short: bool = False
+    keeps_distance: bool = False
 
 
 @dataclass(frozen=True)

@@ -40,6 +40,8 @@ THESIS_A = Dialect(
         work_systems=(),
         helices=False,
         full_circles=False,
+        short=True,
+        keeps_distance=True,
     ),
     repeats=frozenset((RAPID, LINE)),
     arc_centres="absolute",

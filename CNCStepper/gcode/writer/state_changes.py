@@ -42,6 +42,7 @@ class Switches:
         self._spindle = ("off", 0.0)
         self._coolant = (False, False)  # mist, flood
         self._owed_s = 0.0  # dwell that the spindle still needs
+        self._on_at = -1  # lines before the power was wanted, where it is on from the begin
         for number, description in options.tools.items():
             page.own_comments.update(comment_lines(_tool_comment(number, description)))
 
@@ -147,7 +148,7 @@ class Switches:
     def dwell(self, seconds: float) -> None:
         """Wait, at least as long as the spindle still needs."""
         seconds, self._owed_s = max(seconds, self._owed_s), 0.0
-        if self.dialect.power == "always" and self.page.has_not_moved:  # the wire is hot already
+        if self.dialect.power == "always" and len(self.page.lines) == self._on_at:  # the wire is hot already
             return
         if self._has(("G4",), "dwell", "dwells"):
             self.page.line("G4", f"{self.dialect.dwell_letter}{_number(seconds / self.dialect.dwell_unit_s)}")
@@ -199,7 +200,7 @@ class Switches:
         if spindle != "off":
             self._spindle = ("ended" if state.spindle == "off" else spindle, 0.0)
         else:
-            self._spindle = (state.spindle, 0.0)
+            self._spindle, self._on_at = (state.spindle, 0.0), len(self.page.lines)
 
     def _speed_words(self, state: State) -> tuple[str, ...]:
         """Return S, behind its code where a line must begin with one."""
