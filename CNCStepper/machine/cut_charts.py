@@ -32,7 +32,15 @@ from CNCStepper.quantities import MOST_ITEMS
 from CNCStepper.safe_text import printable
 
 SAME_MM = 0.005  # a thickness of the chart, as a person writes it
-MATERIAL_ALIASES = {"aluminum": "aluminium", "stainless-steel": "stainless", "steel": "mild-steel", "inox": "stainless"}
+MATERIAL_ALIASES = {
+    "aluminum": "aluminium",
+    "birch-plywood": "plywood",
+    "inox": "stainless",
+    "isopor": "eps",
+    "stainless-steel": "stainless",
+    "steel": "mild-steel",
+    "styrofoam": "xps",
+}
 
 __all__ = ["CutData", "cut_data_for", "material_key", "read_chart", "shipped_chart", "write_chart"]
 
