@@ -142,7 +142,7 @@ class Checks:
                 yield from sheet_edge(subject, self._tools, self._stock, self._edge_mm)
 
     def _at_stock(self, subject: CheckContext, stock: Stock, tools: Tools) -> Iterator[Finding]:
-        from CNCStepper.simulation.checks import load_checks, stock_checks, tool_checks
+        from CNCStepper.simulation.checks import load_checks, plunge_and_drill_checks, stock_checks
         from CNCStepper.simulation.exact import beams
 
         self._beams = self._beams or beams.Beams(stock, tools)
@@ -153,8 +153,8 @@ class Checks:
         yield from checks.rapids()
         yield from self._still_spindle(checks)
         yield from checks.below()
-        yield from tool_checks.plunges(checks)
-        yield from tool_checks.sideways(checks)
+        yield from plunge_and_drill_checks.plunges(checks)
+        yield from plunge_and_drill_checks.sideways(checks)
         self._loads = self._loads or load_checks.Loads(stock, tools)
         yield from self._loads(subject)
         if self._kept is not None:

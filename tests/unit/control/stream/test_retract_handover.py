@@ -16,7 +16,7 @@ import pytest
 from CNCStepper.control.program.bundle import LINE_MAP, WIRE, array_bytes, head_bytes, line_bytes, write_bundle
 from CNCStepper.control.program.certificate import FORMAT, VERSION, Certificate, digest_of_lines
 from CNCStepper.control.program.send_job import SendJob
-from CNCStepper.control.stream.path_retract import LEG, OWN_MAP, REST, PathRetract, read_held
+from CNCStepper.control.stream.retract_handover import LEG, OWN_MAP, REST, PathRetract, read_held
 from CNCStepper.errors import JobError, Place
 from CNCStepper.state import Start
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Path retract: from the status of a held session to wire text, proven as any program.
 
-told (control/stream/path_retract.py) ──► Held: the program's way, the place, how far it was cut
+told (control/stream/retract_handover.py) ──► Held: the program's way, the place, how far it was cut
                                 │ back_by · back_to_line · back_to_entry · forward_by · rest
                                 └──► text ──► prove ──► certificate + what the next client must know
 """
@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from math import dist, hypot
 from typing import Any
 
-from CNCStepper.control.stream.path_retract import REST
+from CNCStepper.control.stream.retract_handover import REST
 from CNCStepper.control.stream.return_path import Axes, landed_mm, over, over_backlash
 from CNCStepper.errors import JobError, ProgramError, Text
 from CNCStepper.gcode.dialects import dialect_named

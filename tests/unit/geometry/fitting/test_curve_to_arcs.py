@@ -11,7 +11,7 @@ from shapely import LineString, points, prepare
 
 from CNCStepper.errors import GeometryError
 from CNCStepper.geometry.curve import Curve
-from CNCStepper.geometry.fitting.parametric_curves import corner_parameters, fit_arcs, fit_curve
+from CNCStepper.geometry.fitting.curve_to_arcs import corner_parameters, fit_arcs, fit_curve
 
 
 def ellipse(t: np.ndarray) -> np.ndarray:

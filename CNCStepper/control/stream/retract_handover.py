@@ -4,8 +4,9 @@
     held ---retrace---> reset, compare, position ---> running a leg ---> retreated ---retrace---> ...
                                                                             `--- a leg that is the rest ---> done
 
-The run itself knows no geometry. Its client reads `told`, finds the place, proves a leg (`recovery/retract/prove.py`)
-and gives it back as a bundle: a certificate, with what the next client must know to find the place again.
+The run itself knows no geometry. Its client reads `told`, finds the place, proves a leg
+(`recovery/retract/retract_legs.py`) and gives it back as a bundle: a certificate, with what the next client must know
+to find the place again.
 """
 
 from __future__ import annotations
@@ -56,7 +57,7 @@ PLANNER_BLOCKS = 15  # of grbl as delivered
 class Leg:
     """A way that a client has proven; wire: its file.
 
-    content: of the plain data that `recovery.retract.prove` makes, what is kept for the next client.
+    content: of the plain data that `recovery.retract.retract_legs` makes, what is kept for the next client.
     """
 
     job: SendJob
@@ -224,7 +225,7 @@ def _kept(content: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def write_leg(file: Path, leg: Mapping[str, Any]) -> None:
-    """Write a leg that `recovery.retract.prove` makes to a file, as `PathRetract.read` takes it."""
+    """Write a leg that `recovery.retract.retract_legs` makes to a file, as `PathRetract.read` takes it."""
     certificate: Certificate = leg["certificate"]
     content = {**leg, "certificate": certificate.head()}
     members: dict[str, Iterable[bytes]] = {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Lines and arcs: G0 to G3, offset from their path by cutter compensation.
+"""Straight moves (G0, G1) and arcs (G2, G3), offset from their path by cutter compensation.
 
 Both functions take the block, the motion and the one that was modal before.
 """
@@ -10,9 +10,10 @@ from math import isnan
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.dialects.codes import MOTION_NAMES
-from CNCStepper.gcode.interpreter.block import Block
+from CNCStepper.gcode.interpreter.block import Block, check_feed
 from CNCStepper.gcode.interpreter.cutter_compensation import compensated_path, compensation_codes
-from CNCStepper.gcode.interpreter.motion.moves import arc_of, check_feed, end_point, further_end, machine_end_point
+from CNCStepper.gcode.interpreter.motion.arcs import arc_of
+from CNCStepper.gcode.interpreter.motion.end_points import end_point, further_end, machine_end_point
 from CNCStepper.gcode.interpreter.state.model import rpm_at
 from CNCStepper.toolpath import LINE
 

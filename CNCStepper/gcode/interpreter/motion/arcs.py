@@ -1,95 +1,33 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where a move ends and where its arc has its centre, with all the checks that a controller makes.
+"""Arcs (G2, G3): centre by I J K or radius by R, sweep, turns, and the checks that a controller makes of them.
 
-Nothing here changes the model: a move is worked out whole, and refused whole. Points are machine mm.
+Nothing here changes the model: an arc is worked out whole, and refused whole. Points are machine mm.
 
-Polar coordinates: @ is the distance from the zero of the work system and ^ the angle from X, degrees.
+The arithmetic in the plane of an arc is written once for the interpreter and for the kernel that compiles it. Only
++ - * / and sqrt make what goes into the table, so that both give the same bits.
 
-Arcs in the planes ZX and YZ of a work system that is turned about Z: they lie in no plane of the machine.
-
-The table gets chords, whose middles lie within a tolerance of the arc:  sagitta = radius (1 - cos(angle / 2))
-
-The arithmetic of program arcs in their plane, once for the interpreter and for the kernel that compiles it.
-
-Only + - * / and sqrt make what goes into the table, so that both give the same bits. Lengths are mm.
+Arcs in the planes ZX and YZ of a work system that is turned about Z lie in no plane of the machine. The table gets
+chords, whose middles lie within a tolerance of the arc:  sagitta = radius (1 - cos(angle / 2))
 """
 
 from __future__ import annotations
 
-from cmath import phase, rect
-from collections.abc import Iterator, Sequence
-from dataclasses import replace
-from math import acos, atan2, ceil, cos, hypot, isnan, pi, radians, sin, sqrt
+from collections.abc import Iterator
+from math import acos, atan2, ceil, cos, hypot, isnan, pi, sin, sqrt
 from typing import NamedTuple
 
 from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects import ArcRule, Dialect
 from CNCStepper.gcode.dialects.codes import AXES, MOTION_NAMES
+from CNCStepper.gcode.interpreter.motion.end_points import unknown_position
 from CNCStepper.gcode.interpreter.state.model import Model, Point
-from CNCStepper.gcode.interpreter.state.parameters import FURTHER, length_scale
 from CNCStepper.gcode.syntax.line_grammar import Plan
-from CNCStepper.state import UNKNOWN
 from CNCStepper.toolpath import ARC_CW, PLANE_AXES, PLANE_NAMES
 
-
-def polar_end(local: Model, plan: Plan, values: list[float], here: complex) -> tuple[float, float]:
-    """Return the end that @ (distance) and ^ (angle, degrees) give from the zero of the work system."""
-    if plan.axes[0] >= 0 or plan.axes[1] >= 0:
-        what = "@ and ^ stand for X and Y"
-        raise ProgramError("polar", what, value="X" if plan.axes[0] >= 0 else "Y", advice="take it out")
-    if here == 0 and not (local.absolute and "^" in plan.slots):
-        what = "the angle is not known at the zero of the work system"
-        raise ProgramError("polar", what, value="@" if "@" in plan.slots else "^", advice="give ^ with G90")
-    radius, angle = (values[plan.slots[letter]] if letter in plan.slots else None for letter in "@^")
-    length_mm, turn = abs(here), phase(here)
-    if radius is not None:
-        length_mm = radius * local.scale + (0.0 if local.absolute else length_mm)
-    if angle is not None:
-        turn = radians(angle) + (0.0 if local.absolute else turn)
-    end = rect(length_mm, turn)
-    return end.real, end.imag
-
-
 FULL_TURN = 2 * pi
-
-
-def length(x: float, y: float) -> float:
-    """Return the length of a vector."""
-    return sqrt(x * x + y * y)
-
-
-def centre_by_radius(
-    begin_x: float, begin_y: float, end_x: float, end_y: float, radius: float, clockwise: bool
-) -> tuple[float, float]:
-    """Return the centre of the arc with this radius (R word) between two points that differ.
-
-    It lies on the perpendicular over the middle of the chord; a negative radius is more than half a circle, one that
-    is shorter than half the chord makes half a circle.
-    """
-    x, y = end_x - begin_x, end_y - begin_y
-    chord = sqrt(x * x + y * y)
-    height = sqrt(max(0.0, radius * radius - chord * chord / 4))
-    left = -1.0 if clockwise == (radius > 0) else 1.0
-    return begin_x + x / 2 - left * height * y / chord, begin_y + y / 2 + left * height * x / chord
-
-
-def radii_agree(radius: float, at_end: float, slack: float, gap: float, relative: float) -> bool:
-    """Return whether the radii at both ends of an arc are so alike that a controller takes it (`ArcRule`)."""
-    difference = abs(radius - at_end)
-    too_much = difference > gap or difference > relative * max(radius, at_end)
-    return not (difference > slack and too_much)
-
-
-def sweep_rad(x1: float, y1: float, x2: float, y2: float, clockwise: bool) -> float:
-    """Return the angle from one vector to another in (0, 2 pi]."""
-    angle = atan2(x1 * y2 - y1 * x2, x1 * x2 + y1 * y2)
-    angle = -angle if clockwise else angle
-    return angle if angle > 0 else angle + FULL_TURN
-
-
+TOLERANCE_MM = 0.002  # of the chords
 CENTRE_WORDS = "IJK"
 MOST_TURNS = 65_535
-SMALLEST_INVERSE_FEED = 0.1  # units a minute; RS274 never goes below
 Flat = tuple[float, float]  # a point in the plane of an arc
 
 
@@ -103,80 +41,6 @@ class Arc(NamedTuple):
     sweep_rad: float
 
 
-def end_point(model: Model, plan: Plan, values: list[float]) -> Point:
-    """Return where the axis words lead; raises ProgramError for incremental words from an unknown position."""
-    if model.turn is not None or model.compensation is not None or plan.polar:
-        return model.machine(_work_end(model.local(), plan, values))
-    x, y, z = model.position
-    in_x, in_y, in_z = plan.axes
-    scale = model.scale
-    if model.absolute:
-        offset_x, offset_y, offset_z = model.offset
-        if in_x >= 0:
-            x = values[in_x] * scale + offset_x
-        if in_y >= 0:
-            y = values[in_y] * scale + offset_y
-        if in_z >= 0:
-            z = values[in_z] * scale + offset_z
-        return x, y, z
-    end = [x, y, z]
-    for axis, slot in enumerate(plan.axes):
-        if slot >= 0:
-            if isnan(end[axis]):
-                raise _unknown(AXES[axis], "an incremental move needs a known position")
-            end[axis] += values[slot] * scale
-    return end[0], end[1], end[2]
-
-
-def _work_end(local: Model, plan: Plan, values: list[float]) -> Point:
-    """Return the end in work coordinates; `local` has them for its machine coordinates."""
-    if not plan.polar:
-        return end_point(local, plan, values)
-    x, y, z = end_point(local, replace(plan, axes=(-1, -1, plan.axes[2]), polar=False), values)
-    return *polar_end(local, plan, values, complex(x, y)), z
-
-
-def further_end(model: Model, plan: Plan, values: list[float]) -> tuple[float, ...]:
-    """Return where A B C U V W lead, machine coordinates; nothing while none of them has been named."""
-    if not plan.further:
-        return model.further
-    end = list(model.further or (0.0,) * len(FURTHER))
-    for index, letter in enumerate(FURTHER):
-        if letter in plan.slots:
-            value = values[plan.slots[letter]] * length_scale(index + 3, model.scale)
-            base = 0.0 if plan.machine else model.further_offset[index] if model.absolute else end[index]
-            end[index] = value + base
-    return tuple(end)
-
-
-def check_feed(model: Model, motion: int, plan: Plan | None = None, values: Sequence[float] = ()) -> None:
-    """Refuse a feed move while no feed is set, or in inverse time without its own F."""
-    name, mode = MOTION_NAMES[motion], model.state.feed_mode
-    if mode == "per_minute" and model.state.feed_mm_min <= 0:
-        raise ProgramError(
-            "no-feed", Text("{name} has no feed", name=name), value=name, advice="write an F word above 0 before"
-        )
-    if mode == "per_turn" and (model.state.feed_mm_turn <= 0 or model.state.spindle_rpm <= 0):
-        what = Text("{name} has no feed: a feed per turn needs F and a spindle that turns", name=name)
-        raise ProgramError("no-feed", what, value=name, advice="write F and S above 0 before")
-    if mode == "inverse_time" and plan and not ("F" in plan.slots and values[plan.slots["F"]] > 0):
-        what = Text("in inverse time every {name} needs its own F above 0", name=name)
-        raise ProgramError("no-feed", what, value=name, advice="add F, or write G94 before")
-
-
-def machine_end_point(model: Model, plan: Plan, values: list[float], dialect: Dialect) -> Point:
-    """Return where a G53 move ends; where the work zero is not known that is an unknown place in the table."""
-    if not (model.absolute or dialect.machine_moves_incremental):
-        raise ProgramError("machine-move", "G53 takes absolute coordinates only", value="G53", advice="write G90 first")
-    if plan.polar:
-        raise ProgramError("polar", "G53 takes X and Y only", value="G53", advice="write the end point itself")
-    end = list(model.position)
-    for axis, slot in enumerate(plan.axes):
-        if slot >= 0:
-            end[axis] = values[slot] * model.scale if model.zero_known else UNKNOWN
-    return end[0], end[1], end[2]
-
-
 def arc_of(model: Model, plan: Plan, values: list[float], end: Point, motion: int, dialect: Dialect) -> Arc:
     """Return the arc from the model's position to `end`; raises ProgramError when its words make none."""
     if model.turn is not None:
@@ -188,9 +52,9 @@ def arc_of(model: Model, plan: Plan, values: list[float], end: Point, motion: in
     check_arc_words(plan, model, dialect)
     for axis in (first, second):
         if isnan(begin[axis]) or isnan(end[axis]):
-            raise _unknown(AXES[axis], "an arc needs a known start point")
+            raise unknown_position(AXES[axis], "an arc needs a known start point")
     if isnan(begin[normal]) and not isnan(end[normal]):
-        raise _unknown(AXES[normal], "a helix needs a known start point")
+        raise unknown_position(AXES[normal], "a helix needs a known start point")
     turns = _turns(values[slots["P"]]) if "P" in slots else 1
     rule = dialect.arc_rules[model.state.units].limits(model.scale)
     flat_begin, flat_end = (begin[first], begin[second]), (end[first], end[second])
@@ -216,17 +80,6 @@ def sweep(begin: Flat, end: Flat, centre: Flat, clockwise: bool) -> float:
         return FULL_TURN
     x1, y1 = begin[0] - centre[0], begin[1] - centre[1]
     return sweep_rad(x1, y1, end[0] - centre[0], end[1] - centre[1], clockwise)
-
-
-def way_length(begin: tuple[float, ...], end: tuple[float, ...], arc: Arc | None) -> float:
-    """Return the length of a move: along X Y Z, else U V W, else A B C (degrees for mm)."""
-    if any(isnan(value) for value in (*begin, *end)):
-        raise _unknown("F", "an inverse-time feed needs a known position")
-    way = [there - here for here, there in zip(begin, end, strict=True)]
-    if arc is not None:
-        return hypot(arc.radius * arc.sweep_rad, way[PLANE_AXES[arc.plane][2]])
-    groups = (way[:3], way[6:], way[3:6])
-    return next((sqrt(sum(part * part for part in group)) for group in groups if any(group)), 0.0)
 
 
 def centre_from_radius(begin: Flat, end: Flat, radius: float, clockwise: bool, slack: float) -> Flat:
@@ -309,15 +162,6 @@ def _turns(value: float) -> int:
     return int(value)
 
 
-def _unknown(word: str, what: str) -> ProgramError:
-    return ProgramError(
-        "unknown-position", what, value=word, advice="move there first with absolute coordinates, or give the start"
-    )
-
-
-TOLERANCE_MM = 0.002
-
-
 def chords(model: Model, motion: int, arc: Arc, end: Point) -> Iterator[Point]:
     """Yield the ends of chords along an arc from the model's position to `end` (machine mm)."""
     begin_work, end_work, centre_work = model.work(model.position), model.work(end), model.work(arc.centre)
@@ -336,3 +180,37 @@ def chords(model: Model, motion: int, arc: Arc, end: Point) -> Iterator[Point]:
         place[normal] = begin_work[normal] + share * (end_work[normal] - begin_work[normal])
         yield model.machine((place[0], place[1], place[2]))
     yield end
+
+
+def length(x: float, y: float) -> float:
+    """Return the length of a vector."""
+    return sqrt(x * x + y * y)
+
+
+def centre_by_radius(
+    begin_x: float, begin_y: float, end_x: float, end_y: float, radius: float, clockwise: bool
+) -> tuple[float, float]:
+    """Return the centre of the arc with this radius (R word) between two points that differ.
+
+    It lies on the perpendicular over the middle of the chord; a negative radius is more than half a circle, one that
+    is shorter than half the chord makes half a circle.
+    """
+    x, y = end_x - begin_x, end_y - begin_y
+    chord = sqrt(x * x + y * y)
+    height = sqrt(max(0.0, radius * radius - chord * chord / 4))
+    left = -1.0 if clockwise == (radius > 0) else 1.0
+    return begin_x + x / 2 - left * height * y / chord, begin_y + y / 2 + left * height * x / chord
+
+
+def radii_agree(radius: float, at_end: float, slack: float, gap: float, relative: float) -> bool:
+    """Return whether the radii at both ends of an arc are so alike that a controller takes it (`ArcRule`)."""
+    difference = abs(radius - at_end)
+    too_much = difference > gap or difference > relative * max(radius, at_end)
+    return not (difference > slack and too_much)
+
+
+def sweep_rad(x1: float, y1: float, x2: float, y2: float, clockwise: bool) -> float:
+    """Return the angle from one vector to another in (0, 2 pi]."""
+    angle = atan2(x1 * y2 - y1 * x2, x1 * x2 + y1 * y2)
+    angle = -angle if clockwise else angle
+    return angle if angle > 0 else angle + FULL_TURN

@@ -6,8 +6,7 @@ With `verbose_errors` in its configuration FluidNC answers with a name in place 
 
 from __future__ import annotations
 
-from CNCStepper.control.protocol.grbl.codes import CORRECT_LINE, Code, lost
-from CNCStepper.control.protocol.grbl.codes_grbl import GRBL_ALARMS, GRBL_ERRORS
+from CNCStepper.control.protocol.grbl.alarms_and_errors import CORRECT_LINE, GRBL_ALARMS, GRBL_ERRORS, Code, lost
 
 _CONFIGURATION = "correct its configuration file, then restart the controller"
 _FILE = "look at the controller's file system, then try again"

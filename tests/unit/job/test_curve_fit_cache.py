@@ -15,9 +15,9 @@ import pytest
 
 from CNCStepper.cancellation import interruptible
 from CNCStepper.errors import CNCStepperError
-from CNCStepper.job import spline_fitting
+from CNCStepper.job import curve_fit_cache
+from CNCStepper.job.curve_fit_cache import Ellipse, Spline, answer_to, fit_of, require
 from CNCStepper.job.deferred_fitting import Unfitted, only_looking
-from CNCStepper.job.spline_fitting import Ellipse, Spline, answer_to, fit_of, require
 from CNCStepper.workbench.calculation import result_cache
 from CNCStepper.workers import cycle_cutting
 
@@ -29,9 +29,9 @@ ARC = Spline(  # a quarter of a circle of 10 mm
 
 @pytest.fixture(autouse=True)
 def nothing_kept() -> Iterator[None]:
-    spline_fitting._fits.clear()
+    curve_fit_cache._fits.clear()
     yield
-    spline_fitting._fits.clear()
+    curve_fit_cache._fits.clear()
     result_cache.forget()
 
 
@@ -91,7 +91,7 @@ def test_what_is_looked_at_is_asked_of_the_process_and_then_known(told: list[dic
     with only_looking():
         require(lines, 0.01)
     fitted = [fit_of(line, 0.01) for line in lines]
-    spline_fitting._fits.clear()
+    curve_fit_cache._fits.clear()
     assert fitted == [fit_of(line, 0.01) for line in lines]
 
 
@@ -120,7 +120,7 @@ def test_a_fit_can_be_ended() -> None:
 
 
 def test_the_oldest_fits_go(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(spline_fitting, "MOST_ROWS", 5)
+    monkeypatch.setattr(curve_fit_cache, "MOST_ROWS", 5)
     for seed in range(4):
         fit_of(wave(seed), 0.01)
-    assert len(spline_fitting._fits) == 1
+    assert len(curve_fit_cache._fits) == 1

@@ -20,7 +20,7 @@ from CNCStepper.workbench.dock.retract_client import COMMANDS, RetractRun
 from CNCStepper.workbench.dock.views import widgets
 from CNCStepper.workbench.dock.views.connection_view import ConnectionView
 from CNCStepper.workbench.dock.views.console_view import ConsoleView, LogView
-from CNCStepper.workbench.dock.views.job_view import JobView, PauseView
+from CNCStepper.workbench.dock.views.hold_and_progress_view import JobView, PauseView
 from CNCStepper.workbench.dock.views.jog_view import JogView
 from CNCStepper.workbench.dock.views.keyboard import KeyboardArea
 from CNCStepper.workbench.dock.views.override_view import OverrideView

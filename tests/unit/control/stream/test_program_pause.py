@@ -7,7 +7,7 @@ import pytest
 
 from CNCStepper.control.journal.replay import RUNNING, read_replay
 from CNCStepper.control.session.status import DONE, FAILED
-from CNCStepper.control.stream.pause import way_back
+from CNCStepper.control.stream.program_pause import way_back
 from CNCStepper.virtual.grbl.states import State
 from helpers.control.service_bench import Visit
 

@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 
 from CNCStepper.geometry.curve import Curve, joined
-from CNCStepper.geometry.fitting.parametric_curves import fit_arcs, fit_curve
+from CNCStepper.geometry.fitting.curve_to_arcs import fit_arcs, fit_curve
 from CNCStepper.job.deferred_fitting import Unfitted, looks_only
 
 SAMPLED = 0.99  # of the tolerance: the fit measures at samples, between them it may be a little worse

@@ -3,8 +3,7 @@
 
 from __future__ import annotations
 
-from CNCStepper.control.protocol.grbl.codes import CORRECT_LINE, Code, lost
-from CNCStepper.control.protocol.grbl.codes_grbl import GRBL_ALARMS, GRBL_ERRORS
+from CNCStepper.control.protocol.grbl.alarms_and_errors import CORRECT_LINE, GRBL_ALARMS, GRBL_ERRORS, Code, lost
 
 _CARD = "look at the memory card, then try again"
 _EXPRESSION = "correct the expression in that line"

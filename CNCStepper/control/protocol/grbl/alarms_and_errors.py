@@ -1,9 +1,30 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The codes of grbl 1.1 in words (gnea/grbl `doc/csv`; ALARM:10 is that of its double axes)."""
+"""Alarm and error codes in words: what a number means and what to do, and those of grbl 1.1.
+
+gnea/grbl `doc/csv`; ALARM:10 is that of its double axes. Each other firmware has its own table beside this one.
+"""
 
 from __future__ import annotations
 
-from CNCStepper.control.protocol.grbl.codes import CORRECT_LINE, Code, lost
+from dataclasses import dataclass
+
+CORRECT_LINE = "correct that line of the program"
+HOME_AGAIN = "find the cause, then home the machine: its position is lost"
+
+
+@dataclass(frozen=True)
+class Code:
+    """What a number means and what to do; `position_kept` is of interest for alarms only."""
+
+    meaning: str
+    advice: str
+    position_kept: bool = True
+
+
+def lost(meaning: str, advice: str = HOME_AGAIN) -> Code:
+    """Return the code of an alarm after which the machine's position cannot be trusted."""
+    return Code(meaning, advice, position_kept=False)
+
 
 GRBL_ERRORS: dict[int, Code] = {
     1: Code("a word does not begin with a letter", CORRECT_LINE),
