@@ -239,6 +239,7 @@ class JobRun:
         self._trouble += (report for report in received if isinstance(report, (Alarm, Greeting)))
         for report in received:
             self._take(driver, report)
+        self._feeder.power.hold(driver)
         self._execute_command(driver)
         self._requests.turn(self._phases.name in LEG_BEGINS)
         if self._phases.stands and self._stand.is_left(driver):
@@ -333,7 +334,7 @@ class JobRun:
         elif command.name == "want_back":
             self._phases.hold_or_resume("hold", driver)
             self._requests.request_retract(command)
-        elif command.name == "resume" and self._phases.name == Phase.RETREATED:
+        elif command.name == "resume" and (self._phases.name == Phase.RETREATED or self._feeder.power.is_stopped):
             self._requests.request_resume(command)
         elif command.name == "by_line":
             self._by_line = self._feeder.by_line = command.values["on"]
