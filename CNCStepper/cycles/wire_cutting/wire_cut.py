@@ -29,7 +29,6 @@ from CNCStepper.cycles.wire_cutting.wire_parameters import WireParameters
 from CNCStepper.cycles.wire_cutting.wire_route import Route, RouteMaker, Stroke
 from CNCStepper.cycles.wire_cutting.wire_run import WireRun
 from CNCStepper.errors import CycleError, GeometryError, Text
-from CNCStepper.geometry.curve import Curve
 from CNCStepper.quantities import MOST_ITEMS
 from CNCStepper.toolpath import TableBuilder
 
@@ -45,10 +44,6 @@ class WireCut(WireParameters, BaseModel):
 
     curves: tuple[CurveField, ...] = Field(min_length=1, max_length=MOST_ITEMS["curves"])
     entry_slit: StrictBool = False
-
-    def kept(self) -> tuple[Curve, ...]:
-        """Return the outlines of the parts, for the leads of the job's other operations."""
-        return tuple(curve.moved(*self.offset_mm) for curve in self.curves if curve.closed)
 
     def cut(self, setup: Setup, table: TableBuilder) -> Answer:
         """Append the way to `table`; raises CycleError before any row when the parts cannot be cut so."""

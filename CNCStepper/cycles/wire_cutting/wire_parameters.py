@@ -28,8 +28,9 @@ class WireParameters(Parameters):
         Parameter(CUT, "Leave", "How the wire comes out at last: back the way it came, or on the shortest way to an edge"),
     ] = "back"
     entry_slit: Annotated[
-        bool, Parameter(CUT, "Entry slit", "Whether a slit through the part leads the wire into a closed hole")
-    ] = False
+        bool,
+        Parameter(CUT, "Entry slit", "Whether a slit through the part leads the wire into a closed hole", False),
+    ]
     margin_mm: Annotated[
         Width, Parameter(PATH, "Margin", "How far the kerf of a way through the scrap stays from every part")
     ] = 1.0
