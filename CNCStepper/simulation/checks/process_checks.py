@@ -67,13 +67,13 @@ class PowerStands(PartCheck):
         moves = np.append(np.flatnonzero(cuts & _sideways(subject)), len(cuts))
         firsts = np.flatnonzero(cuts & ~np.append(self._was_on, cuts[:-1]))
         index, value = _dwells(subject)
-        used = np.zeros(len(index), bool)
+        used, numbers = np.zeros(len(index), bool), subject.tool_numbers
         if self._pierce:
             firsts = np.append(-1, firsts)
         for first, move in zip(firsts.tolist(), moves[np.searchsorted(moves, firsts)].tolist(), strict=True):
             here = slice(*np.searchsorted(index, [first, move + 1]))
             used[here] = True
-            pierce = self._pierce if first < 0 and self._pierce else self._begun(subject, first)
+            pierce = self._pierce if first < 0 and self._pierce else self._begun(subject, first, int(numbers[first]))
             pierce.waited_s += float(value[here].sum())
             self._pierce = pierce if move == len(cuts) and cuts[-1] else None
             if self._pierce is None:
@@ -87,8 +87,8 @@ class PowerStands(PartCheck):
         if self._pierce:
             yield from self._pierced(last, self._pierce)
 
-    def _begun(self, subject: CheckContext, row: int) -> _Pierce:
-        tool = tool_numbered(self._tools, int(subject.tool_numbers[row]))
+    def _begun(self, subject: CheckContext, row: int, number: int) -> _Pierce:
+        tool = tool_numbered(self._tools, number)
         return _Pierce(subject.line(row), tuple(subject.begin[row].tolist()), tool.radius_mm if tool else 0.0)
 
     def _beside(self, place: tuple[float, ...], radius_mm: float) -> bool:

@@ -14,6 +14,7 @@ from matplotlib.axes import Axes
 from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 from shapely.geometry.base import BaseGeometry
+from shapely.geometry.polygon import orient
 
 from CNCStepper.simulation.exact.free_pieces import FreePiece
 from CNCStepper.simulation.views.path_lines import Until
@@ -34,7 +35,7 @@ def fallen_until(pieces: Sequence[FreePiece], until: Until | None) -> tuple[Base
 def draw_fallen(axes: Axes, shapes: Iterable[BaseGeometry], height_mm: float, project: Project) -> list[str]:
     """Draw pieces with their holes, at a height; return the name of what there is, for the legend."""
     found = [polygon for shape in shapes for polygon in shapely.get_parts(shape).tolist()]
-    for polygon in found:
+    for polygon in map(orient, found):  # holes run the other way round, so that they stay empty
         rings = [polygon.exterior, *polygon.interiors]
         path = Path.make_compound_path(*(_ring(ring, height_mm, project) for ring in rings))
         axes.add_patch(PathPatch(path, fc=COLOURS["fallen"], ec=INK, lw=0.5, hatch=HATCH, zorder=1.5))
