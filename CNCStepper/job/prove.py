@@ -167,7 +167,7 @@ def prove(
     tell: called with the stage that begins, one of STAGES. share: with how much of reading and timing is done, 0 to 1.
     see: called with the part once it is cut, before judging.
     """
-    language = dialect or machine.controller
+    language = machine.language(dialect)
     tell("read")
     wire, motors, toolpath = wire_round_trip(text, machine, language, file, start, share)
     require_straight_axes(motors, file)
@@ -299,6 +299,7 @@ def prove_operations(
     answers: of the operations that it runs, of which `first` of the job's come before. removals: what those before
     and these want removed together.
     """
+    cut = job.on(machine)
     proof = prove(
         text,
         machine,
@@ -306,7 +307,10 @@ def prove_operations(
         dialect=dialect,
         start=job.started(start, machine),
         stock=job.stock.stock(),
-        tools=job.on(machine).tools,
+        tools=cut.tools,
+        process=job.cutting,
+        cut_data=cut.cut_data,
+        parts=[part for answer in answers for part in answer.parts],
         removals=removals,
         keep_out=job.clamps,
         edge_mm=job.stock.edge_mm,

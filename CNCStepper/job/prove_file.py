@@ -134,7 +134,7 @@ def prove_file(
     the share that is done.
     """
     against: dict[str, Any] = {"process": process, "cut_data": cut_data, "parts": parts}
-    given = Given("", dialect or machine.controller, machine, stock, tools, removals, keep_out, edge_mm, **against)
+    given = Given("", machine.language(dialect), machine, stock, tools, removals, keep_out, edge_mm, **against)
     return _FileProof(path, given, start, sent, name or str(path), share, tell).run()
 
 

@@ -44,7 +44,7 @@ def through(pieces: Segments, bottom_mm: float) -> Segments:
 
 def switches_itself_off(machine: Machine) -> bool:
     """Return whether the controller switches the beam off on rapids by itself, as that of a laser does ($32=1)."""
-    return machine.spindle is not None and machine.spindle.laser
+    return machine.spindle.laser
 
 
 class Beams(PartCheck):
