@@ -49,7 +49,8 @@ class _Round:
 
 
 ROUNDS = (
-    _Round(4, (1.0,), (), ()),
+    _Round(1, (1.0,), (), ()),
+    _Round(6, (1.0, 0.5, 0.0), (), ()),
     _Round(24, (1.0, 0.5, 0.0), (90.0,), ()),
     _Round(96, (0.6, 0.3, 0.0), (90.0, 60.0, 120.0, 35.0), (90.0, 50.0), middles=True),
 )
@@ -190,7 +191,7 @@ def _starts(path: Curve, count: int) -> np.ndarray:
     """Return lengths along a path where it may begin: in its longest segments first, then evenly over it."""
     longest = np.argsort(-path.lengths_mm, kind="stable")[:LONGEST]
     middles = path.before_mm[longest] + path.lengths_mm[longest] / 2.0
-    return np.concatenate([middles, (np.arange(count - len(middles)) + 0.25) * path.length_mm / count])[:count]
+    return np.concatenate([middles, (np.arange(max(count - len(middles), 0)) + 0.25) * path.length_mm / count])[:count]
 
 
 def _too_near(points: np.ndarray, apart_mm: float) -> np.ndarray:

@@ -18,6 +18,8 @@ import shapely
 from CNCStepper.errors import CycleError, GeometryError
 from CNCStepper.geometry.cut_order.cut_order import Stop, ordered
 
+ONE = np.array(list(permutations(range(4), 1)))  # of the corners of a box
+TWO = np.array(list(permutations(range(4), 2)))
 SHY_MM = 1.0  # a rapid keeps so far off the box of a piece that it goes round
 WITHIN_MM = 0.05  # a rapid along the edge of a piece does not cross it
 
@@ -92,10 +94,15 @@ class _Free:
         crossed = self._tree.query(shapely.LineString(way), predicate="intersects")
         boxes = shapely.bounds(self._pieces[crossed[self._freed[crossed] < number]])
         low, high = boxes[:, :2].min(axis=0) - SHY_MM, boxes[:, 2:].max(axis=0) + SHY_MM
-        corners = [np.array([x, y]) for x in (low[0], high[0]) for y in (low[1], high[1])]
-        tries = [*permutations(corners, 1), *permutations(corners, 2)]
-        ways = [np.vstack([way[:1], *[corner[None, :] for corner in each], way[1:]]) for each in tries]
-        lengths = [float(np.hypot(*np.diff(each, axis=0).T).sum()) for each in ways]
-        bad = set(self.hit(np.array([shapely.LineString(each) for each in ways], object), np.full(len(ways), number)))
-        good = [place for place in np.argsort(lengths).tolist() if place not in bad]
-        return ways[good[0]] if good else None
+        corners = np.array([(x, y) for x in (low[0], high[0]) for y in (low[1], high[1])])
+        one = self._shortest(way, corners[ONE], number)
+        return one if one is not None else self._shortest(way, corners[TWO], number)
+
+    def _shortest(self, way: np.ndarray, over: np.ndarray, number: int) -> np.ndarray | None:
+        """Return the shortest of the ways over some corners, float64[k, c, 2], that crosses nothing free."""
+        begin, end = np.tile(way[0], (len(over), 1, 1)), np.tile(way[1], (len(over), 1, 1))
+        ways = np.concatenate([begin, over, end], axis=1)
+        length_mm = np.hypot(*np.moveaxis(np.diff(ways, axis=1), 2, 0)).sum(axis=1)
+        length_mm[self.hit(shapely.linestrings(ways), np.full(len(ways), number))] = np.inf
+        best = int(length_mm.argmin())
+        return ways[best] if np.isfinite(length_mm[best]) else None
