@@ -64,7 +64,7 @@ def make_program(job: Job, machine: Machine, title: str = "") -> Made:
     """
     job = job.on(machine)
     toolpath, answers = cut_operations(job)
-    return Made(write(toolpath, dialect(machine.controller), _options(job, machine, title)), toolpath, answers)
+    return Made(write(toolpath, dialect(machine.language()), _options(job, machine, title)), toolpath, answers)
 
 
 def is_split(job: Job, machine: Machine) -> bool:
@@ -79,7 +79,7 @@ def make_parts(job: Job, machine: Machine, title: str = "") -> list[Part]:
     """
     job = job.on(machine)
     toolpath, answers = cut_operations(job)
-    texts = write_split(toolpath, dialect(machine.controller), _options(job, machine, title))
+    texts = write_split(toolpath, dialect(machine.language()), _options(job, machine, title))
     stretches = groupby(zip(job.operation, answers, strict=True), key=lambda pair: pair[0].tool)
     return [
         Part(number, tool, text, [answer for _, answer in pairs])
@@ -106,12 +106,13 @@ def operation_name(operation: Cycle) -> str:
 def _cut(number: int, operation: Cycle, job: Job, table: TableBuilder) -> Answer:
     """Append one operation; an error names it, for a job may hold many of a kind."""
     tool = job.tools[operation.tool]
+    turns = tool.spindle_rpm > 0 and job.cutting.power == "operation"
     table.set_state(
         replace(
             table.state,
             tool=tool.number,
-            spindle="cw" if tool.spindle_rpm else "off",
-            spindle_rpm=tool.spindle_rpm,
+            spindle="cw" if turns else "off",
+            spindle_rpm=tool.spindle_rpm if turns else 0.0,
             mist=job.coolant == "mist",
             flood=job.coolant == "flood",
         )
@@ -132,11 +133,11 @@ def _options(job: Job, machine: Machine, title: str) -> WriteOptions:
         units=job.units,
         work_offset=job.work_offset,
         clearance_mm=job.clearance_mm,
-        spin_up_s=machine.spindle.spin_up_s,
+        spin_up_s=machine.spindle.spin_up_s if job.cutting.power == "operation" else 0.0,
         tool_change=machine.tool_change,
         title=title,
         tools={tool.number: tool.words for tool in job.tool},
         tool_length=machine.tool_length,
         tool_lengths_mm=job.tool_lengths_mm,
-        rapid_mm_min=max(axis.max_rate_mm_min for axis in machine.axes),
+        rapid_mm_min=machine.fastest_mm_min,
     )

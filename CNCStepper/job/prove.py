@@ -156,7 +156,7 @@ def prove(
     tell: called with the stage that begins, one of STAGES. share: with how much of reading and timing is done, 0 to 1.
     see: called with the part once it is cut, before judging.
     """
-    language = dialect or machine.controller
+    language = machine.language(dialect)
     tell("read")
     wire, motors, toolpath = wire_round_trip(text, machine, language, file, start, share)
     require_straight_axes(motors, file)

@@ -124,7 +124,7 @@ def prove_file(
     sent: an empty folder for what is sent. name: of the file, for people; its path where left out. share: called with
     the share that is done.
     """
-    given = Given("", dialect or machine.controller, machine, stock, tools, removals, keep_out, edge_mm)
+    given = Given("", machine.language(dialect), machine, stock, tools, removals, keep_out, edge_mm)
     return _FileProof(path, given, start, sent, name or str(path), share, tell).run()
 
 

@@ -237,13 +237,14 @@ def _certified(path: Path, wanted: _Wanted, dialect: str | None, despite: bool) 
         click.echo(f"cncstepper: {error}", err=True)
         return _uncertified(wanted, dialect_name(dialect, wanted.machine))
     proven = replace(wanted, start=wanted.start or proven_start(certificate))
-    refusals = list(_refusals(certificate, proven, dialect or certificate.dialect))
+    asked = dialect_name(dialect, wanted.machine) if dialect else certificate.dialect
+    refusals = list(_refusals(certificate, proven, asked))
     if refusals and not despite:
         raise refusals[0]
     for refusal in refusals:
         click.echo(f"cncstepper: {refusal}", err=True)
     if any(refusal.code in ("certificate-program", "certificate-wire") for refusal in refusals):
-        return _uncertified(wanted, dialect or certificate.dialect)
+        return _uncertified(wanted, asked)
     return certificate.send_job(file=wanted.file)
 
 

@@ -84,10 +84,11 @@ Lengths = TypeVar("Lengths", float, np.ndarray)
 
 @dataclass(frozen=True)
 class Grid:
-    """units: "mm" or "inch" of the text; decimals: digits after the point."""
+    """units: "mm" or "inch" of the text; decimals: digits after the point. trims: without trailing zeros."""
 
     units: str
     decimals: int
+    trims: bool = False
 
     @cached_property
     def unit_mm(self) -> float:
@@ -113,14 +114,19 @@ class Grid:
         return round(self.exact(length_mm))
 
     def text(self, count: int) -> str:
-        """Return a length as text with all its decimals; there is no -0."""
+        """Return a length as text with all its decimals, or without trailing zeros; there is no -0."""
         sign = "-" if count < 0 else ""
         whole, rest = divmod(abs(count), self.counts)
-        return f"{sign}{whole}.{rest:0{self.decimals}d}"
+        text = f"{sign}{whole}.{rest:0{self.decimals}d}"
+        return _trimmed(text) if self.trims else text
 
     def short(self, length_mm: float) -> str:
         """Return a length (a feed) as text without trailing zeros."""
-        return self.text(self.count(length_mm)).rstrip("0").rstrip(".")
+        return _trimmed(self.text(self.count(length_mm)))
+
+
+def _trimmed(number: str) -> str:
+    return number.rstrip("0").rstrip(".") if "." in number else number
 
 
 CENTRES = "IJK"
@@ -147,10 +153,12 @@ class BlockEmitter:
         self._own_axes = [axis for axis in range(3) if AXES[axis] in dialect.letters]
         self._number = 0
         self._motion = ""
-        self._feed = f"F{grid.short(dialect.default_feed_mm_min)}" if dialect.default_feed_mm_min else ""
+        self._feed = f"F{grid.short(dialect.default_feed_mm_min)}" if dialect.feed_is_setting else ""
         self._plane = XY
         self._stale: set[int] = set()  # axes whose next word is written even where nothing changes
         self._cycle = ""
+        self._distance = "absolute"
+        self.distance = "absolute"  # of the moves to come
 
     @property
     def in_cycle(self) -> bool:
@@ -224,21 +232,25 @@ class BlockEmitter:
 
     def begin_at(self, at: Counts) -> None:
         """Set the machine's position at the program's begin; the first move names its axes all the same."""
-        self.at, self._stale = list(at), {axis for axis in self._own_axes if at[axis] is not None}
+        is_known = self.dialect.starts_at_work_zero and not any(at)  # zero, or an axis that the language lacks
+        self.at = list(at)
+        self._stale = set() if is_known else {axis for axis in self._own_axes if at[axis] is not None}
 
     def move(self, kind: int, end: Counts, feed_mm_min: float = 0.0, nowhere: bool = False) -> None:
         """Write a straight move; where it leads nowhere only if `nowhere`."""
+        changes = self._distance_word(kind) if nowhere or self._axes(end) else ""
         axes = self._axes(end)
         if not axes and nowhere:
             axes = [self._axis(axis, count) for axis, count in enumerate(end) if count is not None][:1]
         if axes:
-            word = self._motion_word(kind)
+            word = changes or self._motion_word(kind)
             self.line(word, *axes, self._feed_word(kind, feed_mm_min, opens=bool(word)))
             self._arrive(end)
 
     def arc(self, kind: int, end: Counts, offset: tuple[int, int], plane: int, feed_mm_min: float, turns: int) -> None:
         """Write an arc with its centre at begin + `offset`; the words of its plane are written always."""
         self.select_plane(plane)
+        self._distance_word(kind)
         first, second, _ = PLANE_AXES[plane]
         self._stale |= {first, second}
         axes = self._axes(end)
@@ -296,11 +308,25 @@ class BlockEmitter:
             what = Text("{dialect} has no axis {letter}", dialect=self.dialect.title, letter=letter)
             value = f"{letter}{self.grid.text(count)}"
             raise ProgramError("axes", what, value=value, advice="lay the work in its axes")
-        return f"{letter}{self.grid.text(count)}"
+        origin = (self.at[axis] or 0) if self._distance == "incremental" else 0
+        return f"{letter}{self.grid.text(count - origin)}"
 
     def _name(self, kind: int) -> str:
+        if kind == LINE and self._distance == "incremental":
+            return "G91"
         code = self._codes[kind]
         return code.name if code else MOTION_NAMES[kind]
+
+    def _distance_word(self, kind: int) -> str:
+        """Bring G90 or G91 into force, where these are words for straight feeds; return the one that the move takes."""
+        if self.distance == self._distance:
+            return ""
+        self._distance = self.distance
+        self._motion = self._name(LINE)
+        if kind == LINE:
+            return self._motion
+        self.line(self._motion)
+        return ""
 
     def _motion_word(self, kind: int) -> str:
         name = self._name(kind)

@@ -139,7 +139,7 @@ class _Writer:
         self.writing = writing
         self.states = toolpath.states
         self._first_cut = 0
-        self.page = BlockEmitter(dialect, writing, Grid(options.units, writing.decimals[options.units]))
+        self.page = BlockEmitter(dialect, writing, Grid(options.units, writing.decimals[options.units], writing.short))
         used = {self.states[index] for index in set(toolpath.table().state.tolist())}
         lengths = any(state.tool_length_mm for state in used)
         self.switches = Switches(self.page, options, lengths)
@@ -196,6 +196,7 @@ class _Writer:
             self.switches.run(self.states[event.state])
             self._event(event)
         self._offset(state, row)
+        self.page.distance = state.distance if self.writing.keeps_distance else "absolute"
         self.switches.follow(state)
         self.switches.settle()
         self.rows.lift_first()

@@ -74,7 +74,7 @@ def restart_program(
     share: Share = lambda share: None,
 ) -> ProvenRestart:
     """Return the restart of a program at a place, proven as `prove` does; raises ProgramError where it cannot be."""
-    language = dialect or machine.controller
+    language = machine.language(dialect)
     made = restart(text, where, language, start, file, _options(machine, tools, entering))
     before = PriorPrograms(made.cut, (digest_of_text(text),))
     proof = prove(
@@ -112,7 +112,7 @@ def restart_job(
     earlier: the proofs of the programs that the job was split into and that were run before this one
     (`prior_proofs`). Raises ProgramError where it cannot be restarted there.
     """
-    language = dialect or machine.controller
+    language = machine.language(dialect)
     tools = job.on(machine).tools
     options = _options(machine, tools, entering)
     made = restart(text, where, language, job.started(start, machine), file, options)

@@ -11,7 +11,7 @@ from collections.abc import Callable
 from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects.codes import SPINDLE, Code
 from CNCStepper.gcode.interpreter.block import Block
-from CNCStepper.gcode.interpreter.state.model import rpm_at
+from CNCStepper.gcode.interpreter.state.model import POWER_ON, rpm_at
 
 START = {"cw": "START_SPINDLE_CLOCKWISE(0)", "ccw": "START_SPINDLE_COUNTERCLOCKWISE(0)"}
 SENSES = {"M3": "cw", "M4": "ccw", "M5": "off"}
@@ -63,6 +63,8 @@ def spindle(block: Block, code: Code) -> None:
 def turn(block: Block, sense: str) -> None:
     """Let the spindle turn "cw" or "ccw", or stop ("off")."""
     block.model.change(spindle=sense)
+    if block.dialect.power == "switch":
+        block.model.change(spindle_rpm=0.0 if sense == "off" else POWER_ON)
     block.call(START.get(sense, STOP))
 
 

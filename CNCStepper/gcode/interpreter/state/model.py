@@ -68,6 +68,7 @@ Point = tuple[float, float, float]
 ZERO: Point = ZERO3
 FIRST_PATH_CALLS = ("SET_MOTION_CONTROL_MODE(CANON_CONTINUOUS, 0.000000)", "SET_NAIVECAM_TOLERANCE(0.0000)")
 NO_FURTHER = (0.0,) * 6
+POWER_ON = 1.0  # the speed that stands for "on" where there is no S
 
 
 class Model:
@@ -255,10 +256,11 @@ def model_at(start: Start, dialect: Dialect, bare: bool = False) -> Model:
     model = Model()
     model.state = State(
         tool=start.tool,
-        spindle_rpm=start.spindle_rpm,
         arc_centres=dialect.arc_centres,
         distance=dialect.distance,
         feed_mm_min=dialect.default_feed_mm_min,
+        spindle="cw" if dialect.power == "always" else "off",
+        spindle_rpm=POWER_ON if dialect.power == "always" else start.spindle_rpm,
     )
     model.motion = dialect.first_motion
     model.feed_number = dialect.default_feed_mm_min
@@ -310,6 +312,8 @@ def _tools(start: Start) -> dict[int, ToolEntry]:
 
 def _first_position(start: Start, offset: Point, dialect: Dialect) -> Point:
     x, y, z = start.position_mm[:3]
+    if not dialect.has_z and isnan(z):
+        z = offset[2]
     if dialect.starts_at_work_zero:
         x, y, z = (zero if value != value else value for value, zero in zip((x, y, z), offset, strict=True))
     return float(x), float(y), float(z)
