@@ -41,6 +41,8 @@ def long_work(job: Job) -> list[str]:
 def cut_length_mm(operation: Cycle, job: Job) -> tuple[float, int]:
     """Return about how long the cut of an operation is, and in how many levels; holes count as one level."""
     values: Any = operation
+    if operation.cycle == "sheet_cut":
+        return sum(curve.length_mm for curve in values.curves) * values.passes, values.passes
     depth_mm = values.depth_mm
     if hasattr(values, "pattern") and not isinstance(values.pattern, str):
         holes = len(values.pattern.holes())

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import shapely
@@ -49,8 +49,8 @@ class _Round:
 
 
 ROUNDS = (
-    _Round(1, (1.0,), (), ()),
-    _Round(6, (1.0, 0.5, 0.0), (), ()),
+    _Round(1, (1.0, 0.5), (), ()),
+    _Round(2, (0.5, 0.0), (90.0,), ()),
     _Round(24, (1.0, 0.5, 0.0), (90.0,), ()),
     _Round(96, (0.6, 0.3, 0.0), (90.0, 60.0, 120.0, 35.0), (90.0, 50.0), middles=True),
 )
@@ -64,15 +64,23 @@ def lead_ins(
     side: +1 where the scrap lies left of the paths. Raises CycleError where there is no room.
     """
     search = _Search([item.path for item in items], wanted, room, side)
-    pending = np.array(numbers, np.int64)
+    pending = _searched(search, items, np.array(numbers, np.int64), room)
+    if len(pending) and room.sheet is not None:
+        search.room = replace(room, sheet=None)  # what is drawn beside the sheet is told elsewhere
+        pending = _searched(search, items, pending, search.room)
+    if len(pending):
+        raise _no_room(items, int(pending[0]), search, room)
+    return search.found(numbers)
+
+
+def _searched(search: _Search, items: Sequence[Item], pending: np.ndarray, room: LeadRoom) -> np.ndarray:
+    """Look for leads round by round; return the items that have none then."""
     for one in ROUNDS:
         if not len(pending):
             break
         extra = [_from_middle(items, int(item), room) for item in pending] if one.middles else []
         pending = search.settle(together([search.candidates(pending, one), *extra]))
-    if len(pending):
-        raise _no_room(items, int(pending[0]), search, room)
-    return search.found(numbers)
+    return pending
 
 
 def lead_outs(
@@ -102,7 +110,7 @@ class _Search:
     """The leads found so far; those of later rounds keep clear of them."""
 
     def __init__(self, paths: list[Curve], wanted: Lead, room: LeadRoom, side: int):
-        self._paths, self._wanted, self._room, self._side = paths, wanted, room, side
+        self._paths, self._wanted, self.room, self._side = paths, wanted, room, side
         self._found: dict[int, tuple[float, Curve]] = {}
 
     def found(self, numbers: Sequence[int]) -> list[tuple[float, Curve]]:
@@ -152,18 +160,18 @@ class _Search:
         """Return how large a pierce's spot may be at most, as far as the last round has looked."""
         leads = self.candidates(np.array([item]), ROUNDS[-1])
         points = lead_points(leads, self._paths, self._side, into=True)
-        clear = self._room.ways_fit(leads.item, shapely.linestrings(points), flatness_mm(leads))
-        return float(self._room.clearances_mm(leads.item[clear], points[clear, 0]).max(initial=0.0))
+        clear = self.room.ways_fit(leads.item, shapely.linestrings(points), flatness_mm(leads))
+        return float(self.room.clearances_mm(leads.item[clear], points[clear, 0]).max(initial=0.0))
 
     @property
     def _least_mm(self) -> float:
         """How far a pierce is from the path at least."""
-        return max(self._room.pierce_mm - self._room.kerf_mm / 2.0, LEAST * self._room.kerf_mm)
+        return max(self.room.pierce_mm - self.room.kerf_mm / 2.0, LEAST * self.room.kerf_mm)
 
     @property
     def _apart_mm(self) -> float:
         """How far leads stay from each other: a pierce's spot and half a kerf."""
-        return self._room.pierce_mm + self._room.kerf_mm / 2.0
+        return self.room.pierce_mm + self.room.kerf_mm / 2.0
 
     def _fitting(self, leads: Leads) -> tuple[Leads, np.ndarray]:
         """Return the leads that fit, with their points."""
@@ -171,9 +179,9 @@ class _Search:
         for first in range(0, len(leads), BATCH):
             some = leads.rows(np.arange(first, min(first + BATCH, len(leads))))
             points = lead_points(some, self._paths, self._side, into=True)
-            fits = np.flatnonzero(self._room.pierces_fit(some.item, points[:, 0]))
+            fits = np.flatnonzero(self.room.pierces_fit(some.item, points[:, 0]))
             some, points = some.rows(fits), points[fits]
-            fits = self._room.ways_fit(some.item, shapely.linestrings(points), flatness_mm(some))
+            fits = self.room.ways_fit(some.item, shapely.linestrings(points), flatness_mm(some))
             kept.append(some.rows(fits))
             kept_points.append(points[fits])
         return together(kept), np.concatenate(kept_points)
