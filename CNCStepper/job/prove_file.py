@@ -11,7 +11,7 @@ disk until all of it is known, and is judged block by block.
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from itertools import repeat
@@ -47,7 +47,7 @@ from CNCStepper.toolpath import Chunk, Event, Span, Toolpath, straight_chunks
 if TYPE_CHECKING:  # what looks at the stock is loaded where there is one: a short check takes half the time without
     from shapely.geometry.base import BaseGeometry
 
-    from CNCStepper.control.program.bundle import ColumnWriter
+    from CNCStepper.control.program.program_columns import ColumnWriter
     from CNCStepper.cycles.cycle import Removal
     from CNCStepper.simulation.checks.clamps import Clamp
     from CNCStepper.simulation.cutter_solid import Tools
@@ -98,12 +98,12 @@ class FileProof:
 
 @dataclass(frozen=True)
 class StoredWire:
-    """What is sent of a program; its lines are in a file, and read when they are asked for. Without one there are
-    neither lines nor messages."""
+    """What is sent of a program; lines and messages are in files, and read when they are asked for. Without these
+    there are neither."""
 
     lines: Sequence[str]
     file_lines: Sequence[int]
-    messages: dict[int, str]
+    messages: Mapping[int, str]
     sha256: str
     count: int
 
@@ -155,8 +155,7 @@ class _FileProof:
         self._unchanged = Unchanged(path)
         self._stock, self._tools, self._folder = given.stock, given.tools, sent
         self._play = backlash_of(self._machine, given.dialect)
-        reading: dict[str, Any] = {"sink": self._keep, "progress": share, "name": name, "tells": sent is not None}
-        self._wire = wire_of_file(path, start, given.dialect, self._play, **reading)
+        self._wire = wire_of_file(path, start, given.dialect, self._play, sink=self._keep, progress=share, name=name)
         self._kept: StoredCuts | None = None
         self._part: HeightMap | None = None
         self._judged: JudgedPath | None = None
@@ -194,7 +193,7 @@ class _FileProof:
             if self._judged:
                 files.callback(self._judged.close)
             if self._folder:
-                from CNCStepper.control.program.bundle import ColumnWriter
+                from CNCStepper.control.program.program_columns import ColumnWriter
 
                 self._writer = files.enter_context(ColumnWriter(self._folder, self._name))
             self._tell("read")
@@ -207,7 +206,7 @@ class _FileProof:
 
     def _keep(self, wire: WireText) -> None:
         if self._writer:
-            self._writer.add(wire.file_lines, wire.lines)
+            self._writer.add(wire.file_lines, wire.lines, wire.messages)
 
     def _planned(self) -> Iterator[_Planned]:
         """Yield the chunks as the motors go them, each once it is planned."""
@@ -323,8 +322,8 @@ class _FileProof:
     def _sent(self) -> StoredWire:
         """Return what would be sent."""
         wire = self._wire
-        lines, file_lines = self._writer.columns() if self._writer else ((), ())
-        return StoredWire(lines, file_lines, wire.messages, wire.sha256, wire.count)
+        lines, file_lines, messages = self._writer.columns() if self._writer else ((), (), {})
+        return StoredWire(lines, file_lines, messages, wire.sha256, wire.count)
 
 
 def _twice(chunks: Iterator[Chunk]) -> tuple[Iterator[Chunk], Iterator[Chunk]]:

@@ -4,6 +4,7 @@
     proof.json      the head: plain data, without the lines
     wire.txt        the wire lines, each with its newline
     line_map.npy    the file's line of each, int32
+    messages.txt    what the operator is told, and message_map.npy, before which lines: `program_columns.py`
 
 Members are stored, not compressed. What is no such file is refused, and no member is read whole but the head.
 """
@@ -25,15 +26,12 @@ from dataclasses import dataclass
 from functools import lru_cache
 from itertools import islice
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, BinaryIO, TypeVar, overload
+from typing import Any, BinaryIO, TypeVar, overload
 from zipfile import ZIP_STORED, BadZipFile, ZipFile, ZipInfo
 
 from CNCStepper.control.program.wire_line import check_line
 from CNCStepper.errors import Place, Text
 from CNCStepper.input_file import Unchanged, input_kind
-
-if TYPE_CHECKING:
-    import numpy as np
 
 WIRE, LINE_MAP = "wire.txt", "line_map.npy"
 TEXT, ARRAY, HEAD = ".txt", ".npy", ".json"
@@ -167,36 +165,6 @@ def array_bytes(numbers: Sequence[int]) -> Iterator[bytes]:
     size = -(-(before + len(header) + 1) // _ALIGNED) * _ALIGNED - before
     yield _ARRAY_MAGIC + struct.pack("<H", size) + f"{header:{size - 1}}\n".encode("ascii")
     yield from number_bytes(numbers)
-
-
-class ColumnWriter:
-    """The columns of a program that is still being read, in two new files of a folder; file: what its lines are of."""
-
-    def __init__(self, folder: Path, file: str):
-        self._paths = folder / WIRE, folder / LINE_MAP
-        self._lines, self._numbers = map(new_private, self._paths)
-        self._of = file
-
-    def add(self, numbers: np.ndarray, lines: Sequence[str]) -> None:
-        """Write further lines; raises ProgramError for one that holds the end of one."""
-        self._lines.writelines(line_bytes(lines, lambda index: Place(self._of, int(numbers[index]))))
-        self._numbers.write(numbers.astype("<i4").tobytes())
-
-    def close(self) -> None:
-        """Write out what is still held."""
-        self._lines.close()
-        self._numbers.close()
-
-    def columns(self) -> tuple[Lines, Numbers]:
-        """Return what was written, once it is closed."""
-        lines, numbers = (_Member(path, 0, path.stat().st_size, Unchanged(path)) for path in self._paths)
-        return Lines(lines), Numbers(numbers)
-
-    def __enter__(self) -> ColumnWriter:
-        return self
-
-    def __exit__(self, *error: object) -> None:
-        self.close()
 
 
 @dataclass(frozen=True)
@@ -351,6 +319,12 @@ def _column(name: str, member: _Member) -> Sequence[Any]:
     if not found or not header.startswith(_ARRAY_MAGIC) or int(found[1]) * NUMBER_BYTES != size:
         raise ValueError("its line map is no array of whole numbers")
     return Numbers(_Member(member.path, member.begin + found.end(), size, member.unchanged))
+
+
+def column_of_file(path: Path) -> Lines | Numbers:
+    """Return a column that lies in a file of its own, as `line_bytes` or `number_bytes` gives it; raises OSError."""
+    member = _Member(path, 0, path.stat().st_size, Unchanged(path))
+    return Lines(member) if path.suffix == TEXT else Numbers(member)
 
 
 def _little_endian(numbers: array[int]) -> array[int]:

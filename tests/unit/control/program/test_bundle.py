@@ -23,8 +23,6 @@ from CNCStepper.control.program.bundle import (
     BLOCK,
     LINE_MAP,
     WIRE,
-    ColumnWriter,
-    array_bytes,
     head_bytes,
     is_bundle,
     line_bytes,
@@ -152,22 +150,6 @@ def test_a_file_that_is_changed_while_it_is_read_is_noticed(tmp_path: Path) -> N
     with pytest.raises(JobError) as refused:
         job.lines[2 * BLOCK]
     assert refused.value.code == "file-changed"
-
-
-def test_columns_of_a_program_that_is_still_read(tmp_path: Path) -> None:
-    with ColumnWriter(tmp_path, "part.nc") as writer:
-        for first in range(0, len(LINES), 1000):
-            writer.add(np.array(NUMBERS[first : first + 1000]), LINES[first : first + 1000])
-    lines, numbers = writer.columns()
-    assert list(lines) == LINES and list(numbers) == NUMBERS and len(numbers) == len(LINES)
-    assert b"".join(line_bytes(lines)) == b"".join(line_bytes(LINES))
-    assert b"".join(array_bytes(numbers)) == b"".join(array_bytes(NUMBERS))
-
-
-def test_a_line_that_holds_two_is_refused_while_the_program_is_read(tmp_path: Path) -> None:
-    with pytest.raises(ProgramError) as refused, ColumnWriter(tmp_path, "part.nc") as writer:
-        writer.add(np.array([7]), ["G1\nM3"])
-    assert refused.value.place == Place("part.nc", 7, 3)
 
 
 GOOD = {"job.json": b'{"port": "x"}', WIRE: b"G21\nG0\n", LINE_MAP: array(np.array([1, 2], "<i4"))}
