@@ -184,7 +184,7 @@ class PathRetract:
         """Return the leg of a copy of its file."""
         wire = self._new_wire()
         copy_private(file, wire)
-        bundle = read_bundle(wire)
+        bundle = read_bundle(wire, private=True)
         content = bundle.head
         own = {WIRE: bundle.columns[WIRE], LINE_MAP: bundle.columns[OWN_MAP]}
         proven = replace(bundle, head=content["certificate"], columns=own)
