@@ -40,6 +40,7 @@ class Process:
     pause_power: what an M0 means: the power is "kept", must be "off" before it, or stands "limited" to stand_s.
     run_up_mm: how far behind an interruption it is pierced again, in its own kerf.
     tips_parts: a part that is cut free may tip up and be hit. uses_chart: speeds and kerf come from a cut chart.
+    passes: a contour may be cut in several passes, each of which begins where the one before did.
     """
 
     name: ProcessName
@@ -54,6 +55,7 @@ class Process:
     tips_parts: bool = False
     uses_chart: bool = True
     run_up_mm: float = 0.0
+    passes: bool = False
 
     @property
     def is_thermal(self) -> bool:
@@ -70,7 +72,7 @@ PROCESSES: dict[str, Process] = {
         Process("milling", "Milling", _MILLS, "operation", "plunge", "above", False, math.inf, "kept", False, False),
         Process("plasma", "Plasma", _JET, "contour", "pierce", "unpowered", True, 0.0, "off", True, run_up_mm=3.0),
         Process("oxyfuel", "Oxyfuel", _JET, "contour", "pierce", "unpowered", True, 0.0, "off", True, run_up_mm=5.0),
-        Process("laser", "Laser", _JET, "contour", "pierce", "unpowered", True, 0.0, "off", True),
+        Process("laser", "Laser", _JET, "contour", "pierce", "unpowered", True, 0.0, "off", True, passes=True),
         Process("waterjet", "Water jet", _JET, "contour", "pierce", "unpowered", True, 0.0, "off", True, run_up_mm=3.0),
         Process("hot-wire", "Hot wire", ("wire",), "always", "edge", "never", True, 2.0, "limited"),
         Process("drag-knife", "Drag knife", ("engraver",), "none", "lower", "lifted", False, math.inf, "kept"),

@@ -113,7 +113,7 @@ class Answers:
         return {"error": error_to_json(error)}
 
     def _fits(self, part: dict[str, Any]) -> dict[str, Any]:
-        from CNCStepper.job.spline_fitting import answer_to
+        from CNCStepper.job.curve_fit_cache import answer_to
 
         tell({"stage": "fit"})
         return answer_to(part)

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from CNCStepper.control.session.status import SenderStatus
     from CNCStepper.recovery.retract.client import RetractClient
     from CNCStepper.recovery.retract.path import Place
-    from CNCStepper.recovery.retract.prove import HeldProgram
+    from CNCStepper.recovery.retract.retract_legs import HeldProgram
 
 QUESTION = "b MM | l LINE | e | f [MM] | r | s | q"
 MEANINGS = """\

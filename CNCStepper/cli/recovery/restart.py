@@ -218,7 +218,7 @@ def _check_stock(against: _Against, sending: Sending) -> None:
 def _list(text: str, program: Path, against: _Against) -> None:
     """Print the places by which a restart can be named."""
     from CNCStepper.recovery.restart.description import contour_table
-    from CNCStepper.recovery.restart.program import read_program as read
+    from CNCStepper.recovery.restart.interrupted_program import read_program as read
 
     start = against.given.start()
     start = against.job.started(start, against.machine) if against.job else start

@@ -22,7 +22,8 @@ import re
 from collections.abc import Callable
 
 from CNCStepper.control.program.wire_line import check_length, check_line, dwell_s
-from CNCStepper.control.protocol.grbl.driver import Answered, Grbl, Received, Sent
+from CNCStepper.control.protocol.grbl.character_counting import Sent
+from CNCStepper.control.protocol.grbl.driver import Answered, Grbl, Received
 from CNCStepper.control.protocol.grbl.firmware import Firmware
 from CNCStepper.control.protocol.grbl.report import Feedback, NamedSetting, Setting, Status
 from CNCStepper.errors import MachineRefusal, Text

@@ -33,7 +33,7 @@ from CNCStepper.gcode.edit.executed_lines import is_compensated, require_straigh
 from CNCStepper.gcode.edit.line_tokens import changed, first_place, is_plain, tokens_of
 from CNCStepper.gcode.edit.word_values import MOST_DECIMALS, decimals_of, dialect_decimals, number_text
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
-from CNCStepper.gcode.interpreter.motion.moves import sweep
+from CNCStepper.gcode.interpreter.motion.arcs import sweep
 from CNCStepper.gcode.syntax.words import NUMBER
 from CNCStepper.gcode.writer.rounded_arcs import Limits, TrueArc, rounded
 from CNCStepper.geometry.fitting.space_fit import PLANES, Piece, fit_space, serves_points, straight

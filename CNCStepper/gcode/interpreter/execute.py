@@ -42,9 +42,9 @@ from CNCStepper.gcode.interpreter.functions.coordinate_offsets import OFFSET_ACT
 from CNCStepper.gcode.interpreter.functions.outputs import OUTPUT_ACTS
 from CNCStepper.gcode.interpreter.functions.spindle import SPINDLE_ACTS, check_spindle
 from CNCStepper.gcode.interpreter.functions.tools import TOOL_ACTS
-from CNCStepper.gcode.interpreter.motion.lines_and_arcs import arc, straight
 from CNCStepper.gcode.interpreter.motion.probing import probe
 from CNCStepper.gcode.interpreter.motion.splines import SPLINE_ACTS, bezier, control_point
+from CNCStepper.gcode.interpreter.motion.straight_and_arc_moves import arc, straight
 from CNCStepper.gcode.interpreter.state import stand_alone_position
 from CNCStepper.gcode.interpreter.state.modal_state_stack import MODE_ACTS
 from CNCStepper.gcode.lathe.profile_cycles import run_profile

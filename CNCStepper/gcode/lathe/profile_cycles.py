@@ -12,7 +12,7 @@ from math import sqrt
 from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects.codes import MOTION_NAMES
 from CNCStepper.gcode.interpreter.block import Block
-from CNCStepper.gcode.interpreter.motion.lines_and_arcs import arc, straight
+from CNCStepper.gcode.interpreter.motion.straight_and_arc_moves import arc, straight
 from CNCStepper.gcode.interpreter.state.model import Model
 from CNCStepper.gcode.lathe.profile import Segment
 from CNCStepper.gcode.lathe.roughing_and_finishing import Turning

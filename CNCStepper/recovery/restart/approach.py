@@ -17,7 +17,7 @@ from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.machine.tools.tool_shapes import BEAMS
 from CNCStepper.recovery.power_on import own_wait_s, pierce_height_mm
 from CNCStepper.recovery.restart.entry_point import EntryPoint
-from CNCStepper.recovery.restart.program import LEVEL_MM, Program
+from CNCStepper.recovery.restart.interrupted_program import LEVEL_MM, Program
 from CNCStepper.state import State
 
 

@@ -17,8 +17,8 @@ import numpy as np
 from CNCStepper.errors import Text
 from CNCStepper.gcode.dialects.codes import CYCLES
 from CNCStepper.recovery.power_on import cut_begin
+from CNCStepper.recovery.restart.interrupted_program import Program, entry_of, stretch_of
 from CNCStepper.recovery.restart.places import Place
-from CNCStepper.recovery.restart.program import Program, entry_of, stretch_of
 from CNCStepper.toolpath import LINE, XY
 
 LEAST_MM = 0.01  # a shorter part of a move is not written

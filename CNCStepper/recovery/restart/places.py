@@ -11,7 +11,7 @@ import numpy as np
 
 from CNCStepper.errors import Place as FilePlace
 from CNCStepper.errors import ProgramError, Text
-from CNCStepper.recovery.restart.program import Program, Stretch, cutting
+from CNCStepper.recovery.restart.interrupted_program import Program, Stretch, cutting
 from CNCStepper.toolpath import LINE, Span
 
 COARSE, FINE = 9, 65  # places on an arc that are looked at: on all arcs, then on the nearest, then about the best

@@ -31,7 +31,7 @@ from CNCStepper.gcode.writer.block_emitter import comment_lines
 from CNCStepper.gcode.writer.state_changes import SPINDLE_CODES
 from CNCStepper.recovery.restart.approach import Approach
 from CNCStepper.recovery.restart.entry_point import EntryPoint
-from CNCStepper.recovery.restart.program import LEVEL_MM, Program
+from CNCStepper.recovery.restart.interrupted_program import LEVEL_MM, Program
 from CNCStepper.toolpath import LINE, PLANE_AXES
 from CNCStepper.units import UNIT_MM
 

@@ -14,7 +14,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from CNCStepper.control.program.send_job import SendJob
-from CNCStepper.control.stream.path_retract import REST
+from CNCStepper.control.stream.retract_handover import REST
 from CNCStepper.errors import JobError, Text
 from CNCStepper.gcode.interpreter.flow.program_flow import run_whole
 from CNCStepper.gcode.interpreter.flow.subprogram_files import Library

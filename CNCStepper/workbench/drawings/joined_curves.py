@@ -19,7 +19,7 @@ import numpy as np
 
 from CNCStepper.errors import Text
 from CNCStepper.geometry.curve import Curve
-from CNCStepper.job.spline_fitting import Line, require
+from CNCStepper.job.curve_fit_cache import Line, require
 from CNCStepper.workbench.drawings.curves import SHORTEST_MM, Piece, curve_of_chain, pieces_of, require_tolerance
 from CNCStepper.workbench.drawings.shapes import FLAT_MM, DrawingSnapshot, line_groups, refuse_unflat, sorted_chains
 

@@ -16,7 +16,7 @@ from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects.codes import Code
 from CNCStepper.gcode.interpreter.block import Block
 from CNCStepper.gcode.interpreter.functions.tools import set_tool
-from CNCStepper.gcode.interpreter.motion.moves import end_point, further_end
+from CNCStepper.gcode.interpreter.motion.end_points import end_point, further_end
 from CNCStepper.gcode.interpreter.state.model import Model, Point, saved_g92
 from CNCStepper.gcode.interpreter.state.parameters import (
     FIRST_G92,

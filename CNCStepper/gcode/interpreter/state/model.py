@@ -15,7 +15,7 @@ from dataclasses import replace
 from math import inf, isnan, radians, tau
 from typing import Any, NamedTuple
 
-from CNCStepper.canned_drilling import Place
+from CNCStepper.drilling_strokes import Place
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.dialects import Dialect
 from CNCStepper.gcode.dialects.codes import CODE_OF_PLANE
