@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from math import dist
 from pathlib import Path
 
@@ -43,7 +44,7 @@ class Moments:
     def standing_on_s(self) -> float:
         """Return how long the tool stood in a hold with power, after it had come to rest."""
         held = [(time_s, rpm) for time_s, state, rpm, *_ in self.seen if state is State.HOLD]
-        return sum(late - early for (early, rpm), (late, _) in zip(held, held[1:], strict=False) if rpm)
+        return sum(late - early for (early, rpm), (late, _) in pairwise(held) if rpm)
 
 
 def waits(cut: Cut) -> int:
