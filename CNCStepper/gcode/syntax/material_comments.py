@@ -121,7 +121,8 @@ def _value(key: str, text: str, units: str) -> float:
     own, is_length = PARAMETERS[key]
     value = float(text) * (UNIT_MM[units] if is_length else 1.0) if VALUE.fullmatch(text) else float("nan")
     rules = [rule for rule in CutData.model_fields[own].metadata if isinstance(rule, Bounds)]
-    allowed = [rule.allows(int(value) if own == "cut_mode" and value == value else value) for rule in rules]
+    allowed = [rule.allows(int(value) if value.is_integer() else value) for rule in rules]
+    allowed += [value.is_integer()] if own == "cut_mode" else []
     if not (all(allowed) if rules else value in (0.0, 1.0)):
         limit = rules[0].words if rules else "0 or 1"
         what = Text("{key}= of a material is out of its bounds", key=key)
