@@ -354,7 +354,7 @@ def _tools(start: Start) -> dict[int, ToolEntry]:
 def _first_position(start: Start, offset: Point, dialect: Dialect) -> Point:
     x, y, z = start.position_mm[:3]
     if not dialect.has_z and isnan(z):
-        z = 0.0
+        z = offset[2]
     if dialect.starts_at_work_zero:
         x, y, z = (zero if value != value else value for value, zero in zip((x, y, z), offset, strict=True))
     return float(x), float(y), float(z)
