@@ -12,7 +12,7 @@ from CNCStepper.gcode.dialects import dialect
 from CNCStepper.gcode.writer.write import WriteOptions, write, write_split
 from CNCStepper.job.model import Job
 from CNCStepper.machine.profile import Machine
-from CNCStepper.state import Start, State
+from CNCStepper.state import State
 from CNCStepper.toolpath import TableBuilder, Toolpath
 
 
@@ -89,7 +89,7 @@ def make_parts(job: Job, machine: Machine, title: str = "") -> list[Part]:
 
 def cut_operations(job: Job) -> tuple[Toolpath, list[Answer]]:
     """Return the moves of all operations, in work coordinates, and what each answered."""
-    table = TableBuilder(Start(), State(work_system=job.work_offset))
+    table = TableBuilder(job.begin, State(work_system=job.work_offset))
     answers = [_cut(number, operation, job, table) for number, operation in enumerate(job.operation, start=1)]
     return table.toolpath(), answers
 
