@@ -213,6 +213,14 @@ class TableBuilder:
         """The state that the next row will name."""
         return self.states[-1]
 
+    @property
+    def position_mm(self) -> tuple[float, ...]:
+        """Where the last row that is not taken yet ended; the start's position where there is none."""
+        if self._rows:
+            return tuple(map(float, self._rows[-1][1]))
+        chunks = self._pieces or self._chunks
+        return tuple(chunks[-1].end[-1].tolist()) if chunks else tuple(self.start.position_mm)
+
     def set_state(self, state: State) -> None:
         """Let the rows from here on name `state`; nothing happens when it is the one in force."""
         if state != self.states[-1]:

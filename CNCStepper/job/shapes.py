@@ -182,6 +182,7 @@ SHAPE_KEYS: dict[str, tuple[ShapeKey, ...]] = {
     "drill": _HOLES,
     "bore": _HOLES,
     "thread": _HOLES,
+    "wire_cut": _LINES,
 }
 
 

@@ -24,7 +24,7 @@ from CNCStepper.cycles.sheet_cutting.rapids import cut_order, rapid_ways
 from CNCStepper.cycles.sheet_cutting.sheet_checks import Measures, measures_of
 from CNCStepper.cycles.sheet_cutting.sheet_model import SheetModel
 from CNCStepper.cycles.sheet_cutting.stability import precedence
-from CNCStepper.cycles.sheet_cutting.strokes import Rules, Stroke, strokes
+from CNCStepper.cycles.sheet_cutting.strokes import Stroke, strokes
 from CNCStepper.cycles.sheet_cutting.torch_moves import Cut
 from CNCStepper.errors import Text
 from CNCStepper.geometry.curve import Curve, joined
@@ -161,7 +161,7 @@ class _Planner:
     def _begun(self, room: LeadRoom, lead_in: Lead) -> list[Cut]:
         """Return each cut from its lead-in on, in the order of the items."""
         closed = [number for number, item in enumerate(self.items) if item.path.closed]
-        begins = {number: (0.0, None) for number in range(len(self.items))}
+        begins = dict.fromkeys(range(len(self.items)), (0.0, None))
         if lead_in.kind != "none" and closed:
             begins |= dict(zip(closed, lead_ins(self.items, closed, lead_in, room, self.side), strict=True))
         outs = dict.fromkeys(range(len(self.items)))

@@ -155,7 +155,7 @@ def test_bad_jobs_are_refused_with_what_would_do(old: str, new: str, told: str, 
 
 def test_a_process_that_the_machine_does_not_name_is_refused(tmp_path: Path) -> None:
     job, _ = read(tmp_path)
-    with pytest.raises(JobError, match="Laser table does not cut by plasma.*use one of: laser"):
+    with pytest.raises(JobError, match=r"Laser table does not cut by plasma.*use one of: laser"):
         make_program(job, load_machine("laser-table"))
 
 
