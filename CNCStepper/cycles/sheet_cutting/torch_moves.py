@@ -23,7 +23,7 @@ from CNCStepper.state import State
 from CNCStepper.toolpath import TableBuilder
 
 Point = tuple[float, float]
-PLUNGE_MM_MIN = 1000.0  # from the pierce height down, where neither job nor chart says how fast
+PLUNGE_MM_MIN = 1000.0  # at most, from the pierce height down, where the chart does not say how fast
 
 
 @dataclass(frozen=True)
@@ -168,7 +168,7 @@ def torch_of(setup: Setup, delay_s: float, depth_mm: float, dynamic: bool) -> To
         setup.clearance_mm,
         pierce_mm or cut_mm,
         cut_mm,
-        setup.tool.plunge_mm_min or min(setup.tool.feed_mm_min, PLUNGE_MM_MIN),
+        (data and data.plunge_mm_min) or min(setup.tool.plunge_mm_min or setup.tool.feed_mm_min, PLUNGE_MM_MIN),
         delay_s,
         setup.power_s,
         "ccw" if dynamic else "cw",
