@@ -236,7 +236,9 @@ class BlockEmitter:
 
     def forget(self) -> None:
         """Let the next move write all its words, since the machine may have been moved."""
-        self._motion, self._feed, self._stale = "", "", set(self._own_axes)
+        self._motion, self._stale = "", set(self._own_axes)
+        if not self.dialect.feed_is_setting:  # else no person changes it on the way
+            self._feed = ""
 
     def begin_at(self, at: Counts) -> None:
         """Set the machine's position at the program's begin; the first move names its axes all the same."""
