@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 r"""The drawn chains of a sheet: which are parts and holes, and where the beam's centre runs along them.
 
- +-----------------+      depth 0   outline of a part: the cut runs outside of it
- |  .-----------.  |      depth 1   hole in it: the cut runs inside
- |  |  +-----+  |  |      depth 2   a part inside the hole, and so on
- |  |  |part |  |  |
- |  |  +-----+  |  |      open      cut on its line
- |  '-----------'  |
- +-----------------+      Every path has the part on the good side, half a kerf off: exact parallels of lines and arcs.
++-----------------+      depth 0   outline of a part: the cut runs outside of it
+|  .-----------.  |      depth 1   hole in it: the cut runs inside
+|  |  +-----+  |  |      depth 2   a part inside the hole, and so on
+|  |  |part |  |  |
+|  |  +-----+  |  |      open      cut on its line
+|  '-----------'  |
++-----------------+      Every path has the part on the good side, half a kerf off: exact parallels of lines and arcs.
 """
 
 from __future__ import annotations

@@ -228,7 +228,10 @@ def _from_middle(items: Sequence[Item], number: int, room: LeadRoom) -> Leads:
 
 def _no_room(items: Sequence[Item], number: int, search: _Search, room: LeadRoom) -> CycleError:
     item, most_mm = items[number], search.clearance_mm(number)
-    if item.chain.is_hole and (middle := scrap_in([each.chain for each in items], item.chain, room.kerf_mm)) is not None:
+    if (
+        item.chain.is_hole
+        and (middle := scrap_in([each.chain for each in items], item.chain, room.kerf_mm)) is not None
+    ):
         most_mm = max(most_mm, float(room.clearances_mm(np.array([number]), middle[None, :])[0]))
     x, y = item.path.xy[0].tolist()
     return CycleError(

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 r"""The order of the cuts and the rapids between them, round the pieces that are already free.
 
- x-----.   +------+     A piece that was cut free may tip up. A rapid that would cross one goes round it by way of
-       |   | free |     the corners of its box; where no way past all of them is found it goes straight, and is
-       '---+------+-->  counted.
+x-----.   +------+     A piece that was cut free may tip up. A rapid that would cross one goes round it by way of
+      |   | free |     the corners of its box; where no way past all of them is found it goes straight, and is
+      '---+------+-->  counted.
 """
 
 from __future__ import annotations

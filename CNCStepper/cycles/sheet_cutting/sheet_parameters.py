@@ -45,7 +45,9 @@ class SmallHoleParameters(Parameters):
     length_mm: Annotated[
         LengthOr0, Parameter(RULES, "Shorter than", "Holes with a shorter outline are cut slowly; 0: none by length")
     ] = 0.0
-    feed_share: Annotated[Share, Parameter(RULES, "Feed of holes", "The share of the feed with which they are cut")] = 0.6
+    feed_share: Annotated[Share, Parameter(RULES, "Feed of holes", "The share of the feed with which they are cut")] = (
+        0.6
+    )
     torch_off_mm: Annotated[
         WidthOr0, Parameter(RULES, "Torch off before", "How far before its end the cut runs on without power")
     ] = 0.0  # fmt: skip
@@ -58,7 +60,9 @@ class ArcRuleParameters(Parameters):
     """The keys of the rule for narrow arcs: those of a smaller radius are cut with a share of the feed."""
 
     radius_mm: Annotated[WidthOr0, Parameter(RULES, "Arcs below", "Arcs of a smaller radius are cut slowly; 0: none")]
-    feed_share: Annotated[Share, Parameter(RULES, "Feed of arcs", "The share of the feed with which they are cut")] = 0.7
+    feed_share: Annotated[Share, Parameter(RULES, "Feed of arcs", "The share of the feed with which they are cut")] = (
+        0.7
+    )
 
 
 class CornerRuleParameters(Parameters):

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The moves of one cut in the table: rapids without power, pierce, lead-in, strokes, lead-out, power off.
 
-             rapid            clearance          without Z all of this is at height 0
- ----------------------.
-                       |      pierce height      power on, dwell
-                       '-.
-                         '--- cut height         lead-in, cut, lead-out, power off
+            rapid            clearance          without Z all of this is at height 0
+----------------------.
+                      |      pierce height      power on, dwell
+                      '-.
+                        '--- cut height         lead-in, cut, lead-out, power off
 """
 
 from __future__ import annotations

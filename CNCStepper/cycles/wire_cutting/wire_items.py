@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 r"""What the wire cuts: exact parallels round the parts and in their holes, and open lines; what it cannot cut.
 
-      ring of the part                  A part is what an outline encloses; outlines in it are its holes, and what
-     . - - - - - - - - .                lies in these is a part again. The wire's centre runs half a kerf off.
-    |  +-------------+  |
-    |  | part        |  |               refused, with the number that would do:
-    |  |   +------+  |  |               - parts, or two walls of one, with less than a kerf between them
-    |  |   | ring |  |  |               - holes that no slit leads into, or that are narrower than the kerf
-    |  |   +------+  |  |               - parts and lines in each other's cut, parts beyond the sheet's edge
-    |  +-------------+  |
-     ' - - - - - - - - '
+  ring of the part                  A part is what an outline encloses; outlines in it are its holes, and what
+ . - - - - - - - - .                lies in these is a part again. The wire's centre runs half a kerf off.
+|  +-------------+  |
+|  | part        |  |               refused, with the number that would do:
+|  |   +------+  |  |               - parts, or two walls of one, with less than a kerf between them
+|  |   | ring |  |  |               - holes that no slit leads into, or that are narrower than the kerf
+|  |   +------+  |  |               - parts and lines in each other's cut, parts beyond the sheet's edge
+|  +-------------+  |
+ ' - - - - - - - - '
 """
 
 from __future__ import annotations

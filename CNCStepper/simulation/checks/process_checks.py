@@ -192,9 +192,9 @@ class ChartRange(PartCheck):
         feeds, heights = subject.table.feed[moving], subject.end[moving, 2]
         low, high = SLOWEST * self._data.feed_mm_min, FASTEST * self._data.feed_mm_min
         yield from _beyond(subject, moving, feeds, (low, high), "feed", "mm/min")
-        if self._data.cut_height_mm:
+        if self._data.cut_height_mm and subject.machine.has_z:
             yield from _beyond(subject, moving, heights, _around(self._data.cut_height_mm), "height", "mm")
-        if self._data.pierce_height_mm:
+        if self._data.pierce_height_mm and subject.machine.has_z:
             rows = np.flatnonzero(cuts & ~np.append(self._was_on, cuts[:-1]))
             pierced = subject.begin[rows, 2]
             yield from _beyond(subject, rows, pierced, _around(self._data.pierce_height_mm), "pierce-height", "mm")
