@@ -134,6 +134,8 @@ def _with_length(number: int, curve: Curve) -> Curve:
 
 def _require_apart(polygons: Sequence[BaseGeometry], kerf_mm: float) -> None:
     """Raise CycleError where two parts are nearer to each other than the kerf is wide."""
+    if not polygons:
+        return
     near_mm = kerf_mm - TOUCHES_MM
     first, second = shapely.STRtree(polygons).query(polygons, predicate="dwithin", distance=near_mm)
     pairs = [(a, b) for a, b in zip(first.tolist(), second.tolist(), strict=True) if a < b]
@@ -159,7 +161,7 @@ def _require_no_holes(pieces: Sequence[Region]) -> None:
     holes = [loop for piece in pieces for loop in piece.loops if loop.area_mm2 < 0.0]
     if not holes:
         return
-    x, y = Polygon(holes[0].points(FLAT_MM)).representative_point().coords[0]
+    x, y = Polygon(holes[0].points(FLAT_MM)).centroid.coords[0]
     raise CycleError(
         "wire-hole",
         Text("the wire has no entry into the closed hole at X{x:.3f} Y{y:.3f}", x=x, y=y),
