@@ -37,7 +37,6 @@ FIGURES = ("blocks", "moves", "cut_length_mm", "air_length_mm", "rapid_length_mm
 VERDICT = ("gouge_mm", "left_over_mm")
 SENT = (
     "file",
-    "messages",
     "expected",
     "work_offsets_mm",
     "work_system",
@@ -135,6 +134,7 @@ def certificate_of(proof: Proven) -> Certificate:
         },
         job.lines,
         job.file_lines,
+        job.messages,
     )
 
 

@@ -300,7 +300,8 @@ class Job(BaseModel):
 
     def _fed(self, tool: Tool, row: CutData | None, machine: Machine) -> Tool:
         if row is not None:
-            return filled(tool, self.cutting, row)
+            z_rate_mm_min = machine.axes[2].max_rate_mm_min if machine.has_z else row.feed_mm_min
+            return filled(tool, self.cutting, row, z_rate_mm_min)
         return with_feeds(tool, material(self.material), machine) if self.is_milled and self.material else tool
 
     @property

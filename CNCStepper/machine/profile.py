@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import math
 import tomllib
+from collections.abc import Set
 from functools import cache
 from importlib import resources
 from itertools import pairwise
@@ -185,8 +186,8 @@ class Outputs(_Checked):
 class Retreat(_Checked):
     """What is on while the tool goes back along its cut and forward again.
 
-    outputs: "keep" (spindle and coolant as they were) or "off"; left out, a laser's are off and others are kept. A
-    torch or a jet that is switched as a spindle wants "off".
+    outputs: "keep" (spindle and coolant as they were) or "off"; left out, those of a laser, a torch or a jet are off,
+    others are kept. A torch that a milling machine switches as its spindle wants "off".
     """
 
     outputs: Literal["keep", "off"] | None = None
@@ -278,7 +279,32 @@ class Machine(_Checked):
     @property
     def keeps_outputs_back(self) -> bool:
         """Whether spindle and coolant stay on while the tool goes back along its cut."""
-        return self.retreat.outputs == "keep" or (self.retreat.outputs is None and not self.spindle.laser)
+        is_torch = self.cuts_standing and "contour" in self._powers
+        is_off = self.spindle.laser or is_torch
+        return self.retreat.outputs == "keep" or (self.retreat.outputs is None and not is_off)
+
+    @property
+    def _powers(self) -> Set[str]:
+        return {PROCESSES[name].power for name in self.processes} - {"none"}
+
+    @property
+    def cuts_standing(self) -> bool:
+        """Whether the tool cuts on where it stands: a laser, or all that has power is a torch, a jet or a hot wire."""
+        return self.spindle.laser or (bool(self._powers) and "operation" not in self._powers)
+
+    @property
+    def stand_s(self) -> float:
+        """How long the tool may stand with power; a laser's controller takes it by itself."""
+        if self.spindle.laser or not self.cuts_standing:
+            return math.inf
+        return min(PROCESSES[name].stand_s for name in self.processes if PROCESSES[name].power != "none")
+
+    @property
+    def run_up_mm(self) -> float:
+        """How far behind an interruption a cut begins again, in its own kerf."""
+        if self.spindle.laser or not self.cuts_standing:
+            return 0.0
+        return max(PROCESSES[name].run_up_mm for name in self.processes)
 
     @property
     def axes(self) -> tuple[Axis, ...]:

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from CNCStepper.cli.common.chart_options import ChartOptions, chart_options
 from CNCStepper.cli.common.findings_output import show_findings
 from CNCStepper.cli.common.options import (
     FilePath,
@@ -89,6 +90,7 @@ class ProgramFile:
 @job_option
 @start_options
 @dialect_option
+@chart_options
 @click.option("--baud", type=click.IntRange(min=300), default=115200, show_default=True)
 @click.option(
     "--zero-confirmed",
@@ -127,6 +129,7 @@ def command(
     unchecked: bool,
     despite_certificate: bool,
     given: StartOptions,
+    cut: ChartOptions,
 ) -> None:
     """Send PROGRAM to the controller at --port and wait until the machine is idle again.
 
@@ -166,10 +169,12 @@ def command(
     if job_path:
         wanted = wanted.of_job(*job_and_machine(job_path), is_certified=certificate is not None)
     if certificate:
+        if cut != ChartOptions():
+            dialect = cut.language(dialect, wanted.machine)
         job = _certified(certificate, wanted, dialect, despite_certificate)
         _check_dialect(job.dialect, wanted.machine)
     else:
-        job = _checked(wanted, dialect_name(dialect, wanted.machine), unchecked)
+        job = _checked(wanted, cut.language(dialect, wanted.machine), unchecked)
     job = replace(job, port=port, baud=baud, allow_differences=allow_differences)
     how = merged(job.made_with, reproduce_options())
     job = replace(job, by_line=by_line, home_first=home_first, program_sha256=wanted.program.sha256, made_with=how)

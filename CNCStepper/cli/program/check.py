@@ -17,11 +17,11 @@ from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn
 
 import click
 
+from CNCStepper.cli.common.chart_options import ChartOptions, chart_options
 from CNCStepper.cli.common.findings_output import show_figures, show_findings, write_report
 from CNCStepper.cli.common.option_hints import add_conversion, show_hints
 from CNCStepper.cli.common.options import (
     check_stock,
-    dialect_name,
     dialect_option,
     job_option,
     machine_option,
@@ -86,6 +86,7 @@ STAGES = {
 @job_option
 @start_options
 @dialect_option
+@chart_options
 @click.option(
     "--part", type=click.IntRange(1), help="Which program of the job it is, where the machine wants one a tool."
 )
@@ -103,6 +104,7 @@ def command(
     json_path: Path | None,
     certificate: Path | None,
     given: StartOptions,
+    cut: ChartOptions,
 ) -> None:
     """Check PROGRAM against a machine: travel, feeds, spindle; with --stock and --tool also rapids and plunges, with
     --job gouge and material left, clamps and the sheet's edge too.
@@ -113,7 +115,7 @@ def command(
     the program on the table is reported as unknown.
     """
     check_stock(stock, tool, job_path)
-    language, start = dialect_name(dialect, machine), given.start()
+    language, start = cut.language(dialect, machine), given.start()
     asked = _Asked(program, machine, language, start, json_path, certificate)
     job = job_of(job_path) if job_path else None
     with Progress(f"{STAGES['make']} {program.name}"):

@@ -168,7 +168,9 @@ def restart_name(file: str) -> str:
 def _options(machine: Machine, tools: dict[int, Tool] | Tool | None, entering: EntryOptions | None) -> Options:
     entering = entering or EntryOptions()
     spindle = machine.spindle
-    return Options(entering.overlap_mm, entering.height_mm, spindle.spin_up_s, spindle.laser, tools)
+    is_wire = set(machine.processes) == {"hot-wire"}
+    own = (entering.overlap_mm, entering.height_mm, spindle.spin_up_s, spindle.laser, tools)
+    return Options(*own, machine.run_up_mm, is_wire)
 
 
 def _before(made: Restart, text: str, earlier: Sequence[Proof]) -> PriorPrograms:

@@ -97,7 +97,7 @@ def test_the_feed_of_the_profile_is_a_setting_of_its_language() -> None:
 def test_a_process_that_the_machine_does_not_name_is_refused_with_the_list() -> None:
     machine = load_machine("torch-table")
     assert machine.process("oxyfuel").entry == "pierce"
-    with pytest.raises(JobError, match="does not cut by laser.*use one of: plasma, oxyfuel"):
+    with pytest.raises(JobError, match=r"does not cut by laser.*use one of: plasma, oxyfuel"):
         machine.process("laser")
     with pytest.raises(JobError, match="no process 'lasers'"):
         machine.process("lasers")

@@ -130,5 +130,5 @@ def test_a_feed_setting_is_what_a_program_without_f_takes() -> None:
 
 @pytest.mark.parametrize("setting", ["feed=0", "feed=-5", "feed=nan", "feed=", "feed=x", "z=some", "spindle=on"])
 def test_settings_that_are_none_are_refused(setting: str) -> None:
-    with pytest.raises(ProgramError, match="setting|no feed"):
+    with pytest.raises(ProgramError, match=r"setting|no feed"):
         dialect(f"grbl:{setting}")
