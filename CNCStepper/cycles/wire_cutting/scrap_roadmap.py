@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 r"""Straight ways through the scrap, clear of every part, and the shortest way from what is cut to what is to be cut.
 
-    walls      the parts, and open lines, grown by half the kerf and the margin: no way crosses them
-    corners    places just outside of the convex corners of the walls, where a shortest way can turn
+walls      the parts, and open lines, grown by half the kerf and the margin: no way crosses them
+corners    places just outside of the convex corners of the walls, where a shortest way can turn
 
-         X - - - - corner         A connection begins on a way that is there already, at any place of it; it ends
-        /            |            square to a ring, or at an end of an open line. The last margin of it, from
-    way-+-way      stand-off      the stand-off on, is the only one nearer than the walls.
-                     |  lead
-                - - ring - -
+     X - - - - corner         A connection begins on a way that is there already, at any place of it; it ends
+    /            |            square to a ring, or at an end of an open line. The last margin of it, from
+way-+-way      stand-off      the stand-off on, is the only one nearer than the walls.
+                 |  lead
+            - - ring - -
 """
 
 from __future__ import annotations
@@ -75,7 +75,8 @@ class Roadmap:
 
     def sees(self, begins: np.ndarray, ends: np.ndarray) -> np.ndarray:
         """Return between which pairs of places, float64[m, 2] each, no wall stands."""
-        return _sees_each(*self._barrier, np.ascontiguousarray(begins), np.ascontiguousarray(ends))  # type: ignore[no-any-return]
+        pairs = np.ascontiguousarray(begins), np.ascontiguousarray(ends)
+        return _sees_each(*self._barrier, *pairs)  # type: ignore[no-any-return]
 
     def sight_of(self, corner: int) -> np.ndarray:
         """Return how far all corners are from one, infinite where a wall stands between."""

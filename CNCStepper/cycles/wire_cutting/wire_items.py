@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 r"""What the wire cuts: exact parallels round the parts and in their holes, and open lines; what it cannot cut.
 
-      ring of the part                  A part is what an outline encloses; outlines in it are its holes, and what
-     . - - - - - - - - .                lies in these is a part again. The wire's centre runs half a kerf off.
-    |  +-------------+  |
-    |  | part        |  |               refused, with the number that would do:
-    |  |   +------+  |  |               - parts, or two walls of one, with less than a kerf between them
-    |  |   | ring |  |  |               - holes that no slit leads into, or that are narrower than the kerf
-    |  |   +------+  |  |               - parts and lines in each other's cut, parts beyond the sheet's edge
-    |  +-------------+  |
-     ' - - - - - - - - '
+  ring of the part                  A part is what an outline encloses; outlines in it are its holes, and what
+ . - - - - - - - - .                lies in these is a part again. The wire's centre runs half a kerf off.
+|  +-------------+  |
+|  | part        |  |               refused, with the number that would do:
+|  |   +------+  |  |               - parts, or two walls of one, with less than a kerf between them
+|  |   | ring |  |  |               - holes that no slit leads into, or that are narrower than the kerf
+|  |   +------+  |  |               - parts and lines in each other's cut, parts beyond the sheet's edge
+|  +-------------+  |
+ ' - - - - - - - - '
 """
 
 from __future__ import annotations
@@ -97,6 +97,11 @@ class Items:
     lines: list[Line]
     region: Region
     material: BaseGeometry
+
+    @property
+    def every(self) -> list[Item]:
+        """Parts and lines, those in holes too."""
+        return [*self.parts, *self.lines]
 
 
 def items_of(curves: Sequence[Curve], kerf_mm: float, entry_slit: bool, sheet: Polygon | None) -> Items:
@@ -244,7 +249,8 @@ def _nested(parts: Sequence[Part], lines: Sequence[Line]) -> list[Item]:
     """Put what lies in holes into the innermost of them; return what lies in none."""
     holes = sorted(chain.from_iterable(part.holes for part in parts), key=lambda hole: hole.polygon.area)
     top: list[Item] = []
-    for item in (*parts, *lines):
+    every: list[Item] = [*parts, *lines]
+    for item in every:
         place = Point(item.chords.coords[0])
         holder = next((hole for hole in holes if hole.polygon.contains(place)), None)
         (holder.inside if holder else top).append(item)

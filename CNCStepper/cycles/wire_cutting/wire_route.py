@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 r"""The one way of the wire: in from the sheet's edge, from item to item, round each, and out.
 
-    edge -> link -> lead-in -> ring of a part -> lead-out -> link -> ... -> edge
-                                  |  ^
-                             slit v  |           what lies in a hole is cut first, then the hole, then the wire goes
-                               hole's ring       back through the slit and on along the part's ring
+edge -> link -> lead-in -> ring of a part -> lead-out -> link -> ... -> edge
+                              |  ^
+                         slit v  |           what lies in a hole is cut first, then the hole, then the wire goes
+                           hole's ring       back through the slit and on along the part's ring
 """
 
 from __future__ import annotations

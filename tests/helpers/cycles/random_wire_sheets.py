@@ -146,7 +146,7 @@ class _Maker:
     def _fits(self, curve: Curve, gap_mm: float, edge_mm: float) -> bool:
         low_x, low_y, high_x, high_y = curve.box_mm
         inside = min(low_x, low_y, self._size[0] - high_x, self._size[1] - high_y) >= edge_mm
-        return bool(inside and shapely.distance(_area(curve), self._taken) >= gap_mm or (inside and not self.curves))
+        return inside and (not self.curves or shapely.distance(_area(curve), self._taken) >= gap_mm)
 
     def _add(self, curve: Curve) -> None:
         self.curves.append(curve)

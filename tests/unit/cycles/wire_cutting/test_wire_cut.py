@@ -4,11 +4,12 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
 import pytest
-from shapely import Polygon
+from shapely import Point, Polygon
 
 from CNCStepper.cycles.cycle import Answer, Setup
 from CNCStepper.cycles.wire_cutting.wire_cut import WireCut
@@ -142,8 +143,7 @@ def test_a_ring_of_parts_is_not_closed_before_the_part_in_it_is_cut() -> None:
     gap = KERF_MM + 0.2
     ring = (box(20, 5, 60, 8), box(20, 13 + gap, 8, 40), box(28 + gap, 45, 52 - gap, 8 + gap), box(72, 13 + gap, 8, 26))
     _, answer = cut(*ring, circle((50, 28), 6))
-    middle = next(number for number, part in enumerate(answer.parts) if part.contains(Polygon(circle((50, 28), 5).xy)
-                  .centroid))  # fmt: skip
+    middle = next(number for number, part in enumerate(answer.parts) if part.contains(Point(50, 28)))
     assert middle < len(answer.parts) - 1
 
 
@@ -165,7 +165,7 @@ def test_a_known_start_goes_round_the_sheet() -> None:
     ways = np.vstack([[(-20.0, 30.0)], rapids])
     sheet = Polygon(SETUP.stock.points(0.01))  # type: ignore[union-attr]
     assert len(rapids) > 1
-    assert not any(sheet.intersects(Polygon([*pair, pair[0]]).boundary) for pair in zip(ways, ways[1:], strict=False))
+    assert not any(sheet.intersects(Polygon([*pair, pair[0]]).boundary) for pair in pairwise(ways))
     assert not answer.warnings
 
 
@@ -206,8 +206,19 @@ def test_a_hole_narrower_than_the_kerf_is_told_the_kerf_that_would_do() -> None:
 
 
 def test_a_throat_that_the_kerf_closes_is_refused() -> None:
-    throat = [(30, 15), (70, 15), (70, 29.5), (50, 29.5), (50, 22), (40, 22), (40, 38), (50, 38), (50, 30.5), (70, 30.5)]
-    curve = from_points([*throat, (70, 45), (30, 45)], closed=True)
+    throat = [
+        (30, 15),
+        (70, 15),
+        (70, 29.5),
+        (50, 29.5),
+        (50, 22),
+        (40, 22),
+        (40, 38),
+        (50, 38),
+        (50, 30.5),
+        (70, 30.5),
+    ]
+    curve = from_points([*throat, (70, 30.5), (70, 45), (30, 45)], closed=True)
     error = refused("kerf-wide", curve)
     assert float(error.limit.split()[0]) == pytest.approx(1.0, abs=0.01)
     cut(curve, kerf_mm=0.98)
