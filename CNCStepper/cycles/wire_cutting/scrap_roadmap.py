@@ -87,7 +87,7 @@ class Roadmap:
         return self._seen[corner]
 
     def lead(self, begin: Point, item: Item) -> tuple[Point, ...] | None:
-        """Return the end of a way from `begin` straight to an item: stand-off, place on it; None where it is blocked."""
+        """Return the end of a straight way from `begin` to an item: stand-off, place on it; None where blocked."""
         end = _nearest_place(item, begin)
         away_mm = float(np.hypot(end[0] - begin[0], end[1] - begin[1]))
         near_mm = self.stand_off_mm + (self.half_mm if isinstance(item, Line) else 0.0)
