@@ -75,7 +75,8 @@ class Roadmap:
 
     def sees(self, begins: np.ndarray, ends: np.ndarray) -> np.ndarray:
         """Return between which pairs of places, float64[m, 2] each, no wall stands."""
-        return _sees_each(*self._barrier, np.ascontiguousarray(begins), np.ascontiguousarray(ends))  # type: ignore[no-any-return]
+        pairs = np.ascontiguousarray(begins), np.ascontiguousarray(ends)
+        return _sees_each(*self._barrier, *pairs)  # type: ignore[no-any-return]
 
     def sight_of(self, corner: int) -> np.ndarray:
         """Return how far all corners are from one, infinite where a wall stands between."""
@@ -86,7 +87,7 @@ class Roadmap:
         return self._seen[corner]
 
     def lead(self, begin: Point, item: Item) -> tuple[Point, ...] | None:
-        """Return the end of a way from `begin` straight to an item: stand-off, place on it; None where it is blocked."""
+        """Return the end of a straight way from `begin` to an item: stand-off, place on it; None where blocked."""
         end = _nearest_place(item, begin)
         away_mm = float(np.hypot(end[0] - begin[0], end[1] - begin[1]))
         near_mm = self.stand_off_mm + (self.half_mm if isinstance(item, Line) else 0.0)

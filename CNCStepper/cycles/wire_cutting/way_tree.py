@@ -41,7 +41,8 @@ class WayTree:
             self.before.append(node)
             node = len(self.places) - 1
         self.leaves[connection.item] = node
-        return list(pairwise(connection.way[:-1]))
+        ways = connection.way[:-1]
+        return list(pairwise(ways)) or [(ways[0], ways[0])]
 
     def way(self, begin: int, end: int) -> list[int]:
         """Return the nodes from one to another along the ways, both included."""

@@ -125,7 +125,7 @@ def _sheet_of(setup: Setup) -> Polygon | None:
 
 def _around(items: Items, far_mm: float) -> Polygon:
     """Return a sheet round all that is cut, for a setup that does not know its stock."""
-    lines = [item.chords for item in (*items.parts, *items.lines)]
+    lines = [item.chords for item in items.every]
     return shapely.box(*shapely.union_all(lines).buffer(far_mm).bounds)
 
 
