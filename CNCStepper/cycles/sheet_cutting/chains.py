@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 r"""The drawn chains of a sheet: which are parts and holes, and where the beam's centre runs along them.
 
- +-----------------+      depth 0   outline of a part: the cut runs outside of it
- |  .-----------.  |      depth 1   hole in it: the cut runs inside
- |  |  +-----+  |  |      depth 2   a part inside the hole, and so on
- |  |  |part |  |  |
- |  |  +-----+  |  |      open      cut on its line
- |  '-----------'  |
- +-----------------+      Every path has the part on the good side, half a kerf off: exact parallels of lines and arcs.
++-----------------+      depth 0   outline of a part: the cut runs outside of it
+|  .-----------.  |      depth 1   hole in it: the cut runs inside
+|  |  +-----+  |  |      depth 2   a part inside the hole, and so on
+|  |  |part |  |  |
+|  |  +-----+  |  |      open      cut on its line
+|  '-----------'  |
++-----------------+      Every path has the part on the good side, half a kerf off: exact parallels of lines and arcs.
 """
 
 from __future__ import annotations
@@ -121,7 +121,7 @@ def require_gaps(chains: Sequence[Chain], pieces: ChordPieces, kerf_mm: float) -
 
 def narrow_warnings(chains: Sequence[Chain], kerf_mm: float) -> list[str]:
     """Return a warning for each chain with a slot or corner into which the kerf does not get."""
-    told = []
+    told: list[str] = []
     closed = [chain for chain in chains if not chain.is_open]
     for chain, points in zip(closed, points_of([chain.curve for chain in closed], ROUGH_MM), strict=True):
         places = np.vstack([points, _middles(chain.curve)])
@@ -175,7 +175,7 @@ def _once(curves: Sequence[Curve]) -> tuple[list[tuple[int, Curve]], list[str]]:
         key = tuple(round(value / SAME_MM) for value in measures)
         twice += key in drawn
         drawn.setdefault(key, (number, curve))
-    warnings = [Text("{twice} curve(s) are drawn twice and are cut once", twice=twice)] if twice else []
+    warnings: list[str] = [Text("{twice} curve(s) are drawn twice and are cut once", twice=twice)] if twice else []
     return list(drawn.values()), warnings
 
 
