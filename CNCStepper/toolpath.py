@@ -66,7 +66,8 @@ class Event:
     """Something that happens before the row with execution index `index` is run.
 
     kind: "dwell" (value in s), "message", "comment", "pause" (M0), "optional_pause" (M1),
-    "tool_change" (value: the tool), "tool_select", "end" (M2, M30), "probe", "output".
+    "tool_change" (value: the tool), "tool_select", "end" (M2, M30), "probe", "output",
+    "material" (value: its feed in mm/min, 0 where it is not known; text: M190 and P, or its comment).
     state: index of the state in force at that moment. line: source line from 1, 0 where there is none.
     """
 

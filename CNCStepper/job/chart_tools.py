@@ -81,15 +81,19 @@ def tool_keys(process: Process, row: CutData) -> dict[str, Any]:
         "shape": process.shapes[0],
         "diameter_mm": row.kerf_mm,
         "feed_mm_min": row.feed_mm_min,
-        "plunge_mm_min": row.plunge_mm_min or row.feed_mm_min,
+        "plunge_mm_min": row.plunge_mm_min,
         "spindle_rpm": row.power,
     }
 
 
-def filled(tool: Tool, process: Process, row: CutData) -> Tool:
-    """Return a tool with the row's feeds and power where it has none of its own."""
+def filled(tool: Tool, process: Process, row: CutData, most_mm_min: float) -> Tool:
+    """Return a tool with the row's feeds and power where it has none of its own.
+
+    most_mm_min: the highest rate of Z, with which it goes down where the row names no other feed.
+    """
     names = ("feed_mm_min", "plunge_mm_min", "spindle_rpm")
     keys = tool_keys(process, row)
+    keys["plunge_mm_min"] = row.plunge_mm_min or min(tool.feed_mm_min or row.feed_mm_min, most_mm_min)
     return tool.model_copy(update={name: keys[name] for name in names if not getattr(tool, name)})
 
 

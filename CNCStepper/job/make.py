@@ -10,9 +10,11 @@ from CNCStepper.cycles.cycle import Answer, Cycle, Removal
 from CNCStepper.errors import CNCStepperError, Place
 from CNCStepper.gcode.dialects import dialect
 from CNCStepper.gcode.writer.write import WriteOptions, write, write_split
+from CNCStepper.job.chart_tools import as_cut_by
 from CNCStepper.job.model import Job
+from CNCStepper.machine.cut_data import CutData
 from CNCStepper.machine.profile import Machine
-from CNCStepper.state import Start, State
+from CNCStepper.state import State
 from CNCStepper.toolpath import TableBuilder, Toolpath
 
 
@@ -89,7 +91,7 @@ def make_parts(job: Job, machine: Machine, title: str = "") -> list[Part]:
 
 def cut_operations(job: Job) -> tuple[Toolpath, list[Answer]]:
     """Return the moves of all operations, in work coordinates, and what each answered."""
-    table = TableBuilder(Start(), State(work_system=job.work_offset))
+    table = TableBuilder(job.begin, State(work_system=job.work_offset))
     answers = [_cut(number, operation, job, table) for number, operation in enumerate(job.operation, start=1)]
     return table.toolpath(), answers
 
@@ -128,6 +130,13 @@ def _cut(number: int, operation: Cycle, job: Job, table: TableBuilder) -> Answer
     return answer
 
 
+def _material(job: Job) -> CutData | None:
+    """Return the chart's row as the job's tool cuts it."""
+    if job.cut_data is None or not job.operation:
+        return job.cut_data
+    return as_cut_by(job.cut_data, job.tools[job.operation[0].tool])
+
+
 def _options(job: Job, machine: Machine, title: str) -> WriteOptions:
     return WriteOptions(
         units=job.units,
@@ -140,4 +149,5 @@ def _options(job: Job, machine: Machine, title: str) -> WriteOptions:
         tool_length=machine.tool_length,
         tool_lengths_mm=job.tool_lengths_mm,
         rapid_mm_min=machine.fastest_mm_min,
+        cut_data=_material(job),
     )

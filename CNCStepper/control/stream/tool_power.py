@@ -67,8 +67,11 @@ class ToolPower:
 
     def hold(self, driver: Grbl) -> None:
         """Take the power in a hold once the tool has stood with it for as long as it may."""
-        if driver.status is None or driver.status.state != "Hold":
+        status = driver.status
+        if status is None or status.state != "Hold":
             self._held_s, self.is_stopped = None, False
+            return
+        if status.substate not in (0, None):  # it still moves, and cuts
             return
         now_s = driver.clock()
         self._held_s = now_s if self._held_s is None else self._held_s

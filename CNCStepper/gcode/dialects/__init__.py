@@ -21,11 +21,14 @@ from CNCStepper.gcode.dialects.mach import MACH
 from CNCStepper.gcode.dialects.machine_settings import with_machine_setting
 from CNCStepper.gcode.dialects.marlin import MARLIN
 from CNCStepper.gcode.dialects.mini_lathe import MINI_LATHE
+from CNCStepper.gcode.dialects.qtplasmac import QTPLASMAC
 from CNCStepper.gcode.dialects.thesis_a import THESIS_A
 
 __all__ = ["ArcRule", "Dialect", "Writing", "dialect", "dialect_named", "dialect_names"]
 
-_DIALECTS = {one.name: one for one in (GRBL, GRBLHAL, FLUIDNC, LINUXCNC, MACH, MARLIN, ISO, THESIS_A, MINI_LATHE)}
+_DIALECTS = {
+    one.name: one for one in (GRBL, GRBLHAL, FLUIDNC, LINUXCNC, QTPLASMAC, MACH, MARLIN, ISO, THESIS_A, MINI_LATHE)
+}
 
 
 def dialect_names() -> list[str]:

@@ -141,6 +141,8 @@ class Dialect:
     feed_is_setting: bool = False  # of the machine: a program needs no F for it
     has_z: bool = True
     power: str = "speed"  # "speed": M3 with S; "switch": M3 without S is on; "always": on from the program's begin
+    plasma: bool = False  # QtPlasmaC chooses cut data by material, pierces and moves Z itself
+    spindles: int = 1  # that the word $ may name
     starts_at_work_zero: bool = False  # where the position is unknown the tool stands at the work zero
 
     def motion_code(self, motion: int) -> Code | None:

@@ -34,6 +34,8 @@ def _without(dialect: Dialect, codes: tuple[str, ...], letters: str, advice: str
 
 
 def _z(dialect: Dialect, value: str) -> Dialect:
+    if dialect.plasma:  # it moves Z itself, whatever the profile says of it
+        return dialect
     flat = _without(dialect, ("G43.1",), "Z", f"{NO_Z}: take it out")
     flat = _without(flat, HEIGHT_PLANES, "", f"{NO_Z}: arcs are in XY")
     writing = flat.writing and replace(flat.writing, lifts=False, helices=False)
@@ -41,6 +43,8 @@ def _z(dialect: Dialect, value: str) -> Dialect:
 
 
 def _spindle(dialect: Dialect, value: str) -> Dialect:
+    if dialect.plasma:  # its torch is a switch, and M3 has an S all the same
+        return dialect
     if value == "always":
         return replace(dialect, power="always")
     if value == "switch":

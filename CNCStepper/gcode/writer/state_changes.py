@@ -42,9 +42,10 @@ class Switches:
         self._spindle = ("off", 0.0)
         self._coolant = (False, False)  # mist, flood
         self._owed_s = 0.0  # dwell that the spindle still needs
+        self.goes_on = False  # whether the next row cuts on
         self._on_at = -1  # lines before the power was wanted, where it is on from the begin
         for number, description in options.tools.items():
-            page.own_comments.update(comment_lines(_tool_comment(number, description)))
+            page.own_comments.update(comment_lines(tool_comment(number, description)))
 
     @property
     def own_events(self) -> tuple[str, ...]:
@@ -52,6 +53,18 @@ class Switches:
         if self.options.tool_change != "m6":
             return "message", "pause"
         return ("message",) if self.options.tool_length == "touch_off" else ()
+
+    def begin(self) -> None:
+        """Write what stands behind the header."""
+
+    def material(self, text: str) -> None:
+        """Write a change of material, where the controller knows materials."""
+
+    def before_move(self, kind: int) -> None:
+        """Switch what must be so before a row of that kind."""
+
+    def before_end(self) -> None:
+        """Switch what the footer does not."""
 
     def follow(self, state: State) -> None:
         """Switch spindle, coolant and length offset as `state` has them."""
@@ -94,7 +107,7 @@ class Switches:
             self.all_off()
         self._ask(tool, description, message, first)
         if description:
-            self.page.comment(_tool_comment(tool, description), own=True)
+            self.page.comment(tool_comment(tool, description), own=True)
         if "T" in self.dialect.letters:
             self.page.line(f"T{tool}", "M6" if by_m6 else "")
         if self.own_lengths:
@@ -244,7 +257,8 @@ def has_lengths(dialect: Dialect) -> bool:
     return "G43" in dialect.codes or "G43.1" in dialect.codes
 
 
-def _tool_comment(tool: int, description: str) -> str:
+def tool_comment(tool: int, description: str) -> str:
+    """Return what a program says of its tool."""
     return f"tool {tool}: {description}"
 
 

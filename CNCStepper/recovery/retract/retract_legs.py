@@ -198,7 +198,7 @@ class HeldProgram:
         """Return how long to wait once the tool is on: a torch pierces as long as the program waits."""
         machine = self.ground.machine
         if machine.cuts_standing and not machine.spindle.laser:
-            return max(machine.spindle.spin_up_s, own_wait_s(self.way.toolpath, self.place.row))
+            return own_wait_s(self.way.toolpath, self.place.row) or machine.spindle.spin_up_s
         return machine.spindle.spin_up_s
 
     def _moves_by(self, places: Sequence[Place], leads_on: bool) -> Iterator[tuple[Move, Part]]:

@@ -89,7 +89,7 @@ def test_the_tool_is_made_from_the_charts_row(tmp_path: Path) -> None:
     setup = setup_of(tmp_path)
     tool = setup.tool
     assert (tool.number, tool.shape, tool.diameter_mm) == (1, "jet", 1.4)
-    assert (tool.feed_mm_min, tool.plunge_mm_min) == (4000, 4000)
+    assert (tool.feed_mm_min, tool.plunge_mm_min) == (4000, load_machine("torch-table").axis["z"].max_rate_mm_min)
     assert setup.process.name == "plasma"
     assert setup.cut_data == CutData(
         process="plasma", material="brass", thickness_mm=3, consumable="45A", feed_mm_min=4000, kerf_mm=1.4,

@@ -22,9 +22,11 @@ FEET_PER_M = 1 / 0.3048
 
 def check_spindle(block: Block) -> None:
     """Refuse a $ word that names a spindle which is not there."""
-    if SPINDLE in block.plan.slots and block.value(SPINDLE) not in (0, -1):
-        what = "the machine has one spindle, number 0"
-        raise ProgramError("spindle-number", what, value=SPINDLE, limit="0 or -1", advice="drop $")
+    most = block.dialect.spindles - 1
+    if SPINDLE in block.plan.slots and block.value(SPINDLE) not in range(-1, most + 1):
+        what = "the machine has one spindle, number 0" if not most else "the machine has no such spindle"
+        limit = Text("0 to {most}, or -1", most=most) if most else "0 or -1"
+        raise ProgramError("spindle-number", what, value=SPINDLE, limit=limit, advice="drop $")
 
 
 def speed(block: Block, code: Code) -> None:
