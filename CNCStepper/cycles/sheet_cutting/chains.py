@@ -224,7 +224,7 @@ def _require_simple(chain: Chain, ring: np.ndarray) -> None:
 
 
 def _too_wide(chain: Chain, kerf_mm: float) -> CycleError:
-    room = shapely.maximum_inscribed_circle(polygon_of(chain.curve, 0.005))
+    room = shapely.maximum_inscribed_circle(polygon_of(chain.curve, SAME_MM), tolerance=0.001)
     (x, y), _ = shapely.get_coordinates(room)
     return CycleError(
         "kerf-wide",
