@@ -161,7 +161,7 @@ class _Planner:
         closed = [number for number, item in enumerate(self.items) if item.path.closed]
         begins = dict.fromkeys(range(len(self.items)), (0.0, None))
         if lead_in.kind != "none" and closed:
-            begins |= dict(zip(closed, lead_ins(self.items, closed, lead_in, room, self.side), strict=True))
+            begins.update(zip(closed, lead_ins(self.items, closed, lead_in, room, self.side), strict=True))
         outs: dict[int, Curve | None] = dict.fromkeys(range(len(self.items)))
         if self.cycle.lead_out.kind != "none" and closed:
             outs |= self._lead_outs(room, closed, [begins[number][0] for number in closed])
