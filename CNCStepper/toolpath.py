@@ -272,14 +272,17 @@ class TableBuilder:
         """Note a span of rows that are there already."""
         self.spans.append(Span(kind, name, first, last))
 
-    def add_cuts(self, kind: np.ndarray, end: np.ndarray, centre: np.ndarray, feed_mm_min: float) -> None:
-        """Add feed moves and arcs in the XY plane as columns of a chunk; they name the state that is in force here."""
-        first = 0
+    def add_cuts(self, kind: np.ndarray, end: np.ndarray, centre: np.ndarray, feed_mm_min: float | np.ndarray) -> None:
+        """Add feed moves and arcs in the XY plane as columns of a chunk; they name the state that is in force here.
+
+        feed_mm_min: of all rows, or of each.
+        """
+        first, feeds = 0, np.broadcast_to(np.asarray(feed_mm_min, float), len(kind))
         while first < len(kind):
             some = slice(first, first + self.room)
             count = len(kind[some])
             none, state = np.zeros(count, np.uint8), np.full(count, len(self.states) - 1, np.int32)
-            turns, feed = (kind[some] != LINE).astype(np.uint16), np.full(count, feed_mm_min)
+            turns, feed = (kind[some] != LINE).astype(np.uint16), feeds[some].copy()
             self.extend((kind[some], end[some], centre[some], none, turns, feed, state, none.astype(np.int32)))
             first += count
 

@@ -121,7 +121,7 @@ def require_gaps(chains: Sequence[Chain], pieces: ChordPieces, kerf_mm: float) -
 
 def narrow_warnings(chains: Sequence[Chain], kerf_mm: float) -> list[str]:
     """Return a warning for each chain with a slot or corner into which the kerf does not get."""
-    told = []
+    told: list[str] = []
     closed = [chain for chain in chains if not chain.is_open]
     for chain, points in zip(closed, points_of([chain.curve for chain in closed], ROUGH_MM), strict=True):
         places = np.vstack([points, _middles(chain.curve)])
@@ -175,7 +175,7 @@ def _once(curves: Sequence[Curve]) -> tuple[list[tuple[int, Curve]], list[str]]:
         key = tuple(round(value / SAME_MM) for value in measures)
         twice += key in drawn
         drawn.setdefault(key, (number, curve))
-    warnings = [Text("{twice} curve(s) are drawn twice and are cut once", twice=twice)] if twice else []
+    warnings: list[str] = [Text("{twice} curve(s) are drawn twice and are cut once", twice=twice)] if twice else []
     return list(drawn.values()), warnings
 
 
@@ -224,7 +224,7 @@ def _require_simple(chain: Chain, ring: np.ndarray) -> None:
 
 
 def _too_wide(chain: Chain, kerf_mm: float) -> CycleError:
-    room = shapely.maximum_inscribed_circle(polygon_of(chain.curve, 0.005))
+    room = shapely.maximum_inscribed_circle(polygon_of(chain.curve, SAME_MM), tolerance=0.001)
     (x, y), _ = shapely.get_coordinates(room)
     return CycleError(
         "kerf-wide",

@@ -68,7 +68,8 @@ def knife_way(path: Curve, blade_mm: float) -> Curve:
     """Return the way of a drag knife's axis along a path of its edge, which it closes by going on round the first."""
     segments = path.segments
     begin, end = segments.begin + blade_mm * segments.direction(0.0), segments.end + blade_mm * segments.direction(1.0)
-    xy, bulge = [begin[0]], []
+    xy: list[complex] = [complex(begin[0])]
+    bulge: list[float] = []
     for row in range(len(path)):
         if row:
             _swivel(xy, bulge, segments.begin[row], begin[row])

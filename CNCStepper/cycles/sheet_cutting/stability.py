@@ -71,7 +71,7 @@ def _hulls(chains: Sequence[Chain]) -> dict[int, shapely.Polygon]:
 def _clusters(ground: _Ground) -> list[list[int]]:
     """Return the groups of chains whose bands meet, and single ones with others in their bays."""
     one, other, _ = ground.paths.pairs(ground.kerf_mm + TOUCH_MM)
-    joined = {pair for pair in zip(one.tolist(), other.tolist(), strict=True)}
+    joined = set(zip(one.tolist(), other.tolist(), strict=True))
     groups = _groups(joined)
     grouped = {index for group in groups for index in group}
     return groups + [[index] for index in _with_guests(ground) if index not in grouped]
