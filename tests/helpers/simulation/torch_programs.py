@@ -127,10 +127,11 @@ class Plate:
     stock: Stock | None = SHEET
     start: Start = START
     tool: Tool | None = None
+    language: str = "grbl"
 
     def findings(self, text: str) -> list[Finding]:
         """Return what the check finds in a program's text."""
-        toolpath = interpret(text, self.start)
+        toolpath = interpret(text, self.start, self.language)
         return check(
             toolpath,
             self.machine,
