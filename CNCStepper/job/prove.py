@@ -307,7 +307,7 @@ def prove_operations(
         dialect=dialect,
         start=job.started(start, machine),
         stock=job.stock.stock(),
-        tools=cut.tools,
+        tools=tools_of(cut),
         process=job.cutting,
         cut_data=cut.cut_data,
         parts=[part for answer in answers for part in answer.parts],
@@ -322,6 +322,12 @@ def prove_operations(
     lines, spans = FirstLines.of(proof.toolpath), proof.toolpath.spans
     own = list(findings_of(job, machine, lines, spans, answers, file, first))
     return with_findings(with_answers(proof, answers), own)
+
+
+def tools_of(job: Job) -> dict[int, Tool] | Tool:
+    """Return a job's tools by number; the one jet or wire of a job is its tool whatever T says, or where none is."""
+    tools = list(job.tools.values())
+    return tools[0] if job.cutting.cuts_through and len(tools) == 1 else job.tools
 
 
 def operations_before(job: Job, parts: int) -> int:
