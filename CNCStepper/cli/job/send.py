@@ -16,24 +16,11 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from CNCStepper.cli.common.findings_output import show_findings
-from CNCStepper.cli.common.options import (
-    FilePath,
-    check_stock,
-    dialect_name,
-    dialect_option,
-    job_option,
-    machine_option,
-    program_argument,
-    read_program,
-    stock_of,
-    stock_options,
-)
-from CNCStepper.cli.common.start_state_options import StartOptions, start_options
+from CNCStepper.cli.common.options import FilePath, program_argument, read_program
+from CNCStepper.cli.common.program_options import ProgramOptions, program_options
 from CNCStepper.cli.common.verb import Verb
-from CNCStepper.cli.job_file import job_and_machine
 from CNCStepper.errors import JobError
 from CNCStepper.machine.profile import Machine
-from CNCStepper.machine.tools.tool import Tool
 
 if TYPE_CHECKING:
     from CNCStepper.control.program.certificate import Certificate
@@ -84,11 +71,7 @@ class ProgramFile:
 @program_argument
 @click.option("--port", required=True, help="A serial port (COM3, /dev/ttyUSB0) or a URL (socket://127.0.0.1:2217).")
 @click.option("--certificate", type=FilePath, help="What `check` or `run` wrote for it; other bytes are refused.")
-@machine_option(required=False)
-@stock_options(required=False)
-@job_option
-@start_options
-@dialect_option
+@program_options()
 @click.option("--baud", type=click.IntRange(min=300), default=115200, show_default=True)
 @click.option(
     "--zero-confirmed",
@@ -112,12 +95,6 @@ def command(
     program: Path,
     port: str,
     certificate: Path | None,
-    machine: Machine | None,
-    stock: tuple[float, float, float] | None,
-    origin: str,
-    tool: Tool | None,
-    job_path: Path | None,
-    dialect: str | None,
     baud: int,
     zero_confirmed: bool,
     home_first: bool,
@@ -126,7 +103,7 @@ def command(
     allow_differences: bool,
     unchecked: bool,
     despite_certificate: bool,
-    given: StartOptions,
+    given: ProgramOptions,
 ) -> None:
     """Send PROGRAM to the controller at --port and wait until the machine is idle again.
 
@@ -156,20 +133,18 @@ def command(
     from CNCStepper.cli.job.session_watch import watch
     from CNCStepper.control.service.port_owner import check_free, warn_of_closed
 
-    if not certificate or job_path:
-        check_stock(stock, tool, job_path)
+    if not certificate or given.job_path:
+        given.check_stock()
     _check_pauses(by_line, resume_pauses)
-    _check_proof(bool(certificate), bool(machine or job_path), unchecked, despite_certificate)
+    _check_proof(bool(certificate), bool(given.machine or given.job_path), unchecked, despite_certificate)
     check_free(port)
     warn_of_closed(partial(click.echo, err=True))
-    wanted = _Wanted(ProgramFile(program), machine, stock_of(stock, origin), tool, given.start())
-    if job_path:
-        wanted = wanted.of_job(*job_and_machine(job_path), is_certified=certificate is not None)
+    wanted = _Wanted.of(program, given, is_certified=certificate is not None)
     if certificate:
-        job = _certified(certificate, wanted, dialect, despite_certificate)
+        job = _certified(certificate, wanted, given, despite_certificate)
         _check_dialect(job.dialect, wanted.machine)
     else:
-        job = _checked(wanted, dialect_name(dialect, wanted.machine), unchecked)
+        job = _checked(wanted, given.dialect_on(wanted.machine), unchecked)
     job = replace(job, port=port, baud=baud, allow_differences=allow_differences)
     how = merged(job.made_with, reproduce_options())
     job = replace(job, by_line=by_line, home_first=home_first, program_sha256=wanted.program.sha256, made_with=how)
@@ -205,16 +180,17 @@ class _Wanted:
         """What the program is called."""
         return str(self.program.path)
 
-    def of_job(self, job: Job, machine: Machine, is_certified: bool) -> _Wanted:
-        """Return it with stock and tools of a job, and its machine where the command line names none.
+    @classmethod
+    def of(cls, program: Path, given: ProgramOptions, is_certified: bool) -> _Wanted:
+        """Return what the command line asks for; a job gives stock and tools, and its machine where none is named.
 
-        A certificate tells the start where the command line does not; else the job does.
+        Where the command line gives no start, the certificate does; without a certificate the job does.
         """
-        machine = self.machine or machine
-        start = self.start if is_certified and not self.start else job.started(self.start, machine)
-        return replace(
-            self, machine=machine, stock=job.stock.stock(), tools=job.on(machine).tools, start=start, job=job
-        )
+        file, start, (job, machine) = ProgramFile(program), given.start_options.start(), given.job_and_machine()
+        if job is None or machine is None:
+            return cls(file, machine, given.stock, given.tool, start)
+        start = start if is_certified and not start else job.started(start, machine)
+        return cls(file, machine, job.stock.stock(), job.on(machine).tools, start, job)
 
 
 def _check_dialect(dialect: str, machine: Machine | None) -> None:
@@ -224,7 +200,7 @@ def _check_dialect(dialect: str, machine: Machine | None) -> None:
     check_sendable(dialect, machine.controller if machine else "")
 
 
-def _certified(path: Path, wanted: _Wanted, dialect: str | None, despite: bool) -> SendJob:
+def _certified(path: Path, wanted: _Wanted, given: ProgramOptions, despite: bool) -> SendJob:
     """Return the certificate's own job; refuses whatever differs from it, or tells it when `despite`."""
     from CNCStepper.control.program.certificate import Certificate
     from CNCStepper.job.certify import proven_start
@@ -235,15 +211,16 @@ def _certified(path: Path, wanted: _Wanted, dialect: str | None, despite: bool) 
         if not despite:
             raise
         click.echo(f"cncstepper: {error}", err=True)
-        return _uncertified(wanted, dialect_name(dialect, wanted.machine))
+        return _uncertified(wanted, given.dialect_on(wanted.machine))
     proven = replace(wanted, start=wanted.start or proven_start(certificate))
-    refusals = list(_refusals(certificate, proven, dialect or certificate.dialect))
+    dialect = given.dialect or certificate.dialect
+    refusals = list(_refusals(certificate, proven, dialect))
     if refusals and not despite:
         raise refusals[0]
     for refusal in refusals:
         click.echo(f"cncstepper: {refusal}", err=True)
     if any(refusal.code in ("certificate-program", "certificate-wire") for refusal in refusals):
-        return _uncertified(wanted, dialect or certificate.dialect)
+        return _uncertified(wanted, dialect)
     return certificate.send_job(file=wanted.file)
 
 

@@ -11,7 +11,7 @@ In a language of records each is a block of its own: what a refused one stands b
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Generator, Iterable
 from dataclasses import replace
 from typing import Protocol
 
@@ -163,6 +163,28 @@ class Interpreter:
             read_pieces(self, text, self._line)
         else:
             self._line(text)
+
+    def lines(self, lines: Iterable[str]) -> bool:
+        """Read lines up to the first that leads elsewhere; return whether there was none.
+
+        Raises ProgramError at the line that is refused, after all lines before it.
+        """
+        for line in lines:
+            if self.leads(line):
+                return False
+            self.line(line)
+        return True
+
+    def refusals(self, lines: Iterable[str]) -> Generator[ProgramError, None, bool]:
+        """Read lines as `lines` does; yield why lines are refused, which change nothing, and go on after them."""
+        for line in lines:
+            if self.leads(line):
+                return False
+            try:
+                self.line(line)
+            except ProgramError as error:
+                yield error
+        return True
 
     def forget_motion(self) -> None:
         """Let no motion be modal."""

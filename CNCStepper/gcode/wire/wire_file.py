@@ -23,6 +23,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from itertools import islice
 from pathlib import Path
+from typing import TypedDict, Unpack
 
 import numpy as np
 
@@ -43,6 +44,15 @@ from CNCStepper.state import Start
 from CNCStepper.toolpath import Chunk, Event, TableBuilder
 
 Sink = Callable[[WireText], None]
+
+
+class WireOptions(TypedDict, total=False):
+    """What every reading takes; `WireFile` has the meanings and the defaults."""
+
+    sink: Sink
+    progress: Callable[[float], None]
+    name: str
+    tells: bool
 
 
 class WireFile:
@@ -234,17 +244,13 @@ def wire_of_file(
     start: Start | None,
     dialect: str | Dialect,
     play: Backlash | None = None,
-    *,
-    sink: Sink = lambda wire: None,
-    progress: Callable[[float], None] = lambda share: None,
-    name: str = "",
-    tells: bool = True,
+    **options: Unpack[WireOptions],
 ) -> WireFile:
     """Return the reading of any program's file; see `WireFile`."""
     language = dialect_named(dialect)
     written_out = writes_out(language) and not all(map(is_plain, text_pieces(path)))
     reading = WireBlocks if written_out else WireFile
-    return reading(path, start, language, play, sink=sink, progress=progress, name=name, tells=tells)
+    return reading(path, start, language, play, **options)
 
 
 class WireBlocks(WireFile):
