@@ -43,9 +43,10 @@ from CNCStepper.gcode.interpreter.state.model import Model
 from CNCStepper.gcode.syntax.words import Word, words_of
 from CNCStepper.gcode.wire.monotonic_split import Piece, arc_pieces, straight_pieces
 from CNCStepper.gcode.wire.wire_text import WireLines, WireText, check_wire_line
-from CNCStepper.machine.backlash import SAME_MM, Backlash, Motors
+from CNCStepper.machine.backlash import Backlash, Motors
 from CNCStepper.machine.profile import Machine
 from CNCStepper.state import Start
+from CNCStepper.tolerances import SAME_SUM_MM
 from CNCStepper.toolpath import ARC_CCW, LINE, PLANE_AXES, PLANE_NAMES, RAPID, Chunk
 
 Vector = tuple[float, ...]
@@ -71,7 +72,7 @@ class AsWritten:
                 sense = self._play.sense(axis, at_mm[axis], first_mm[axis])
                 place = at_mm[axis] - ahead_mm + self._play.ahead_mm(axis, sense)
                 ready[axis] = min(place, first_mm[axis]) if sense > 0 else max(place, first_mm[axis])
-        return tuple(ready) if any(abs(one - at) > SAME_MM for one, at in zip(ready, at_mm, strict=True)) else None
+        return tuple(ready) if any(abs(one - at) > SAME_SUM_MM for one, at in zip(ready, at_mm, strict=True)) else None
 
     def go(self, axes: Iterable[int], position_mm: Sequence[float], places_mm: Iterable[Sequence[float]]) -> None:
         """Let the motors of some axes go from place to place, the tool being where the text says."""
@@ -83,7 +84,7 @@ class AsWritten:
                 at_mm = place[axis]
             self._motors.at_mm[axis] = at_mm
             self._short.pop(axis, None)
-            if abs(ahead_mm) > SAME_MM and not isnan(at_mm):
+            if abs(ahead_mm) > SAME_SUM_MM and not isnan(at_mm):
                 self._short[axis] = ahead_mm
 
     def rest_mm(self, moved: Set[int]) -> Vector | None:
@@ -134,7 +135,9 @@ def crossing(model: Model, stood_mm: Sequence[float], end_mm: Sequence[float], f
     if model.turn is not None:
         what = "the play of the axes cannot be taken up in coordinates that are turned"
         raise ProgramError("take-up", what, advice="turn the program instead")
-    moved = [axis for axis, pair in enumerate(zip(stood_mm, end_mm, strict=True)) if abs(pair[0] - pair[1]) > SAME_MM]
+    moved = [
+        axis for axis, pair in enumerate(zip(stood_mm, end_mm, strict=True)) if abs(pair[0] - pair[1]) > SAME_SUM_MM
+    ]
     places = "".join(AXES[axis] + place_text(model, axis, stood_mm, end_mm) for axis in moved)
     if feed_mm_min is None:
         return f"G0{places}"
@@ -199,7 +202,7 @@ class Words:
     def _end(self, word: Word, motor_mm: float) -> str:
         """Return an axis word with the number at which the motor stands."""
         ahead_mm = motor_mm - self._pieces[-1].end_mm[AXES.index(word.letter)]
-        if math.isnan(ahead_mm) or abs(ahead_mm) <= SAME_MM or not self._model.absolute:
+        if math.isnan(ahead_mm) or abs(ahead_mm) <= SAME_SUM_MM or not self._model.absolute:
             return word.text
         places = len(word.number.partition(".")[2])
         return word.letter + number_text(float(word.number) + ahead_mm / self._model.scale, self._model, places)
@@ -316,7 +319,7 @@ class BacklashCompensation:
         """Yield the rapid by which the motors go to where the tool stands, which it does not notice."""
         stood = self._motors.at_mm
         here = [stands if isnan(tool) else tool for stands, tool in zip(stood, model.position, strict=True)]
-        if any(abs(one - other) > SAME_MM for one, other in zip(stood, here, strict=True)):
+        if any(abs(one - other) > SAME_SUM_MM for one, other in zip(stood, here, strict=True)):
             yield self._crossing(model, stood, here, None)
         self._motors.at_mm = here
 

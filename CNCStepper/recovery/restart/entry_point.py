@@ -18,10 +18,10 @@ from CNCStepper.errors import Text
 from CNCStepper.gcode.dialects.codes import CYCLES
 from CNCStepper.recovery.restart.interrupted_program import Program, entry_of, stretch_of
 from CNCStepper.recovery.restart.places import Place
+from CNCStepper.tolerances import SAME_MM
 from CNCStepper.toolpath import LINE, XY
 
 LEAST_MM = 0.01  # a shorter part of a move is not written
-SAME_HEIGHT_MM = 1e-6
 WAITS = frozenset(("pause", "optional_pause", "tool_change", "probe", "input", "output"))
 _CYCLE = re.compile(r"G[ \t]*(?:7[ \t]*[346]|8[ \t]*[1-9])(?![0-9])", re.IGNORECASE)
 
@@ -134,7 +134,7 @@ def _whole_thread(program: Program, place: Place) -> tuple[Place, str] | None:
         return None
     first, table = stretch_of(program, place.row).first, program.table
     rows = slice(first, place.row + 1)
-    rises = table.end[rows, 2] > program.begins[rows, 2] + SAME_HEIGHT_MM
+    rises = table.end[rows, 2] > program.begins[rows, 2] + SAME_MM
     if place == Place(first) or not (rises & (table.kind[rows] > LINE) & (table.plane[rows] == XY)).any():
         return None
     begin = program.file_line(first)
@@ -189,9 +189,9 @@ def _in_air(program: Program, place: Place) -> tuple[Place, str] | None:
         return None
     first, last = _rapids_about(program, place.row)
     heights = program.begins[first : last + 1, 2]
-    if np.isnan(heights[place.row - first]) or heights[place.row - first] >= np.nanmax(heights) - SAME_HEIGHT_MM:
+    if np.isnan(heights[place.row - first]) or heights[place.row - first] >= np.nanmax(heights) - SAME_MM:
         return None
-    high = first + np.flatnonzero(heights >= np.nanmax(heights) - SAME_HEIGHT_MM)
+    high = first + np.flatnonzero(heights >= np.nanmax(heights) - SAME_MM)
     before = high[high <= place.row]
     if len(before):
         return Place(int(before[-1])), ""

@@ -19,9 +19,9 @@ import numpy as np
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.recovery.retract.move_curve import Move, Point
+from CNCStepper.tolerances import SAME_MM
 from CNCStepper.toolpath import LINE, RAPID, Toolpath
 
-SAME_MM = 1e-6
 KEPT_MOVES = 4096
 BARRIERS = ("tool_change", "probe")  # events that no way back crosses
 
