@@ -11,8 +11,9 @@ import shapely
 
 from CNCStepper.errors import JobError, Text
 from CNCStepper.machine.tools.tool import Tool
+from CNCStepper.machine.tools.tool_profile import Form, form_of
 from CNCStepper.simulation.check_context import CheckContext
-from CNCStepper.simulation.cutter_solid import BEAM, POINT, Cutter, Form, Tools, form_of, tool_numbered
+from CNCStepper.simulation.cutter_solid import BEAM, POINT, Cutter, Tools, tool_numbered
 from CNCStepper.simulation.exact.beams import beam_cuts, through
 from CNCStepper.simulation.exact.edge_tree import flat_edges
 from CNCStepper.simulation.finding import Finding

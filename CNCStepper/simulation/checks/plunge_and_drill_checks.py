@@ -9,8 +9,9 @@ import numpy as np
 
 from CNCStepper.errors import Text
 from CNCStepper.machine.tools.tool import Tool
+from CNCStepper.machine.tools.tool_profile import Form
 from CNCStepper.simulation.checks.stock_checks import StockChecks
-from CNCStepper.simulation.cutter_solid import Cutter, Form
+from CNCStepper.simulation.cutter_solid import Cutter
 from CNCStepper.simulation.exact.stock_contact import RUB_MM
 from CNCStepper.simulation.finding import Finding
 from CNCStepper.simulation.tip_segments import Segments

@@ -17,7 +17,8 @@ import numpy as np
 import shapely
 
 from CNCStepper.cycles.cycle import Removal
-from CNCStepper.simulation.cutter_solid import BEAM, POINT, Cutter, Tools, form_of, tool_numbered
+from CNCStepper.machine.tools.tool_profile import form_of
+from CNCStepper.simulation.cutter_solid import BEAM, POINT, Cutter, Tools, tool_numbered
 from CNCStepper.simulation.exact.beams import beam_cuts, through
 from CNCStepper.simulation.exact.edge_tree import EdgeTree, flat_edges
 from CNCStepper.simulation.exact.gouge import SMALL_MM, Entries, PathEntries, ProtectedMaterial, Ranked, Worst, deepest
