@@ -32,12 +32,19 @@ from CNCStepper.gcode.interpreter.state.model import Model, Point, model_at
 from CNCStepper.gcode.interpreter.state.system_parameters import SystemParameters
 from CNCStepper.gcode.syntax.error_location import located_error
 from CNCStepper.gcode.syntax.line_grammar import PLAIN_NUMBER, Grammar, Plan
-from CNCStepper.gcode.syntax.words import Comment, PercentMarkers, Word, is_percent_mark, split_line, words_of
+from CNCStepper.gcode.syntax.words import (
+    Comment,
+    PercentMarkers,
+    Word,
+    is_percent_mark,
+    scanned_codes,
+    split_line,
+    words_of,
+)
 from CNCStepper.state import Start
 from CNCStepper.toolpath import TableBuilder, Toolpath
 
 _WORD = re.compile(r"[A-Z][ \t]*[+-]?[0-9.]+", re.IGNORECASE)
-_CODE = re.compile(r"([GM])[ \t]*([0-9.]+)", re.IGNORECASE)
 
 
 class Reader(Protocol):
@@ -87,8 +94,7 @@ def _in_line(error: ProgramError, piece: Piece, line: str) -> ProgramError:
 def _after_record(reader: Reader, piece: Piece) -> None:
     """A motion lasts until the next G or M; in absolute mode an axis without a word stays, with a warning."""
     code = piece.text.partition("(")[0].upper()
-    names = {f"{letter}{float(number):g}" for letter, number in _CODE.findall(code)}
-    known = [reader.dialect.codes[name] for name in names if name in reader.dialect.codes]
+    known = [reader.dialect.codes[name] for name in scanned_codes(code) if name in reader.dialect.codes]
     if piece.ends_chunk or (known and all(one.group != "motion" for one in known)):
         reader.forget_motion()
     axes = [axis for axis in "XZ" if axis in code]
