@@ -129,26 +129,32 @@ def command(
     Z, "all" ends --step. While it stands "feed -10", "spindle +10", "rapid 50", "flood" and the like change its
     overrides; "?" lists them. Who jogged is taken back first: up, over, and slowly down to where the program stood.
     """
-    from CNCStepper.cli.common.options import merged, reproduce_options
     from CNCStepper.cli.job.session_watch import watch
     from CNCStepper.control.service.port_owner import check_free, warn_of_closed
 
-    if not certificate or given.job_path:
-        given.check_stock()
     _check_pauses(by_line, resume_pauses)
-    _check_proof(bool(certificate), bool(given.machine or given.job_path), unchecked, despite_certificate)
+    _check_proof(given, bool(certificate), unchecked, despite_certificate)
     check_free(port)
     warn_of_closed(partial(click.echo, err=True))
+    job = _job(ProgramFile(program), given, certificate, unchecked, despite_certificate)
+    job = replace(job, port=port, baud=baud, allow_differences=allow_differences)
+    job = replace(job, by_line=by_line, home_first=home_first)
+    conclude(watch(confirmed(job, zero_confirmed), resume_pauses))
+
+
+def _job(
+    program: ProgramFile, given: ProgramOptions, certificate: Path | None, unchecked: bool, despite: bool
+) -> SendJob:
+    """Return the job of a program, as its certificate proves it or as it is checked now."""
+    from CNCStepper.cli.common.options import merged, reproduce_options
+
     wanted = _Wanted.of(program, given, is_certified=certificate is not None)
     if certificate:
-        job = _certified(certificate, wanted, given, despite_certificate)
+        job = _certified(certificate, wanted, given, despite)
         _check_dialect(job.dialect, wanted.machine)
     else:
         job = _checked(wanted, given.dialect_on(wanted.machine), unchecked)
-    job = replace(job, port=port, baud=baud, allow_differences=allow_differences)
-    how = merged(job.made_with, reproduce_options())
-    job = replace(job, by_line=by_line, home_first=home_first, program_sha256=wanted.program.sha256, made_with=how)
-    conclude(watch(confirmed(job, zero_confirmed), resume_pauses))
+    return replace(job, program_sha256=program.sha256, made_with=merged(job.made_with, reproduce_options()))
 
 
 def _check_pauses(by_line: bool, resume_pauses: bool) -> None:
@@ -156,11 +162,13 @@ def _check_pauses(by_line: bool, resume_pauses: bool) -> None:
         raise click.UsageError("--step waits at each line, --resume-pauses at none: give one of them")
 
 
-def _check_proof(is_certified: bool, can_be_checked: bool, unchecked: bool, despite_certificate: bool) -> None:
-    """Refuse options that leave a program unproven without saying so."""
+def _check_proof(given: ProgramOptions, is_certified: bool, unchecked: bool, despite_certificate: bool) -> None:
+    """Refuse options that describe the stock in part, or leave a program unproven without saying so."""
+    if not is_certified or given.job_path:
+        given.check_stock()
     if despite_certificate and not is_certified:
         raise click.UsageError("--despite-certificate goes with --certificate")
-    if not (is_certified or can_be_checked or unchecked):
+    if not (is_certified or given.machine or given.job_path or unchecked):
         raise click.UsageError("give --certificate, or --machine or --job to have it checked, or --unchecked")
 
 
@@ -181,16 +189,16 @@ class _Wanted:
         return str(self.program.path)
 
     @classmethod
-    def of(cls, program: Path, given: ProgramOptions, is_certified: bool) -> _Wanted:
+    def of(cls, program: ProgramFile, given: ProgramOptions, is_certified: bool) -> _Wanted:
         """Return what the command line asks for; a job gives stock and tools, and its machine where none is named.
 
         Where the command line gives no start, the certificate does; without a certificate the job does.
         """
-        file, start, (job, machine) = ProgramFile(program), given.start_options.start(), given.job_and_machine()
+        start, (job, machine) = given.start_options.start(), given.job_and_machine()
         if job is None or machine is None:
-            return cls(file, machine, given.stock, given.tool, start)
+            return cls(program, machine, given.stock, given.tool, start)
         start = start if is_certified and not start else job.started(start, machine)
-        return cls(file, machine, job.stock.stock(), job.on(machine).tools, start, job)
+        return cls(program, machine, job.stock.stock(), job.on(machine).tools, start, job)
 
 
 def _check_dialect(dialect: str, machine: Machine | None) -> None:
