@@ -56,7 +56,7 @@ class NumberType(click.ParamType):
 
 
 class _PlaceType(click.ParamType):
-    """Numbers with decimal points, joined by commas; `refusal` says what is none or not allowed."""
+    """Numbers with decimal points, joined by commas; `refusal` has the reason for a wrong one."""
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> tuple[float, ...]:
         if isinstance(value, tuple):
@@ -140,7 +140,7 @@ job_option = click.option(
 
 
 def check_stock(stock: Any, tool: Any, job_path: Path | None, required: bool = False) -> None:
-    """Refuse what says too little or two things of the stock; raises a usage error."""
+    """Refuse options that describe the stock in part or twice; raises a usage error."""
     if job_path and (stock or tool):
         raise click.UsageError("--job says the stock and the tools: leave --stock and --tool out")
     if tool and not stock:
@@ -236,7 +236,7 @@ def plain_options(options: Mapping[str, Iterable[Any]]) -> ReproduceOptions:
 
 
 def merged(proven: ReproduceOptions, own: ReproduceOptions) -> ReproduceOptions:
-    """Return with what a job was made whose proof tells the one, and its own command line the other, which wins."""
+    """Return the options of a job: those of its proof and those of its own command line, which win."""
     if not proven:
         return own
     said = own["options"]

@@ -174,7 +174,7 @@ def _check_proof(given: ProgramOptions, is_certified: bool, unchecked: bool, des
 
 @dataclass(frozen=True)
 class _Wanted:
-    """What is to be sent, and against what, as far as the command line says it."""
+    """The program to send, and what it is compared with, as far as the command line gives it."""
 
     program: ProgramFile
     machine: Machine | None
@@ -209,7 +209,7 @@ def _check_dialect(dialect: str, machine: Machine | None) -> None:
 
 
 def _certified(path: Path, wanted: _Wanted, given: ProgramOptions, despite: bool) -> SendJob:
-    """Return the certificate's own job; refuses whatever differs from it, or tells it when `despite`."""
+    """Return the certificate's own job; refuses whatever differs from it, or prints it when `despite`."""
     from CNCStepper.control.program.certificate import Certificate
     from CNCStepper.job.certify import proven_start
 
@@ -288,7 +288,7 @@ def _checked(wanted: _Wanted, dialect: str, unchecked: bool) -> SendJob:
 
 
 def _plan(machine: Machine | None, motors: Toolpath) -> list[list[float]]:
-    """Return the planned times by which the sender tells what remains; none for a machine that is not known."""
+    """Return the planned times from which the sender calculates what remains; none without a machine."""
     from CNCStepper.job.planned_times import milestones
     from CNCStepper.motion.planner.plan import begun, times_s
 
@@ -331,7 +331,7 @@ def confirmed(job: SendJob, confirmed: bool) -> SendJob:
 
 
 def conclude(outcome: Outcome) -> None:
-    """Say how it ended and how the machine stands; only "done" is exit status 0."""
+    """Print the outcome and the machine's state; only "done" is exit status 0."""
     status = outcome.status
     click.echo(f"{status.acknowledged} of {status.total} lines acknowledged in {status.elapsed_s:.1f} s")
     if outcome.error:

@@ -205,7 +205,7 @@ def _end_unread(refused: list[ProgramError], program: Path) -> NoReturn:
 
 
 def prior_parts(job: Job, machine: Machine, part: int | None) -> list[Proof]:
-    """Return the proofs of the job's programs before this one; raises a usage error where nobody says which it is."""
+    """Return the proofs of the job's programs before this one; raises a usage error where --part is missing."""
     from CNCStepper.job.make import is_split, make_parts
     from CNCStepper.job.prove import prove_parts
 

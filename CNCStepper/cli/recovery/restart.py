@@ -188,7 +188,7 @@ def command(
 
 
 def _check_stock(against: _Against, sending: Sending) -> None:
-    """Refuse to send what was cut on no stock without saying so, and what says both; raises a usage error."""
+    """Refuse to send a restart cut on no stock without --without-stock, and both together; raises a usage error."""
     if sending.without_stock and against.has_stock:
         raise click.UsageError("--without-stock goes without --job, --stock and --tool")
     if sending.port and not (against.has_stock or sending.without_stock):
@@ -226,7 +226,7 @@ def _proven(
 
 
 def _tell(proven: ProvenRestart, against: _Against) -> None:
-    """Say what the restart does, and against what it was proven."""
+    """Print what the restart does, and against what it was proven."""
     from CNCStepper.recovery.restart.description import proven_against, words_of
 
     show_findings(proven.proof.findings)

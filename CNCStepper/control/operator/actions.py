@@ -119,6 +119,6 @@ def _check_zero_set(driver: Grbl, system: str, axes: str, timing: Timing) -> Non
 
 
 def _less_tool(length_mm: float, axis: str, driver: Grbl, offsets: dict[str, Vector]) -> float:
-    """Take the tool length off, which stands in the way of Z only."""
+    """Take the tool length off, which matters for Z only."""
     tool_mm = driver.mm(offsets.get("TLO"))
     return length_mm - tool_mm[-1] if tool_mm and axis == "Z" else length_mm

@@ -5,7 +5,7 @@ A line is parsed into a scratch block, checked whole and then executed: a refuse
 
 Reads a line whose dialect has a preprocessor: piece by piece, errors with their place in the line as written.
 
-In a language of records each is a block of its own: what a refused one stands behind has been read.
+In a language of records each is a block of its own: the records before a refused one have been read.
 """
 
 from __future__ import annotations
@@ -142,7 +142,7 @@ class Interpreter:
 
     @property
     def runs(self) -> bool:
-        """Whether the next lines may be executed as a run (`compiled_reader.py`): in plain modes, and nobody hears
+        """Whether the next lines may be executed as a run (`compiled_reader.py`): in plain modes, and nobody gets
         the calls."""
         model = self.model
         plain = model.plain and model.motion < NO_MOTION and self._keeps_moves
@@ -291,7 +291,7 @@ class Interpreter:
         return ProgramError("line-too-long", what, limit=limit, advice=advice, place=self._at(self._too_long))
 
     def _any_line(self, text: str) -> None:
-        """Read any line, with all that may stand on it."""
+        """Read any line, with all words that it may hold."""
         if self.ended:
             self.tape.closed = self.tape.closed or is_percent_mark(text)
             return

@@ -178,7 +178,7 @@ class WireEncoder:
         return bytes(lines), np.array(file_lines, np.int32)
 
     def forget_messages(self) -> None:
-        """Forget what the operator is to be told, for who only reads what is sent."""
+        """Forget the messages to the operator, for who only reads what is sent."""
         self.messages.clear()
         self._waiting.clear()
 
@@ -249,7 +249,7 @@ def _words(code: str, piece: Piece) -> list[Word]:
 
 
 def _code(raw: str, language: Dialect) -> str:
-    """Return a line that computes or leads elsewhere as it stands, without its comments."""
+    """Return a line that computes or leads elsewhere as it is, without its comments."""
     return " ".join(split_line(raw, language.strict_comments).code.split())
 
 

@@ -157,7 +157,7 @@ class WireFile:
         return self._taken_up(wire)
 
     def _taken_up(self, wire: WireText) -> WireText:
-        """Return a piece with what takes up play; a message is told at the last line that its line has become."""
+        """Return a piece with backlash compensation; a message belongs to the last line that its line has become."""
         assert self._take_up
         lines, numbers, leads = bytearray(), [], bytearray()
         before = self._encoder.count - len(wire.lines)

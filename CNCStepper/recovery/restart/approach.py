@@ -66,7 +66,7 @@ class Approach:
 
 
 def approach_to(program: Program, entrance: EntryPoint, model: Model, options: Options) -> Approach:
-    """Return the way to an entrance; raises ProgramError where no safe height is known, or nothing says how fast."""
+    """Return the way to an entrance; raises ProgramError where no safe height or no feed is known."""
     row, state = entrance.row, model.state
     x, y, z = (program.at(row, entrance.share) if entrance.share else program.begins[row]).tolist()
     safe_mm = _safe_mm(program, row, state, z, options)

@@ -3,7 +3,7 @@
 
 Straight above a place where the tool has been there is no material, for no cutter is wider below than above. So any
 place of a cut can be entered from above once the moves before it have been made, unless a line would have to be cut in
-two that cannot be: then the entrance goes back, and says why.
+two that cannot be: then the entrance goes back, and gives the reason.
 """
 
 from __future__ import annotations
@@ -228,7 +228,7 @@ _STEPS: tuple[Step, ...] = (
 
 
 def _first_line(program: Program, place: Place) -> int:
-    """Return the first line that is run after the entrance: what stands between two moves belongs to the second."""
+    """Return the first line that is run after the entrance: lines between two moves belong to the second."""
     line = int(program.table.line[place.row])
     if place.share:
         return line + 1

@@ -54,7 +54,7 @@ class EntryWriter:
         self.decimals = dialect_decimals(self.dialect, self.state.units) + MORE_DECIMALS
 
     def lines(self, marks: int = 0) -> list[str]:
-        """Return the lines, in their order; `marks`: how many lines are to stand before them."""
+        """Return the lines, in their order; `marks`: how many lines come before them."""
         switched = self._switched_on()
         before, after = ([], switched) if self.approach.is_beam else (switched, [])
         found = ["M5 M9", *self._modes(), *self._up(), *self._tool(), *self._over(), *self._outputs()]

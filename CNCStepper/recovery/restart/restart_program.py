@@ -113,7 +113,7 @@ def _first_bare_move(lines: list[str], dialect: Dialect) -> tuple[int, list[Toke
 
 
 def _sticky(model: Model, tokens: list[Token]) -> list[str]:
-    """Return the words of a modal canned cycle that stick, where the line does not say them itself."""
+    """Return the sticky words of a modal canned cycle that the line itself does not have."""
     if model.motion not in CYCLES or model.run is None:
         return []
     own = OWN_WORD.get(MOTION_NAMES[model.motion], "")
@@ -260,7 +260,7 @@ def restart_of(program: Program, where: RequestedPlace, options: Options | None 
 
 
 def _read(text: str, begin: Start, program: Program, entrance: EntryPoint) -> Toolpath:
-    """Return the moves of the restart program; raises ProgramError where it cannot stand alone."""
+    """Return the moves of the restart program; raises ProgramError where it cannot be run alone."""
     try:
         return interpret(text, begin, program.dialect)
     except ProgramError as error:

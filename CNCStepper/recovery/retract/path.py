@@ -149,7 +149,7 @@ def _point(values: np.ndarray) -> Point:
     return float(values[0]), float(values[1]), float(values[2])
 
 
-SHORT_MM = 0.01  # shorter arcs become lines: their rounded ends would say another angle
+SHORT_MM = 0.01  # shorter arcs become lines: their rounded ends would give another angle
 MOST_SWEEP_RAD = 0.75 * tau  # of one move: beyond it rounded ends could make a whole circle of it, or none
 
 Part = tuple[int, float, float]  # row, from share, to share
