@@ -20,6 +20,7 @@ SAME_PIECE_MM = 1e-5  # middles of two pieces of curves between the same nodes: 
 
 # what a person or another program has drawn or written
 JOINED_ENDS_MM = 1e-4  # ends of drawn lines that join, centres of drawn circles that are one
+SAME_CUT_MM = 1e-4  # cuts of a sheet's parts that are drawn twice
 SAME_HEIGHT_MM = 1e-4  # heights of a drawing, of a tip or of a cut level
 SAME_TEXT_PLACE = 1e-4  # places along X or Z of a lathe profile, in units of the text
 SAME_CURVE_MM = 1e-3  # curves that are nearer than this everywhere are one that is drawn twice
@@ -28,6 +29,8 @@ TOUCHING_MM = 1e-3  # a point that is nearer to a boundary is on neither side of
 SAME_THICKNESS_MM = 0.005  # thicknesses of a cut chart and of a job
 CLOSED_CONTOUR_MM = 0.002  # begin and end of a contour that is closed
 LEAD_ROUNDING_MM = 0.002  # what flattened outlines and rounding may add to the area that a lead covers
+CUT_TOUCHES_MM = 0.02  # a face of a sheet belongs to a cut whose band comes so near
+SAME_PASS_MM = 0.05  # a pass of a jet begins where the one before did
 PICKED_MM = 0.01  # pieces of a path that are as near to a picked point as that lie above each other
 SAME_ARC_RAD = 0.02  # sweeps of two arcs that are large enough to have one
 

@@ -66,7 +66,8 @@ class Event:
     """Something that happens before the row with execution index `index` is run.
 
     kind: "dwell" (value in s), "message", "comment", "pause" (M0), "optional_pause" (M1),
-    "tool_change" (value: the tool), "tool_select", "end" (M2, M30), "probe", "output".
+    "tool_change" (value: the tool), "tool_select", "end" (M2, M30), "probe", "output",
+    "material" (value: its feed in mm/min, 0 where it is not known; text: M190 and P, or its comment).
     state: index of the state in force at that moment. line: source line from 1, 0 where there is none.
     """
 
@@ -231,6 +232,14 @@ class TableBuilder:
     def state(self) -> State:
         """The state that the next row will name."""
         return self.states[-1]
+
+    @property
+    def position_mm(self) -> tuple[float, ...]:
+        """Where the last row that is not taken yet ended; the start's position where there is none."""
+        if self._rows:
+            return tuple(map(float, self._rows[-1][1]))
+        chunks = self._pieces or self._chunks
+        return tuple(chunks[-1].end[-1].tolist()) if chunks else tuple(self.start.position_mm)
 
     def set_state(self, state: State) -> None:
         """Let the rows from here on name `state`; nothing happens when it is the one in force."""

@@ -31,7 +31,7 @@ class Setup:
     closed outlines of the parts that the job's other operations leave standing, which leads must not cut into. parts:
     of those, for each contour that runs outside, the outlines of the part, which no cut beside it may enter. Curves are
     in work coordinates. process, cut_data: how it is cut, with the row of the cut chart where the process has one.
-    has_z: without a Z axis all rows stay at height 0.
+    has_z: without a Z axis all rows stay at height 0. power_s: the S with which a beam or wire is on.
     """
 
     tool: Tool
@@ -44,6 +44,7 @@ class Setup:
     process: Process = MILLING
     cut_data: CutData | None = None
     has_z: bool = True
+    power_s: float = 1.0
 
 
 @dataclass(frozen=True)

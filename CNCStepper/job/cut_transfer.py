@@ -87,7 +87,7 @@ def read_back(job: Job | None, machine: Machine, text: str, file: str) -> Toolpa
     start = Start()
     if job is not None:
         start = job.started(start, machine) or start
-    return interpret(text, start, dialect=machine.controller, file=file)
+    return interpret(text, start, dialect=machine.language(), file=file)
 
 
 def path_text(job: Job | None, machine: Machine, text: str, file: str) -> str:

@@ -31,14 +31,17 @@ def prove_job_file(
     name, sent, share: as `prove_file` takes them. tell: as `prove` does.
     """
     tell("make")
-    answers, file = answers_of(job, machine, 0), name or str(path)
+    answers, file, cut = answers_of(job, machine, 0), name or str(path), job.on(machine)
     proof = prove_file(
         path,
         machine,
         dialect=dialect,
         start=job.started(start, machine),
         stock=job.stock.stock(),
-        tools=job.on(machine).tools,
+        tools=cut.tools,
+        process=job.cutting,
+        cut_data=cut.cut_data,
+        parts=[part for answer in answers for part in answer.parts],
         removals=[removal for answer in answers for removal in answer.removals],
         keep_out=job.clamps,
         edge_mm=job.stock.edge_mm,

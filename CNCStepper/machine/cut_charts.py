@@ -28,11 +28,20 @@ from CNCStepper.machine.cut_data import CutData, between
 from CNCStepper.machine.files.readers import read_toml
 from CNCStepper.machine.processes import PROCESSES, process_named
 from CNCStepper.machine.profile import validated
+from CNCStepper.machine.qtplasmac_materials import read_materials, write_materials
 from CNCStepper.quantities import MOST_ITEMS
 from CNCStepper.safe_text import printable
 from CNCStepper.tolerances import SAME_THICKNESS_MM
 
-MATERIAL_ALIASES = {"aluminum": "aluminium", "stainless-steel": "stainless", "steel": "mild-steel", "inox": "stainless"}
+MATERIAL_ALIASES = {
+    "aluminum": "aluminium",
+    "birch-plywood": "plywood",
+    "inox": "stainless",
+    "isopor": "eps",
+    "stainless-steel": "stainless",
+    "steel": "mild-steel",
+    "styrofoam": "xps",
+}
 
 __all__ = ["CutData", "cut_data_for", "material_key", "read_chart", "shipped_chart", "write_chart"]
 
@@ -81,15 +90,26 @@ def shipped_chart(process: str) -> tuple[CutData, ...]:
     return tuple(_rows(tomllib.loads(entry.read_text("utf-8")), f"{process}.toml"))
 
 
-def read_chart(path: Path) -> list[CutData]:
-    """Return the rows of a chart in TOML; raises JobError that names the file and the key."""
-    return _rows(read_toml(path), str(path))
+def read_chart(path: Path, units: str = "") -> list[CutData]:
+    """Return the rows of a chart in TOML, or of QtPlasmaC's material file (`*.cfg`), which is in `units`.
+
+    units: "mm" or "inch" of a material file; "" is what it says itself, else mm. Raises JobError that names the file,
+    and the key or line.
+    """
+    if path.suffix.lower() != ".cfg":
+        return _rows(read_toml(path), str(path))
+    rows = read_materials(path, units)
+    _refuse_twice(rows, Place(str(path)))
+    return rows
 
 
-def write_chart(path: Path, rows: Sequence[CutData]) -> None:
-    """Write the rows as a chart in TOML, a `[[cut]]` table a row, with the keys that a row gives."""
+def write_chart(path: Path, rows: Sequence[CutData], units: str = "mm") -> list[str]:
+    """Write the rows as TOML, or as QtPlasmaC's material file (`*.cfg`) in `units`; return what is left out of them."""
+    if path.suffix.lower() == ".cfg":
+        return write_materials(path, rows, units)
     tables = ["[[cut]]\n" + "".join(f"{key} = {_toml(value)}\n" for key, value in _given(row).items()) for row in rows]
     write_whole(path, ("# Cut chart, made by CNCStepper\n\n" + "\n".join(tables)).encode("utf-8"))
+    return []
 
 
 def _of_process(process: str, rows: Sequence[CutData]) -> list[CutData]:

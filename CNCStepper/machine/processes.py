@@ -38,7 +38,9 @@ class Process:
     anywhere, "never" inside the sheet's outline, "lifted". cuts_through: it cuts the whole thickness at any height.
     stand_s: how long the tool may stand still with power beyond its pierce; infinite where that does no harm.
     pause_power: what an M0 means: the power is "kept", must be "off" before it, or stands "limited" to stand_s.
+    run_up_mm: how far behind an interruption it is pierced again, in its own kerf.
     tips_parts: a part that is cut free may tip up and be hit. uses_chart: speeds and kerf come from a cut chart.
+    passes: a contour may be cut in several passes, each of which begins where the one before did.
     """
 
     name: ProcessName
@@ -52,6 +54,8 @@ class Process:
     pause_power: Literal["kept", "off", "limited"]
     tips_parts: bool = False
     uses_chart: bool = True
+    run_up_mm: float = 0.0
+    passes: bool = False
 
     @property
     def is_thermal(self) -> bool:
@@ -66,10 +70,10 @@ PROCESSES: dict[str, Process] = {
     one.name: one
     for one in (
         Process("milling", "Milling", _MILLS, "operation", "plunge", "above", False, math.inf, "kept", False, False),
-        Process("plasma", "Plasma", _JET, "contour", "pierce", "unpowered", True, 0.0, "off", True),
-        Process("oxyfuel", "Oxyfuel", _JET, "contour", "pierce", "unpowered", True, 0.0, "off", True),
-        Process("laser", "Laser", _JET, "contour", "pierce", "unpowered", True, 0.0, "off", True),
-        Process("waterjet", "Water jet", _JET, "contour", "pierce", "unpowered", True, 0.0, "off", True),
+        Process("plasma", "Plasma", _JET, "contour", "pierce", "unpowered", True, 0.0, "off", True, run_up_mm=3.0),
+        Process("oxyfuel", "Oxyfuel", _JET, "contour", "pierce", "unpowered", True, 0.0, "off", True, run_up_mm=5.0),
+        Process("laser", "Laser", _JET, "contour", "pierce", "unpowered", True, 0.0, "off", True, passes=True),
+        Process("waterjet", "Water jet", _JET, "contour", "pierce", "unpowered", True, 0.0, "off", True, run_up_mm=3.0),
         Process("hot-wire", "Hot wire", ("wire",), "always", "edge", "never", True, 2.0, "limited"),
         Process("drag-knife", "Drag knife", ("engraver",), "none", "lower", "lifted", False, math.inf, "kept"),
         Process("scribe", "Scribe", ("engraver", "v"), "none", "lower", "lifted", False, math.inf, "kept"),

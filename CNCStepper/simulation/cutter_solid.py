@@ -205,7 +205,9 @@ Tools = Mapping[int, Tool] | Tool  # a tool alone stands for every number
 
 
 def tool_numbered(tools: Tools | None, number: int) -> Tool | None:
-    """Return the tool with that number, or None."""
+    """Return the tool with that number, or None; a program that names none is cut by the one tool that there is."""
     if isinstance(tools, Tool):
         return tools
+    if tools and number == 0 and len(tools) == 1:
+        return next(iter(tools.values()))
     return tools.get(number) if tools else None

@@ -93,7 +93,7 @@ def _timeline(folder: Path) -> Any:
 
     program, job, machine = read_question(folder)
     start, file = job.started(read_start(folder), machine), proven_file(folder)
-    _, motors, toolpath = wire_round_trip(program, machine, machine.controller, file, start)
+    _, motors, toolpath = wire_round_trip(program, machine, machine.language(), file, start)
     ends_s = TipTrack.load(folder / MOVES).ends_s
     return Timeline(toolpath, ends_s, job.tools, job.stock.stock(), machine=machine, motors=motors)
 

@@ -8226,6 +8226,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>its messages do not fit their lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>its number is above {largest_number}</source>
             <translation type="unfinished"></translation>
         </message>

@@ -8226,6 +8226,10 @@
             <translation>a posição de máquina não é 0</translation>
         </message>
         <message>
+            <source>its messages do not fit their lines</source>
+            <translation>suas mensagens não combinam com suas linhas</translation>
+        </message>
+        <message>
             <source>its number is above {largest_number}</source>
             <translation>o seu número passa de {largest_number}</translation>
         </message>

@@ -190,7 +190,7 @@ def stock_of(size_mm: tuple[float, float, float] | None, origin: str) -> Stock |
 
 def dialect_name(dialect: str | None, machine: Machine | None) -> str:
     """Return the dialect asked for, else the machine's own, else grbl."""
-    return dialect or (machine.controller if machine else "grbl")
+    return machine.language(dialect or "") if machine else dialect or "grbl"
 
 
 def read_program(path: Path) -> str:

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from CNCStepper.cli.common.chart_options import ChartOptions, chart_options
 from CNCStepper.cli.common.findings_output import show_findings
 from CNCStepper.cli.common.options import FilePath, program_argument, read_program
 from CNCStepper.cli.common.program_options import ProgramOptions, program_options
@@ -72,6 +73,7 @@ class ProgramFile:
 @click.option("--port", required=True, help="A serial port (COM3, /dev/ttyUSB0) or a URL (socket://127.0.0.1:2217).")
 @click.option("--certificate", type=FilePath, help="What `check` or `run` wrote for it; other bytes are refused.")
 @program_options()
+@chart_options
 @click.option("--baud", type=click.IntRange(min=300), default=115200, show_default=True)
 @click.option(
     "--zero-confirmed",
@@ -104,6 +106,7 @@ def command(
     unchecked: bool,
     despite_certificate: bool,
     given: ProgramOptions,
+    cut: ChartOptions,
 ) -> None:
     """Send PROGRAM to the controller at --port and wait until the machine is idle again.
 
@@ -136,24 +139,31 @@ def command(
     _check_proof(given, bool(certificate), unchecked, despite_certificate)
     check_free(port)
     warn_of_closed(partial(click.echo, err=True))
-    job = _job(ProgramFile(program), given, certificate, unchecked, despite_certificate)
+    job = _job(ProgramFile(program), given, cut, certificate, unchecked, despite_certificate)
     job = replace(job, port=port, baud=baud, allow_differences=allow_differences)
     job = replace(job, by_line=by_line, home_first=home_first)
     conclude(watch(confirmed(job, zero_confirmed), resume_pauses))
 
 
 def _job(
-    program: ProgramFile, given: ProgramOptions, certificate: Path | None, unchecked: bool, despite: bool
+    program: ProgramFile,
+    given: ProgramOptions,
+    cut: ChartOptions,
+    certificate: Path | None,
+    unchecked: bool,
+    despite: bool,
 ) -> SendJob:
     """Return the job of a program, as its certificate proves it or as it is checked now."""
     from CNCStepper.cli.common.options import merged, reproduce_options
 
     wanted = _Wanted.of(program, given, is_certified=certificate is not None)
     if certificate:
+        if cut != ChartOptions():
+            given = replace(given, dialect=cut.language(given.dialect, wanted.machine))
         job = _certified(certificate, wanted, given, despite)
         _check_dialect(job.dialect, wanted.machine)
     else:
-        job = _checked(wanted, given.dialect_on(wanted.machine), unchecked)
+        job = _checked(wanted, cut.language(given.dialect, wanted.machine), unchecked)
     return replace(job, program_sha256=program.sha256, made_with=merged(job.made_with, reproduce_options()))
 
 
@@ -221,7 +231,7 @@ def _certified(path: Path, wanted: _Wanted, given: ProgramOptions, despite: bool
         click.echo(f"cncstepper: {error}", err=True)
         return _uncertified(wanted, given.dialect_on(wanted.machine))
     proven = replace(wanted, start=wanted.start or proven_start(certificate))
-    dialect = given.dialect or certificate.dialect
+    dialect = given.dialect_on(wanted.machine) if given.dialect else certificate.dialect
     refusals = list(_refusals(certificate, proven, dialect))
     if refusals and not despite:
         raise refusals[0]

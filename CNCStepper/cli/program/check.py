@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn
 
 import click
 
+from CNCStepper.cli.common.chart_options import ChartOptions, chart_options
 from CNCStepper.cli.common.findings_output import show_figures, show_findings, write_report
 from CNCStepper.cli.common.option_hints import add_conversion, show_hints
 from CNCStepper.cli.common.options import program_argument, read_program
@@ -71,6 +72,7 @@ STAGES = {
 @click.command("check", cls=Verb)
 @program_argument
 @program_options(machine_required=True)
+@chart_options
 @click.option(
     "--part", type=click.IntRange(1), help="Which program of the job it is, where the machine wants one a tool."
 )
@@ -82,6 +84,7 @@ def command(
     json_path: Path | None,
     certificate: Path | None,
     given: ProgramOptions,
+    cut: ChartOptions,
 ) -> None:
     """Check PROGRAM against a machine: travel, feeds, spindle; with --stock and --tool also rapids and plunges, with
     --job gouge and material left, clamps and the sheet's edge too.
@@ -94,7 +97,7 @@ def command(
     given.check_stock()
     machine, start = given.machine, given.start_options.start()
     assert machine  # the option is required
-    asked = _Asked(program, machine, given.dialect_on(machine), start, json_path, certificate)
+    asked = _Asked(program, machine, cut.language(given.dialect, machine), start, json_path, certificate)
     job = job_of(given.job_path) if given.job_path else None
     with Progress(f"{STAGES['make']} {program.name}"):
         earlier = prior_parts(job, machine, part) if job else []

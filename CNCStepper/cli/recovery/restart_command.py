@@ -18,7 +18,7 @@ from CNCStepper.control.journal.store import PROFILE
 from CNCStepper.control.session.files import write_private
 from CNCStepper.control.transport.link import BAUD
 from CNCStepper.errors import JobError
-from CNCStepper.machine.profile import load_machine, profile_names
+from CNCStepper.machine.profile import Machine, load_machine, profile_names, validated
 
 if TYPE_CHECKING:
     from CNCStepper.control.journal.replay import JobReplay
@@ -95,8 +95,12 @@ class RestartLine:
 
     def _set_dialect(self) -> None:
         dialect = self._story.header.get("dialect", "")
-        if dialect and dialect != self._profile.get("controller", "grbl"):
+        if dialect and dialect != self._usual_dialect():
             self._options["--dialect"] = [dialect]
+
+    def _usual_dialect(self) -> str:
+        """Return how the programs of the journal's machine are read where nothing is said."""
+        return validated(Machine, self._profile, "journal").language() if self._profile else "grbl"
 
     def _no_stock(self) -> Iterator[str]:
         """Note where the job was sent without stock."""

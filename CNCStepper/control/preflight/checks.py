@@ -58,7 +58,7 @@ def check_dialect(dialect: str, firmware: Firmware) -> None:
 
     dialect: "" is that of a job that nobody has read; its lines are the controller's own.
     """
-    if dialect and dialect not in firmware.dialects:
+    if dialect and _without_settings(dialect) not in firmware.dialects:
         what = Text(
             "the program was read as {dialect}: to {firmware} its lines may mean other moves, or nothing",
             dialect=dialect,
@@ -75,11 +75,16 @@ def check_sendable(dialect: str, controller: str) -> None:
     named = next((firmware for firmware in FIRMWARES if firmware.key == controller), None)
     if named:
         check_dialect(dialect, named)
-    elif not any(dialect in firmware.dialects for firmware in FIRMWARES):
+    elif not any(_without_settings(dialect) in firmware.dialects for firmware in FIRMWARES):
         what = Text(
             "the program was read as {dialect}, which no controller understands that lines are sent to", dialect=dialect
         )
         raise _dialect_refusal(dialect, what, FIRMWARES[0])
+
+
+def _without_settings(dialect: str) -> str:
+    """Return the language itself: what a machine lacks is a setting of its dialect."""
+    return dialect.partition(":")[0]
 
 
 def _dialect_refusal(dialect: str, what: str, firmware: Firmware) -> MachineRefusal:

@@ -11,7 +11,7 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -29,6 +29,7 @@ from CNCStepper.control.program.bundle import (
     read_bundle,
     write_bundle,
 )
+from CNCStepper.control.program.program_columns import MESSAGES, message_bytes, message_members, messages_of
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.errors import JobError, Place, Text
 from CNCStepper.input_file import MOST_TEXT_BYTES, read_input
@@ -78,12 +79,13 @@ def _digest(pieces: Iterable[bytes]) -> str:
 class Certificate:
     """The result of a proof; content: plain data with the keys that `job.certify` writes.
 
-    lines, file_lines: what is sent, as a `SendJob` has it.
+    lines, file_lines, messages: what is sent, as a `SendJob` has it.
     """
 
     content: Mapping[str, Any]
     lines: Sequence[str] = ()
     file_lines: Sequence[int] = ()
+    messages: Mapping[int, str] = field(default_factory=dict)
 
     @classmethod
     def read(cls, path: Path) -> Certificate:
@@ -107,7 +109,8 @@ class Certificate:
         """Return the certificate of a bundle; raises JobError when it is none, or not as it was made."""
         _check_format(bundle.head, VERSION)
         content = dict(bundle.head)
-        noted, certificate = content.pop("sha256", None), cls(content, bundle.lines, bundle.file_lines)
+        noted, messages = content.pop("sha256", None), messages_of(bundle.columns)
+        certificate = cls(content, bundle.lines, bundle.file_lines, messages)
         _check_same(noted, certificate.sha256)
         return certificate._checked()
 
@@ -127,7 +130,7 @@ class Certificate:
         """Write the certificate to a file, whole or not at all; raises OSError."""
         members = {PROOF: head_bytes(self.head(), indent=1, allow_nan=False), WIRE: line_bytes(self.lines)}
         with whole_file(path) as file:
-            write_bundle(file, members | {LINE_MAP: array_bytes(self.file_lines)})
+            write_bundle(file, members | {LINE_MAP: array_bytes(self.file_lines)} | message_members(self.messages))
 
     def head(self) -> dict[str, Any]:
         """Return all but what is sent, with the fingerprint of all."""
@@ -136,7 +139,8 @@ class Certificate:
     def _checked(self) -> Certificate:
         """Return the certificate; raises JobError where its lines are others than those proven."""
         self.send_job()
-        if not isinstance(self.content.get("wire"), Mapping) or "sha256" not in self.content["wire"]:
+        wire = self.content.get("wire")
+        if not isinstance(wire, Mapping) or not isinstance(wire.get("sha256"), str):
             raise _refusal("certificate", "the certificate lacks what a sender needs", "wire")
         self.compare("wire", digest_of_lines(self.lines))
         return self
@@ -144,7 +148,10 @@ class Certificate:
     @cached_property
     def sha256(self) -> str:
         """The fingerprint of all of it."""
-        return digest_of({**self.content, LINE_MAP: _digest(number_bytes(self.file_lines))})
+        columns = {LINE_MAP: _digest(number_bytes(self.file_lines))}
+        if self.messages:
+            columns[MESSAGES] = _digest(message_bytes(self.messages))
+        return digest_of({**self.content, **columns})
 
     @property
     def dialect(self) -> str:
@@ -165,14 +172,16 @@ class Certificate:
 
     def check_clean(self) -> None:
         """Refuse a program in which the proof found errors; raises JobError naming the first."""
-        errors = [finding for finding in self.content["findings"] if finding["severity"] == "error"]
+        try:
+            errors = [finding for finding in self.content["findings"] if finding["severity"] == "error"]
+            place = Place(errors[0]["file"], errors[0]["line"], errors[0]["column"]) if errors else None
+        except (KeyError, TypeError) as error:
+            raise _refusal("certificate", "the certificate's findings are damaged", str(error)) from error
         if errors:
-            first = errors[0]
-            place = Place(first["file"], first["line"], first["column"])
             what = Text(
                 "the proof found {errors} error(s) in the program, the first: {text}",
                 errors=len(errors),
-                text=first["text"],
+                text=errors[0]["text"],
             )
             raise JobError("certificate-errors", what, advice="correct the program, and check it again", place=place)
 
@@ -183,7 +192,8 @@ class Certificate:
     def send_job(self, **instead: Any) -> SendJob:
         """Return the job of sending the proven lines, with other values for some fields of it."""
         try:
-            sent = {"lines": self.lines, "file_lines": self.file_lines, **self.content["send"]}
+            columns = {"lines": self.lines, "file_lines": self.file_lines}
+            sent = {"messages": self.messages, **self.content["send"], **columns}
             return SendJob.from_content({"port": "", **sent, **self._identity(), **instead})
         except (AttributeError, KeyError, TypeError) as error:
             raise _refusal("certificate", "the certificate lacks what a sender needs", str(error)) from error
@@ -198,13 +208,14 @@ class Certificate:
         }
 
 
-def sendable(path: Path, **instead: Any) -> SendJob:
+def sendable(path: Path, private: bool = False, **instead: Any) -> SendJob:
     """Return the job of a certificate's file, or of one that `write_job` wrote, with other values for some fields.
 
-    Raises JobError for a certificate that was changed or that holds errors, and for what is neither.
+    private: as `read_bundle` takes it. Raises JobError for a certificate that was changed or that holds errors, and for
+    what is neither.
     """
     try:
-        bundle = read_bundle(path) if is_bundle(path) else None
+        bundle = read_bundle(path, private) if is_bundle(path) else None
     except (OSError, ValueError) as error:
         raise JobError(
             "send-job", Text("the job cannot be read: {error}", error=error), advice="make it again"

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from pathlib import Path
 from typing import Any
@@ -18,6 +18,7 @@ from CNCStepper.control.program.bundle import (
     read_bundle,
     write_private,
 )
+from CNCStepper.control.program.program_columns import Messages, message_members, messages_of
 from CNCStepper.control.program.wire_line import check_length, check_line, is_plain
 from CNCStepper.control.protocol.grbl.firmware import Firmware
 from CNCStepper.errors import JobError, Place, ProgramError, Text
@@ -89,6 +90,13 @@ class SendJob:
         """Return the file's line of the last of so many wire lines, 0 for none."""
         return self.place(count - 1).line if count else 0
 
+    def known_line(self, count: int) -> int:
+        """Return what `last_line` does, and 0 where the line map cannot be read: a state is told all the same."""
+        try:
+            return self.last_line(count)
+        except JobError:  # whoever sends from it ends the job with the reason
+            return 0
+
     def check(self) -> None:
         """Check every line before any is sent; raises ProgramError naming the file's line and column."""
         if not self.lines:
@@ -107,10 +115,9 @@ class SendJob:
                 check_length(text, firmware, window_bytes, self.place(index))
 
     def to_content(self) -> dict[str, Any]:
-        """Return the job as plain data, without its lines."""
-        columns = ("lines", "file_lines")
+        """Return the job as plain data, without its lines and messages."""
+        columns = ("lines", "file_lines", "messages")
         return {entry.name: getattr(self, entry.name) for entry in fields(self) if entry.name not in columns} | {
-            "messages": {str(index): text for index, text in self.messages.items()},
             "expected": {str(number): value for number, value in self.expected.items()},
             "work_offsets_mm": {name: list(offset) for name, offset in self.work_offsets_mm.items()},
             "inputs": [dict(entry) for entry in self.inputs],
@@ -119,17 +126,20 @@ class SendJob:
     @classmethod
     def of_bundle(cls, bundle: Bundle, **instead: Any) -> SendJob:
         """Return the job of a bundle, with other values for some fields; raises JobError when it is not one."""
-        return cls.from_content({**bundle.head, "lines": bundle.lines, "file_lines": bundle.file_lines, **instead})
+        columns = {"lines": bundle.lines, "file_lines": bundle.file_lines, "messages": messages_of(bundle.columns)}
+        return cls.from_content({**columns, **bundle.head, **instead})
 
     @classmethod
     def from_content(cls, content: Mapping[str, Any]) -> SendJob:
-        """Return the job of `to_content` and its lines; raises JobError when it is not one."""
+        """Return the job of `to_content`, its lines and messages; raises JobError when it is not one."""
         try:
             unknown = set(content) - {entry.name for entry in fields(cls)}
             if unknown:
                 raise ValueError(Text("unknown keys {unknown}", unknown=sorted(unknown)))
             known = dict(content)
-            known["messages"] = {int(key): str(value) for key, value in content.get("messages", {}).items()}
+            messages = content.get("messages", {})
+            if not isinstance(messages, Messages):
+                known["messages"] = {int(key): str(value) for key, value in messages.items()}
             known["expected"] = {int(key): float(value) for key, value in content.get("expected", {}).items()}
             known["plan"] = tuple((int(line), float(end_s)) for line, end_s in content.get("plan", ()))
             return cls(**known)
@@ -144,14 +154,19 @@ def write_job(path: Path, job: SendJob) -> None:
 
     Raises ProgramError for a line that holds the end of one, OSError.
     """
-    members = {JOB: head_bytes(job.to_content()), WIRE: line_bytes(job.lines, job.place)}
-    write_private(path, members | {LINE_MAP: array_bytes(job.file_lines)})
+    write_private(path, {JOB: head_bytes(job.to_content())} | program_members(job))
+
+
+def program_members(job: SendJob) -> dict[str, Iterable[bytes]]:
+    """Return lines, their places and messages of a job as members of a bundle; writing raises as `write_job` does."""
+    columns = {WIRE: line_bytes(job.lines, job.place), LINE_MAP: array_bytes(job.file_lines)}
+    return columns | message_members(job.messages)
 
 
 def read_job(path: Path) -> SendJob:
     """Return the job of `write_job`, whose lines are read when they are asked for; raises JobError, OSError."""
     try:
-        return SendJob.of_bundle(read_bundle(path))
+        return SendJob.of_bundle(read_bundle(path, private=True))
     except ValueError as error:
         raise _no_job(error) from error
 

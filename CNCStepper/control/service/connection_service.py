@@ -267,6 +267,7 @@ class ConnectionService:
         own = {"port": self.port, "baud": self._baud}
         consents = {"zero_confirmed": zero_confirmed, "allow_differences": allow_differences}
         try:
+            idle.check_at_rest()  # a copy takes its time, and nothing is read from the controller meanwhile
             job = self._copied(Path(file), own | consents)
         except CNCStepperError as error:
             known = idle.trust.position_known is not False
@@ -283,17 +284,17 @@ class ConnectionService:
         try:
             draft.unlink(missing_ok=True)  # of a process that was killed
             copy_private(file, draft)
-            sendable(draft)
+            sendable(draft, private=True)
             os.replace(draft, self._job_file)
         except CNCStepperError:
             raise
-        except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
+        except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError, MemoryError) as error:
             raise JobError(
                 "send-job", Text("the job cannot be read: {error}", error=error), advice="make it again"
             ) from error
         finally:
             draft.unlink(missing_ok=True)
-        return sendable(self._job_file, **instead)
+        return sendable(self._job_file, private=True, **instead)
 
     def _run_job(self, idle: IdleController, job: SendJob) -> None:
         self._trust = trust = idle.trust

@@ -145,14 +145,10 @@ class Outcome:
             "error": error_to_json(self.error) if self.error else None,
         }
         return with_texts(content)
-        return with_texts(content)
-        return with_texts(content)
 
     @classmethod
     def from_json(cls, content: dict[str, Any]) -> Outcome:
         """Return the outcome of `to_json`; raises ValueError for what is none."""
-        content = restored(content)
-        content = restored(content)
         content = restored(content)
         try:
             kind, text, known = content["kind"], content["text"], content["position_known"]

@@ -84,5 +84,5 @@ def backlash_tracker(job: SendJob) -> BacklashTracker | None:
     except ValidationError as error:
         what = Text("the job's machine profile cannot be read: {error}", error=error)
         raise JobError("machine-profile", what, advice=CHECK_AGAIN) from error
-    play = backlash_of(machine, job.dialect or machine.controller)
+    play = backlash_of(machine, machine.language(job.dialect))
     return BacklashTracker(play) if play else None

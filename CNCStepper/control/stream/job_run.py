@@ -119,8 +119,8 @@ class JobRun:
             acknowledged=max(0, before + feeder.acknowledged),
             total=before + feeder.total,
             file=feeder.job.file,
-            file_line=feeder.job.last_line(min(self._done, feeder.acknowledged)),
-            file_line_sent=feeder.job.last_line(feeder.sent),
+            file_line=feeder.job.known_line(min(self._done, feeder.acknowledged)),
+            file_line_sent=feeder.job.known_line(feeder.sent),
             elapsed_s=self._clock() - self._begin_s,
             remaining_s=self._remaining.remaining_s,
             done=self._remaining.done,
@@ -239,6 +239,7 @@ class JobRun:
         self._trouble += (report for report in received if isinstance(report, (Alarm, Greeting)))
         for report in received:
             self._take(driver, report)
+        self._feeder.power.hold(driver)
         self._execute_command(driver)
         self._requests.turn(self._phases.name in LEG_BEGINS)
         if self._phases.stands and self._stand.is_left(driver):
@@ -287,7 +288,7 @@ class JobRun:
         rests = self._idle_reports >= IDLE_REPORTS or self._phases.name in (Phase.PAUSED, Phase.RETREATED)
         acknowledged, elapsed_s = self._feeder.acknowledged, self._clock() - self._begin_s
         self._done = acknowledged if rests else max(self._done, self._path.done(acknowledged))
-        line, total = self.job.last_line(self._done), self._feeder.total
+        line, total = self.job.known_line(self._done), self._feeder.total
         self._remaining.take(self._phases.name, elapsed_s, line, self._done, total)
 
     def _follow_state(self, driver: Grbl) -> None:
@@ -333,7 +334,7 @@ class JobRun:
         elif command.name == "want_back":
             self._phases.hold_or_resume("hold", driver)
             self._requests.request_retract(command)
-        elif command.name == "resume" and self._phases.name == Phase.RETREATED:
+        elif command.name == "resume" and (self._phases.name == Phase.RETREATED or self._feeder.power.is_stopped):
             self._requests.request_resume(command)
         elif command.name == "by_line":
             self._by_line = self._feeder.by_line = command.values["on"]

@@ -32,7 +32,8 @@ from CNCStepper.control.program.bundle import (
     write_private,
 )
 from CNCStepper.control.program.certificate import Certificate
-from CNCStepper.control.program.send_job import SendJob
+from CNCStepper.control.program.program_columns import message_members, messages_of
+from CNCStepper.control.program.send_job import SendJob, program_members
 from CNCStepper.control.protocol.grbl import connect
 from CNCStepper.control.protocol.grbl.driver import Grbl
 from CNCStepper.control.protocol.grbl.readiness import MAX_RATE, STEPS_PER_MM
@@ -142,8 +143,7 @@ class PathRetract:
         }
         members: dict[str, Iterable[bytes]] = {
             HELD: head_bytes(content),
-            WIRE: line_bytes(self.program.lines, self.program.place),
-            LINE_MAP: array_bytes(self.program.file_lines),
+            **program_members(self.program),
             LEG_WIRE: line_bytes(self.leg.job.lines if self.leg else ()),
         }
         try:
@@ -184,11 +184,10 @@ class PathRetract:
         """Return the leg of a copy of its file."""
         wire = self._new_wire()
         copy_private(file, wire)
-        bundle = read_bundle(wire)
+        bundle = read_bundle(wire, private=True)
         content = bundle.head
-        proven = replace(
-            bundle, head=content["certificate"], columns={**bundle.columns, LINE_MAP: bundle.columns[OWN_MAP]}
-        )
+        own = {WIRE: bundle.columns[WIRE], LINE_MAP: bundle.columns[OWN_MAP]}
+        proven = replace(bundle, head=content["certificate"], columns=own)
         certificate = Certificate.of_bundle(proven)
         certificate.check_clean()
         job = certificate.send_job(port=self.program.port, baud=self.program.baud, zero_confirmed=True)
@@ -197,7 +196,7 @@ class PathRetract:
             job,
             file=self.program.file,
             file_lines=bundle.file_lines,
-            messages={int(index): text for index, text in content["messages"].items()},
+            messages=messages_of(bundle.columns),
             expected={},  # settings were compared before the first line
             work_offsets_mm=state["work_offsets_mm"] | {"G92": state["g92_mm"]},
             work_system=state["work_system"],
@@ -220,8 +219,7 @@ class PathRetract:
 
 def _kept(content: Mapping[str, Any]) -> dict[str, Any]:
     """Return what the next client needs of a leg beside its lines."""
-    kept = {name: value for name, value in content.items() if name != "messages"}
-    return kept | {"certificate": {"start": content["certificate"]["start"]}}
+    return {**content, "certificate": {"start": content["certificate"]["start"]}}
 
 
 def write_leg(file: Path, leg: Mapping[str, Any]) -> None:
@@ -229,10 +227,11 @@ def write_leg(file: Path, leg: Mapping[str, Any]) -> None:
     certificate: Certificate = leg["certificate"]
     content = {**leg, "certificate": certificate.head()}
     members: dict[str, Iterable[bytes]] = {
-        LEG: head_bytes({name: value for name, value in content.items() if name != "file_lines"}),
+        LEG: head_bytes({name: value for name, value in content.items() if name not in ("file_lines", "messages")}),
         WIRE: line_bytes(certificate.lines),
         LINE_MAP: array_bytes(leg["file_lines"]),
         OWN_MAP: array_bytes(certificate.file_lines),
+        **message_members(leg["messages"]),
     }
     write_private(file, members)
 
@@ -240,7 +239,8 @@ def write_leg(file: Path, leg: Mapping[str, Any]) -> None:
 def read_held(file: Path) -> dict[str, Any]:
     """Return what `PathRetract.tell` wrote, with the lines of the program and of its leg, which are held whole."""
     bundle = read_bundle(file)
-    program = {**bundle.head["program"], "lines": list(bundle.lines), "file_lines": list(bundle.file_lines)}
+    lines = {"lines": list(bundle.lines), "file_lines": list(bundle.file_lines)}
+    program = {**bundle.head["program"], **lines, "messages": messages_of(bundle.columns)}
     return {**bundle.head, "program": program, "leg_lines": list(bundle.columns[LEG_WIRE])}
 
 

@@ -27,6 +27,7 @@ from CNCStepper.gcode.interpreter.execute import Execution
 from CNCStepper.gcode.interpreter.expression_words import ExpressionWords, is_computed, read_items
 from CNCStepper.gcode.interpreter.fast_path import fast_line
 from CNCStepper.gcode.interpreter.flow.o_words import has_profile, leads
+from CNCStepper.gcode.interpreter.functions import plasma
 from CNCStepper.gcode.interpreter.state.modal_state_stack import leave_level
 from CNCStepper.gcode.interpreter.state.model import Model, Point, model_at
 from CNCStepper.gcode.interpreter.state.system_parameters import SystemParameters
@@ -328,6 +329,9 @@ class Interpreter:
         execution.read_profile = self.read_profile
         try:
             self._assign(items)
+            if self.model.plasma:
+                plasma.note_settings(execution, items.assignments)
+                comments = plasma.take_comments(execution, comments)
             execution.comments(self._expanded_comments(comments), stops=any(code.act == "stop" for code in plan.codes))
             execution.execute(plan, items.values)
         except ProgramError:

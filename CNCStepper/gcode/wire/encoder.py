@@ -31,7 +31,15 @@ from CNCStepper.gcode.syntax.words import Comment, Word, is_percent_mark, split_
 from CNCStepper.gcode.wire.backlash_compensation import with_backlash_compensation
 from CNCStepper.gcode.wire.expansion import Block, expanded, is_expanded
 from CNCStepper.gcode.wire.line_runs import WireRun, wire_runs
-from CNCStepper.gcode.wire.wire_text import FirstMove, WireLines, WireText, check_wire_line, with_first_motion
+from CNCStepper.gcode.wire.wire_text import (
+    FirstFeed,
+    FirstMove,
+    WireLines,
+    WireText,
+    check_wire_line,
+    with_first_feed,
+    with_first_motion,
+)
 from CNCStepper.machine.backlash import Backlash
 from CNCStepper.state import Start
 
@@ -97,6 +105,8 @@ class Records:
 
 
 ENDS = frozenset(("M2", "M30"))
+MOST_MESSAGE = 4000  # characters that are told at one line: some fifty lines of text
+CUT = "…\n"  # stands before the end of a longer one
 Wire = tuple[int, list[Comment], str, int]  # number of a line, its comments, what is sent, its first column
 
 
@@ -129,7 +139,8 @@ def _wire_text(text: str, language: Dialect, file: str, start: Start | None) -> 
 class WireEncoder:
     """Turns the lines of a program, in their order, into those that are sent; a long program comes in pieces.
 
-    messages: index of a line that is sent -> what to tell the operator before it runs. count: lines that were made.
+    messages: of the lines that were made last, index of a line -> what to tell the operator before it runs, the end of
+    it where it is longer than a person reads at a pause.
     """
 
     def __init__(self, language: Dialect, file: str):
@@ -137,9 +148,9 @@ class WireEncoder:
         self._records = Records(language)
         self._begun = self._over = False  # a word or comment was met; nothing after it is sent any more
         self._first_move = FirstMove(language)
-        self._waiting: list[str] = []  # messages for the next line
+        self._first_feed = FirstFeed(language)
+        self._waiting = ""  # messages for the next line
         self.messages: dict[int, str] = {}
-        self.count = 0
 
     def encode(self, runs: Iterable[WireRun | tuple[int, str]]) -> tuple[bytes, np.ndarray]:
         """Return what is sent of further lines, each with its newline, and the line of the file of each, int32[n].
@@ -149,43 +160,51 @@ class WireEncoder:
         return self.join(self._lines(runs))
 
     def started(self, lines: WireLines, file_lines: np.ndarray) -> WireLines:
-        """Return lines that were encoded with the motion of the program's first move named, where it is among them."""
+        """Return lines that were encoded with what the first ones lack, where they are among them.
+
+        The program's first move names its motion, and its first cut a feed.
+        """
         index = self._first_move.without_motion(lines)
         if index is not None:
             lines = with_first_motion(lines, index, self._language)
             check_wire_line(lines[index], self._language, Place(self._file, int(file_lines[index])))
+        missing = self._first_feed.missing(lines)
+        if missing is not None:
+            lines = with_first_feed(lines, *missing)
+            check_wire_line(lines[missing[0]], self._language, Place(self._file, int(file_lines[missing[0]])))
         return lines
 
     def join(self, wires: Iterable[WireRun | Wire]) -> tuple[bytes, np.ndarray]:
         """Return the same of lines that are written out already."""
         lines, file_lines = bytearray(), array("i")
+        self.messages = {}
         for found in wires:
             if isinstance(found, WireRun):
                 if found.lines:
-                    self._notify_at(self.count + len(file_lines))
+                    self._notify_at(len(file_lines))
                 lines += found.lines
                 file_lines.frombytes(found.numbers.astype(np.intc).tobytes())
                 continue
             number, comments, wire, column = found
-            self._waiting += [comment.text.strip() for comment in comments if comment.message]
+            for comment in comments:
+                if comment.message:
+                    self._keep(comment.text.strip())
             if not wire:
                 continue
             check_wire_line(wire, self._language, Place(self._file, number, column))
-            self._notify_at(self.count + len(file_lines))
+            self._notify_at(len(file_lines))
             lines += f"{wire}\n".encode("ascii")
             file_lines.append(number)
-        self.count += len(file_lines)
         return bytes(lines), np.array(file_lines, np.int32)
 
-    def forget_messages(self) -> None:
-        """Forget the messages to the operator, for who only reads what is sent."""
-        self.messages.clear()
-        self._waiting.clear()
+    def _keep(self, message: str) -> None:
+        """Keep a message until the next line that is sent; of many messages the last."""
+        waiting = f"{self._waiting}\n{message}" if self._waiting else message
+        self._waiting = waiting if len(waiting) <= MOST_MESSAGE else CUT + waiting[len(CUT) - MOST_MESSAGE :]
 
     def _notify_at(self, index: int) -> None:
         if self._waiting:
-            self.messages[index] = "\n".join(self._waiting)
-            self._waiting = []
+            self.messages[index], self._waiting = self._waiting, ""
 
     def _lines(self, runs: Iterable[WireRun | tuple[int, str]]) -> Iterator[WireRun | Wire]:
         """Yield the lines that a controller is to see."""

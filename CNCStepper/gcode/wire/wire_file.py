@@ -52,15 +52,13 @@ class WireOptions(TypedDict, total=False):
     sink: Sink
     progress: Callable[[float], None]
     name: str
-    tells: bool
 
 
 class WireFile:
     """One reading of a program's file through the wire.
 
-    sink: given what is sent of each piece, in their order. count: lines sent so far. messages: index of a line that is
-    sent -> what to tell the operator before it runs, where somebody `tells` them. name: by which refusals know the
-    file; its path where left out.
+    sink: given what is sent of each piece, in their order, with its messages by the index of a line in the piece.
+    count: lines sent so far. name: by which refusals know the file; its path where left out.
     """
 
     def __init__(
@@ -73,9 +71,7 @@ class WireFile:
         sink: Sink = lambda wire: None,
         progress: Callable[[float], None] = lambda share: None,
         name: str = "",
-        tells: bool = True,
     ):
-        self._tells = tells
         self._path, self._sink, self._progress = path, sink, progress
         self._name = name or str(path)
         self._language = dialect_named(dialect)
@@ -85,7 +81,6 @@ class WireFile:
         self._start = start
         self._digest = hashlib.sha256()
         self._numbers = _LineNumbers()
-        self.messages: dict[int, str] = {}
         self.count = 0
 
     @property
@@ -144,23 +139,17 @@ class WireFile:
         self._digest.update(wire.lines.data)
         self._sink(wire)
         self.count += len(wire.lines)
-        if not self._tells:
-            self._encoder.forget_messages()
-            self.messages.clear()
 
     def _sent(self, lines: bytes, numbers: np.ndarray) -> WireText:
         """Return what is sent of a piece that was encoded."""
-        wire = WireText(self._encoder.started(WireLines(lines), numbers), numbers)
-        if self._take_up is None:
-            self.messages = self._encoder.messages
-            return wire
-        return self._taken_up(wire)
+        wire = WireText(self._encoder.started(WireLines(lines), numbers), numbers, self._encoder.messages)
+        return self._taken_up(wire) if self._take_up else wire
 
     def _taken_up(self, wire: WireText) -> WireText:
         """Return a piece with backlash compensation; a message belongs to the last line that its line has become."""
         assert self._take_up
         lines, numbers, leads = bytearray(), [], bytearray()
-        before = self._encoder.count - len(wire.lines)
+        messages: dict[int, str] = {}
         for index, (line, number) in enumerate(zip(wire.lines, wire.file_lines.tolist(), strict=True)):
             sent = self._take_up.lines(line, number)
             for one in sent:
@@ -168,9 +157,10 @@ class WireFile:
                 lines += f"{one}\n".encode("ascii")
             numbers += [number] * len(sent)
             leads += bytes([*[1] * (len(sent) - 1), 0])
-            if before + index in self._encoder.messages:
-                self.messages[self.count + len(numbers) - 1] = self._encoder.messages[before + index]
-        return WireText(WireLines(bytes(lines)), np.array(numbers, np.int32), leads=np.frombuffer(bytes(leads), bool))
+            if index in wire.messages:
+                messages[len(numbers) - 1] = wire.messages[index]
+        flags = np.frombuffer(bytes(leads), bool)
+        return WireText(WireLines(bytes(lines)), np.array(numbers, np.int32), messages, flags)
 
 
 def _filled(wire: WireText, lines: list[str], first: int) -> Iterator[bytes]:

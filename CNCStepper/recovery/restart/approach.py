@@ -15,6 +15,7 @@ from CNCStepper.errors import Text
 from CNCStepper.gcode.interpreter.state.model import Model
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.machine.tools.tool_shapes import BEAMS
+from CNCStepper.recovery.power_on import own_wait_s, pierce_height_mm
 from CNCStepper.recovery.restart.entry_point import EntryPoint
 from CNCStepper.recovery.restart.interrupted_program import Program
 from CNCStepper.state import State
@@ -27,7 +28,8 @@ class Options:
 
     overlap_mm: how much of the way before the place is cut again. height_mm: to which the tool goes up first, above the
     stock's work zero; None is the highest at which the program's own rapids cross. spin_up_s: of the spindle. laser:
-    the spindle is a laser. tools: by number, or one for every number.
+    the spindle is a laser. tools: by number, or one for every number. run_up_mm: how far behind the place a torch
+    pierces again at least, in its own kerf. is_wire: the machine cuts with a hot wire alone.
     """
 
     overlap_mm: float = 0.0
@@ -35,6 +37,8 @@ class Options:
     spin_up_s: float = 0.0
     laser: bool = False
     tools: Mapping[int, Tool] | Tool | None = None
+    run_up_mm: float = 0.0
+    is_wire: bool = False
 
     def tool(self, number: int) -> Tool | None:
         """Return the tool with a number, None where it is not known."""
@@ -45,7 +49,13 @@ class Options:
     def is_beam(self, number: int) -> bool:
         """Whether a tool is a beam or a jet, which is on only where it cuts."""
         tool = self.tool(number)
-        return self.laser or (tool is not None and tool.shape in BEAMS)
+        is_known = tool is not None and tool.shape in BEAMS
+        return self.laser or self.is_wire or self.run_up_mm > 0 or is_known
+
+    def comes_from_edge(self, number: int) -> bool:
+        """Whether a tool is a wire, which comes into the sheet from its edge only."""
+        tool = self.tool(number)
+        return self.is_wire or (tool is not None and tool.shape == "wire")
 
 
 @dataclass(frozen=True)
@@ -54,7 +64,7 @@ class Approach:
 
     at_mm: the entrance. safe_mm: the height at which the tool goes there. plunge_mm_min: the feed downwards, 0 where
     nothing goes down. dwell_s: the wait once the spindle or the beam is on. is_beam: it is switched on only down there.
-    state: the modes there.
+    state: the modes there. pierce_mm: the height at which a beam is switched on, before it goes down to the cut.
     """
 
     at_mm: tuple[float, float, float]
@@ -63,6 +73,7 @@ class Approach:
     dwell_s: float
     is_beam: bool
     state: State
+    pierce_mm: float
 
 
 def approach_to(program: Program, entrance: EntryPoint, model: Model, options: Options) -> Approach:
@@ -78,13 +89,14 @@ def approach_to(program: Program, entrance: EntryPoint, model: Model, options: O
         _dwell_s(program, row, state, options),
         options.is_beam(state.tool),
         state,
+        max(z, pierce_height_mm(program.path, row)) if options.is_beam(state.tool) else z,
     )
 
 
 def _safe_mm(program: Program, row: int, state: State, z_mm: float, options: Options) -> float:
     """Return the height in machine coordinates at which the tool goes over the work; NaN for a table without Z."""
-    if np.isnan(z_mm):
-        return z_mm
+    if np.isnan(z_mm) or not program.dialect.has_z:
+        return float("nan")
     own_mm = program.frame_mm[2] + state.tool_length_mm
     if options.height_mm is not None:
         safe_mm = own_mm + options.height_mm
@@ -121,10 +133,5 @@ def _dwell_s(program: Program, row: int, state: State, options: Options) -> floa
     """Return how long to wait once the spindle, or the beam, is on: as long as the program itself has, at least."""
     if not state.spindle_turns:
         return 0.0
-    own_s = 0.0
-    on = program.spindle_on
-    for event in program.path.events:
-        fresh = event.index == 0 or event.index >= len(on) or not on[event.index - 1]
-        if event.kind == "dwell" and event.index <= row and fresh and program.path.states[event.state].spindle_turns:
-            own_s = event.value
+    own_s = own_wait_s(program.path, row)
     return own_s if options.is_beam(state.tool) else max(own_s, options.spin_up_s)

@@ -16,6 +16,7 @@ import numpy as np
 
 from CNCStepper.errors import Text
 from CNCStepper.gcode.dialects.codes import CYCLES
+from CNCStepper.recovery.power_on import cut_begin
 from CNCStepper.recovery.restart.interrupted_program import Program, entry_of, stretch_of
 from CNCStepper.recovery.restart.places import Place
 from CNCStepper.tolerances import SAME_MM
@@ -44,11 +45,14 @@ class EntryPoint:
 Step = Callable[[Program, Place], tuple[Place, str] | None]
 
 
-def entry_point_of(program: Program, wanted: Place, overlap_mm: float = 0.0) -> EntryPoint:
+def entry_point_of(program: Program, wanted: Place, overlap_mm: float = 0.0, from_edge: bool = False) -> EntryPoint:
     """Return where the path is entered for a restart at `wanted`, or `overlap_mm` before it on the same cut.
 
-    Raises ProgramError where nothing is cut before it, or after it.
+    from_edge: the tool is a wire, which can be entered only where its cut begins. Raises ProgramError where nothing is
+    cut before it, or after it.
     """
+    if from_edge and program.feeds[wanted.row]:
+        wanted = Place(cut_begin(program.path, wanted.row))
     _check_worthwhile(program, wanted)
     place, overlap_mm, notes = _earlier(program, wanted, overlap_mm)
     while step := next((found for one in _STEPS if (found := one(program, place))), None):

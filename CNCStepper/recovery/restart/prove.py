@@ -70,7 +70,7 @@ def restart_program(
     **options: Unpack[ProofOptions],
 ) -> ProvenRestart:
     """Return the restart of a program at a place, proven as `prove` does; raises ProgramError where it cannot be."""
-    options["dialect"] = language = options.get("dialect") or machine.controller
+    options["dialect"] = language = machine.language(options.get("dialect", ""))
     made = restart(text, where, language, start, file, _options(machine, tools, entering))
     before = PriorPrograms(made.cut, (digest_of_text(text),))
     proof = prove(
@@ -103,7 +103,7 @@ def restart_job(
     earlier: the proofs of the programs that the job was split into and that were run before this one
     (`prior_proofs`). Raises ProgramError where it cannot be restarted there.
     """
-    options["dialect"] = language = options.get("dialect") or machine.controller
+    options["dialect"] = language = machine.language(options.get("dialect", ""))
     entry = _options(machine, job.on(machine).tools, entering)
     made = restart(text, where, language, job.started(start, machine), file, entry)
     if tell := options.get("tell"):
@@ -156,7 +156,9 @@ def restart_name(file: str) -> str:
 def _options(machine: Machine, tools: dict[int, Tool] | Tool | None, entering: EntryOptions | None) -> Options:
     entering = entering or EntryOptions()
     spindle = machine.spindle
-    return Options(entering.overlap_mm, entering.height_mm, spindle.spin_up_s, spindle.laser, tools)
+    is_wire = set(machine.processes) == {"hot-wire"}
+    own = (entering.overlap_mm, entering.height_mm, spindle.spin_up_s, spindle.laser, tools)
+    return Options(*own, machine.run_up_mm, is_wire)
 
 
 def _before(made: Restart, text: str, earlier: Sequence[Proof]) -> PriorPrograms:

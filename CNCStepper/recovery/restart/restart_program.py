@@ -245,7 +245,10 @@ def restart(
 def restart_of(program: Program, where: RequestedPlace, options: Options | None = None) -> Restart:
     """Return the restart of a program that is read already, as `restart` does."""
     options = options or Options()
-    entrance = entry_point_of(program, place_of(program, where), options.overlap_mm)
+    wanted = place_of(program, where)
+    tool = program.path.states[int(program.table.state[wanted.row])].tool
+    overlap_mm = max(options.overlap_mm, options.run_up_mm)
+    entrance = entry_point_of(program, wanted, overlap_mm, options.comes_from_edge(tool))
     model = program.model_before(entrance.first_line)
     _check_model(program, entrance, model)
     approach = approach_to(program, entrance, model, options)

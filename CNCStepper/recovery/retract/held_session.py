@@ -53,7 +53,7 @@ class SessionContext:
         program = SendJob.from_content(told["program"])
         known = program.retrace
         machine = _machine(known, machine)
-        dialect = known.get("dialect") or machine.controller
+        dialect = machine.language(known.get("dialect", ""))
         start = start_from(known["start"]) if known.get("start") else Start()
         return cls(
             program,

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import chain, pairwise
 from math import dist, hypot
 from typing import Any
 
@@ -26,6 +27,7 @@ from CNCStepper.job.prove import prove
 from CNCStepper.machine.backlash import Motors
 from CNCStepper.machine.profile import Machine
 from CNCStepper.motion.planner.backlash import tool_moves
+from CNCStepper.recovery.power_on import cut_begin, own_wait_s
 from CNCStepper.recovery.retract.held_session import SessionContext, acknowledged, found_of
 from CNCStepper.recovery.retract.move_curve import Move, Point
 from CNCStepper.recovery.retract.path import Part, Place, RetractPath, stretch_moves
@@ -38,6 +40,7 @@ from CNCStepper.recovery.retract.wire_writer import (
     over_lines,
     taken_up,
     way_lines,
+    without_height,
 )
 from CNCStepper.state import WORK_SYSTEMS, ZERO3, State
 
@@ -128,7 +131,7 @@ class HeldProgram:
         """Return the leg that cuts from here to the end, proven; raises JobError where the checks refuse it."""
         line = int(self.way.lines[self.place.row])
         end = Place(self.way.rows_of(line)[-1], 1.0)
-        lines, parts = self._lines_to(end, outputs=True, leads_on=True)
+        lines, parts = self._lines_to(end, outputs=True, leads_on=True, begin=self._run_up())
         reader = self.ground.read(self.ground.program.lines[:line])
         lines.append(modes_line(reader.model.state, reader.model.state.feed_mm_min))
         heads = len(lines) - len(parts) - 1
@@ -161,21 +164,48 @@ class HeldProgram:
         }
         return self._proven(lines, content)
 
-    def _lines_to(self, target: Place, outputs: bool, leads_on: bool = False) -> tuple[list[str], list[Part | None]]:
+    def _run_up(self) -> Place:
+        """Return where a torch pierces again: behind its place in its own kerf; the place itself for other tools."""
+        run_up_mm = self.ground.machine.run_up_mm
+        if not (run_up_mm and self._state(self.place).spindle_turns):
+            return self.place
+        first = Place(cut_begin(self.way.toolpath, self.place.row), 0.0)
+        return max(first, self.way.back_by(self.place, run_up_mm))
+
+    def _lines_to(
+        self, target: Place, outputs: bool, leads_on: bool = False, begin: Place | None = None
+    ) -> tuple[list[str], list[Part | None]]:
         """Return the lines to another place, and the parts of the way that those after the head are; None is beside it.
 
-        leads_on: the motors end where the program's own next line presumes them.
+        leads_on: the motors end where the program's own next line presumes them. begin: the place behind this one to
+        which the tool goes without power first.
         """
-        state = self._state(self.place)
-        on = output_lines(state, self.ground.machine.spindle.spin_up_s) if outputs else []
-        over = over_lines(self._over(), state)
-        first = [*on, *over] if self.ground.machine.keeps_outputs_back else [*over, *on]
-        lines, parts = way_lines(self._moves_to(target, leads_on), state)
-        return head_lines(state, self.position_mm) + first + lines, [None] * len(first) + parts
+        state, begin = self._state(self.place), begin or self.place
+        on = output_lines(state, self._wait_s(), dialect_named(self.ground.dialect).power) if outputs else []
+        head, over = head_lines(state, self.position_mm), over_lines(self._over(), state)
+        lines, parts = way_lines(self._moves_by((self.place, begin, target), leads_on), state)
+        if not self.ground.machine.has_z:
+            head, over, lines = map(without_height, (head, over, lines))
+        back = _count_back(parts) if begin < self.place else 0
+        before, after = ([], on) if back or not self.ground.machine.keeps_outputs_back else (on, [])
+        first = [*before, *over]
+        own: list[Part | None] = [None] * len(first)
+        return head + first + lines[:back] + after + lines[back:], own + parts[:back] + [None] * len(after) + parts[
+            back:
+        ]
 
-    def _moves_to(self, target: Place, leads_on: bool) -> Iterator[tuple[Move, Part]]:
-        """Yield the moves of the motors along the way to another place."""
-        moves, play = stretch_moves(self.way, self.place, target), self.ground.play
+    def _wait_s(self) -> float:
+        """Return how long to wait once the tool is on: a torch pierces as long as the program waits."""
+        machine = self.ground.machine
+        if machine.cuts_standing and not machine.spindle.laser:
+            return own_wait_s(self.way.toolpath, self.place.row) or machine.spindle.spin_up_s
+        return machine.spindle.spin_up_s
+
+    def _moves_by(self, places: Sequence[Place], leads_on: bool) -> Iterator[tuple[Move, Part]]:
+        """Yield the moves of the motors along the way from place to place."""
+        pairs = [pair for pair in pairwise(places) if pair[0] != pair[1]] or [(places[0], places[-1])]
+        moves = chain.from_iterable(stretch_moves(self.way, *pair) for pair in pairs)
+        play, target = self.ground.play, places[-1]
         if play is None:
             yield from moves
             return
@@ -254,6 +284,11 @@ def held_program(told: Mapping[str, Any], machine: Machine | None = None) -> Hel
     farthest = max(Place(*leg["farthest"]), found.late) if leg else found.late
     position_mm = ground.controller.on_step(told["position_mm"])
     return HeldProgram(ground, way, motors, found, is_beside, farthest, position_mm, reached, model)
+
+
+def _count_back(parts: Sequence[Part]) -> int:
+    """Return how many of the first parts of a way lead back."""
+    return max((number for number, (_, begin, end) in enumerate(parts, 1) if end < begin), default=0)
 
 
 def _with_motion(lines: Sequence[str], model: Model, dialect: str) -> list[str]:

@@ -22,6 +22,7 @@ from matplotlib.patches import Polygon
 from matplotlib.ticker import MaxNLocator
 
 from CNCStepper.simulation.removal.heightmap import HeightMap
+from CNCStepper.simulation.views.fallen_pieces import draw_fallen
 from CNCStepper.simulation.views.picture_style import COLOURS, GREY, GROUND, MATERIAL_MAP, TEXTS, draw_path, number_text
 from CNCStepper.simulation.views.scene import Scene
 from CNCStepper.tolerances import NO_MATERIAL_MM
@@ -121,6 +122,11 @@ def draw_part(axes: Axes, part: HeightMap, heights: Normalize) -> None:
     axes.pcolormesh(u, v, colours, edgecolors="none", antialiased=False, rasterized=True)
 
 
+def draw_dropped(axes: Axes, scene: Scene) -> list[str]:
+    """Draw the pieces that have fallen, lower by the stock's thickness; return the names of what there is."""
+    return draw_fallen(axes, scene.fallen, scene.part.stock.bottom_mm, _flat)
+
+
 def draw_axes(axes: Axes, frame_mm: np.ndarray) -> None:
     """Draw the three scales along the edges of a box, and show all of `bounds` without a frame."""
     low, high = frame_mm
@@ -153,6 +159,7 @@ def draw_scene(axes: Axes, scene: Scene, heights: Normalize) -> list[str]:
         )
         names.append("limits")
     draw_part(axes, scene.part, heights)
+    names += draw_dropped(axes, scene)
     names += draw_path(axes, scene.path((0, 1, 2)), _flat, plunge_lines=True)
     if scene.outlines and scene.tip_mm is not None:
         for outline, colour in zip(reversed(scene.outlines), ("shank", "cutter"), strict=True):

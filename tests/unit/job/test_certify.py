@@ -190,7 +190,8 @@ def test_a_changed_line_map_is_refused() -> None:
 
 def old_content() -> dict[str, Any]:
     """Return what the last release wrote: one JSON with the lines in it."""
-    sent = {"lines": list(certificate().lines), "file_lines": list(certificate().file_lines)}
+    sent: dict[str, Any] = {"lines": list(certificate().lines), "file_lines": list(certificate().file_lines)}
+    sent["messages"] = {str(index): text for index, text in certificate().messages.items()}
     content = dict(certificate().content) | {"version": 1, "send": {**certificate().content["send"], **sent}}
     return content | {"sha256": digest_of(content)}
 

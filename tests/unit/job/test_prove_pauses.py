@@ -3,14 +3,18 @@
 
 from __future__ import annotations
 
+import gc
 import random
+import tracemalloc
 from collections import Counter
 from pathlib import Path
 
 import pytest
 
+from CNCStepper.control.program.certificate import Certificate
 from CNCStepper.gcode.interpreter import program_file
 from CNCStepper.job import prove_file as prove_file_module
+from CNCStepper.job.certify import certificate_of
 from CNCStepper.job.prove_file import prove_file
 from CNCStepper.motion.planner.standstills import RUNNING_EVENTS, EventsAsOne, StopEvents, Stops, dwell_ticks
 from CNCStepper.simulation import finding
@@ -78,6 +82,28 @@ def test_three_times_the_lines_keep_no_more(tmp_path: Path, monkeypatch: pytest.
     assert most[0]["read"] > 100 and most[0]["planned"] > 0
     assert most[1]["planned"] <= most[0]["planned"] + 300, most  # what is read ahead begins elsewhere in the file
     assert most[1]["read"] <= most[0]["read"] + 300, most
+
+
+def test_messages_of_a_certificate_are_not_held(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(program_file, "PIECE", 10_000)
+    held = []
+    for count in (100, 1000, 3000):  # the first loads what is loaded once
+        file, sent = tmp_path / f"{count}.zip", tmp_path / str(count)
+        sent.mkdir()
+        told = [f"turn the part over and put the long clamp on, {k}" for k in range(count)]
+        (tmp_path / "p.nc").write_text("".join(f"(MSG, {text})\nG4 P0.1\n" for text in told), "ascii")
+        last = told.pop()
+        del told
+        tracemalloc.start()
+        proof = prove_file(tmp_path / "p.nc", TABLE, sent=sent)
+        certificate_of(proof).write(file)
+        read = Certificate.read(file).send_job().messages
+        gc.collect()
+        held.append(tracemalloc.get_traced_memory()[0])
+        tracemalloc.stop()
+        assert len(proof.wire.messages) == len(read) == count and read[count - 1] == last
+        assert file.stat().st_size > 50 * count
+    assert held[2] < held[1] + 2000 * 30, held  # a dict of them takes 200 bytes for each
 
 
 def test_events_before_a_row_are_summed_up() -> None:

@@ -29,6 +29,8 @@ WITHIN: dict[str, dict[str, Any]] = {  # parameters of every cycle that fit into
     "drill": POINTS,
     "elliptical_pocket": {**CLEAR, "radius_x_mm": 20.0, "radius_y_mm": 10.0},
     "engrave": {"curves": (SQUARE,)},
+    "wire_cut": {"curves": (SQUARE,)},
+    "sheet_cut": {"curves": (SQUARE,)},
     "face": {**CLEAR, "outlines": (SQUARE,)},
     "pocket": {**CLEAR, "outlines": (SQUARE,)},
     "rectangular_pocket": {**CLEAR, "corner_a_mm": (-10.0, -10.0), "corner_b_mm": (10.0, 10.0)},

@@ -204,6 +204,8 @@ def go_home(block: Block, code: Code) -> None:
     block.rapid(end_point(model, block.plan, block.values), further, row=bool(named))
     home = _home(model, code)
     end = _towards_home(model, home, named)
+    if not block.dialect.has_z:
+        end = (end[0], end[1], model.position[2])
     if further or any(home[3:]):
         more = model.further or (0.0,) * 6
         further = tuple(home[axis] if axis in named or not named else more[axis - 3] for axis in range(3, 9))

@@ -52,6 +52,8 @@ class SystemParameters:
             raise ProgramError("unknown-parameter", "this reader knows no pockets", advice="use #<_current_tool>")
         if is_predefined(name):
             return self._predefined(name)
+        if self.model.plasma and name.startswith("_hal["):
+            return self.model.plasma.pin(name) / self.model.scale
         for beginning, reason in _OF_THE_MACHINE.items():
             if name.startswith(beginning):
                 raise ProgramError("unknown-parameter", reason, advice="write the value itself")

@@ -15,13 +15,14 @@ import pytest
 
 from CNCStepper.control.program.bundle import LINE_MAP, WIRE, array_bytes, head_bytes, line_bytes, write_bundle
 from CNCStepper.control.program.certificate import FORMAT, VERSION, Certificate, digest_of_lines
+from CNCStepper.control.program.program_columns import MESSAGE_MAP, MESSAGES
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.stream.retract_handover import LEG, OWN_MAP, REST, PathRetract, read_held
 from CNCStepper.errors import JobError, Place
 from CNCStepper.state import Start
 
 LINES = ("G21G90G94", "G1X-2F1500", "G1Y-2")
-PROGRAM = SendJob("/dev/é", (*LINES, "G1X0"), file="peça.nc", baud=9600)
+PROGRAM = SendJob("/dev/é", (*LINES, "G1X0"), file="peça.nc", baud=9600, messages={3: "turn it"})
 
 
 def write_leg(path: Path, lines: Sequence[str], **more: Any) -> Path:
@@ -38,10 +39,10 @@ def write_leg(path: Path, lines: Sequence[str], **more: Any) -> Path:
         "kind": REST,
         "heads": 1,
         "certificate": Certificate(content, lines).head(),
-        "messages": {"1": "turn it"},
     }
+    messages: dict[str, Any] = {MESSAGES: [b'"turn it"\n'], MESSAGE_MAP: array_bytes(more.pop("told_at", [1]))}
     numbers = more.pop("file_lines", [40 + number for number in range(len(lines))])
-    members = {LEG: head_bytes(leg | more), WIRE: line_bytes(lines), OWN_MAP: array_bytes([])}
+    members = {LEG: head_bytes(leg | more), WIRE: line_bytes(lines), OWN_MAP: array_bytes([])} | messages
     with path.open("wb") as file:
         write_bundle(file, members | ({} if numbers is None else {LINE_MAP: array_bytes(numbers)}))
     return path
@@ -82,7 +83,8 @@ def test_the_lines_of_the_leg_under_way_stay_and_those_before_go(tmp_path: Path)
     [
         ({"certificate": {}}, "certificate"),
         ({"file_lines": [1]}, "line-map"),
-        ({"messages": []}, "retreat-file"),
+        ({"told_at": []}, "retreat-file"),
+        ({"told_at": [-1]}, "retreat-file"),
         ({"certificate": 3}, "certificate"),
     ],
 )
@@ -105,6 +107,7 @@ def test_what_is_told_is_read_back(tmp_path: Path) -> None:
     PathRetract(PROGRAM).tell(driver, "held", tmp_path / "held.zip", jogged=False)
     told = read_held(tmp_path / "held.zip")
     assert told["program"]["lines"] == list(PROGRAM.lines) and told["leg_lines"] == [] and told["leg"] is None
+    assert told["program"]["messages"] == PROGRAM.messages != {}
     assert told["position_mm"] == [1.0, 2.0, 3.0] and told["steps_per_mm"] == [80.0, None, None]
     with pytest.raises(JobError, match="cannot be written"):
         PathRetract(PROGRAM).tell(driver, "held", tmp_path / "nowhere" / "held.zip", jogged=False)
