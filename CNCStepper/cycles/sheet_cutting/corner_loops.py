@@ -19,7 +19,8 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from CNCStepper.cycles.sheet_cutting.sheet_model import Loops
-from CNCStepper.geometry.curve import COINCIDENT_MM, Curve
+from CNCStepper.geometry.curve import Curve
+from CNCStepper.tolerances import COINCIDENT_MM
 
 ROUND = 1.02  # a corner's arc has half a kerf as radius, within rounding and the offset's tolerance
 STRAIGHT_RAD = 1e-6

@@ -12,7 +12,8 @@ import numpy as np
 from CNCStepper.cycles.sheet_cutting.chains import Chain
 from CNCStepper.cycles.sheet_cutting.sheet_model import ArcRule, CornerRule, MicroJoints, PowerRamp, SmallHoles
 from CNCStepper.errors import CycleError, Text
-from CNCStepper.geometry.curve import COINCIDENT_MM, Curve
+from CNCStepper.geometry.curve import Curve
+from CNCStepper.tolerances import COINCIDENT_MM
 
 NONE_MM = 0.01  # a drawn arc of a smaller radius is a corner
 RAMP_STEPS = 8

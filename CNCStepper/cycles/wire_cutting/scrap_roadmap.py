@@ -28,15 +28,14 @@ from CNCStepper.cycles.wire_cutting.wire_items import OFFSET_TOLERANCE_MM, Item,
 from CNCStepper.geometry.box_tree import tree_of
 from CNCStepper.geometry.curve import joined
 from CNCStepper.geometry.curve_bundle import bundle_of
-from CNCStepper.geometry.intersections import NODE_MM
 from CNCStepper.geometry.line_of_sight import sees
 from CNCStepper.geometry.offset import left_loops
 from CNCStepper.geometry.region import Region
 from CNCStepper.kernels import njit
+from CNCStepper.tolerances import SAME_MM
 
 COARSE = 0.1  # of the margin: how far corners may be off the walls
 QUADRANT = 4  # chords of a quarter turn round a corner
-SAME_MM = 1e-6
 
 Segment = tuple[Point, Point]
 
@@ -61,7 +60,7 @@ class Roadmap:
         shapely.prepare(self._material)
         self._walls = _walls(items, self.clear_mm)
         rows = np.concatenate([wall.rows for wall in self._walls])
-        self._barrier = (rows, *tree_of(rows, NODE_MM))
+        self._barrier = (rows, *tree_of(rows, SAME_MM))
         corners = np.concatenate([_corners(items, self.clear_mm, COARSE * margin_mm), outside])
         self.corners = corners[self.free(corners)]
         self._seen: dict[int, np.ndarray] = {}

@@ -20,9 +20,9 @@ import numpy as np
 from CNCStepper.cycles.moves import Point
 from CNCStepper.cycles.wire_cutting.scrap_roadmap import Connection, Reach, Roadmap, Segment
 from CNCStepper.cycles.wire_cutting.wire_items import Item
+from CNCStepper.tolerances import SAME_MM
 
 ROOT = 0
-SAME_MM = 1e-6
 
 
 @dataclass

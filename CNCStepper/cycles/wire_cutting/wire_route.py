@@ -26,9 +26,9 @@ from CNCStepper.cycles.wire_cutting.scrap_roadmap import COARSE, Roadmap, Segmen
 from CNCStepper.cycles.wire_cutting.way_tree import ROOT, WayTree, best_last, connected
 from CNCStepper.cycles.wire_cutting.wire_items import Item, Items, Line, Part
 from CNCStepper.errors import CycleError, Text
-from CNCStepper.geometry.curve import COINCIDENT_MM, Curve, from_points, straight
+from CNCStepper.geometry.curve import Curve, from_points, straight
+from CNCStepper.tolerances import COINCIDENT_MM, SAME_MM
 
-SAME_MM = 1e-6
 SIDES = ("left", "right", "front", "back")
 
 
