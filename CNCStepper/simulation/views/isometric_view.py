@@ -122,9 +122,9 @@ def draw_part(axes: Axes, part: HeightMap, heights: Normalize) -> None:
     axes.pcolormesh(u, v, colours, edgecolors="none", antialiased=False, rasterized=True)
 
 
-def draw_dropped(axes: Axes, scene: Scene) -> list[str]:
-    """Draw the pieces that have fallen, lower by the stock's thickness; return the names of what there is."""
-    return draw_fallen(axes, scene.fallen, scene.part.stock.bottom_mm, _flat)
+def draw_free(axes: Axes, scene: Scene) -> list[str]:
+    """Draw the pieces that have been cut free, hatched on their top faces; return the names of what there is."""
+    return draw_fallen(axes, scene.fallen, scene.part.stock.top_mm, _flat)
 
 
 def draw_axes(axes: Axes, frame_mm: np.ndarray) -> None:
@@ -159,7 +159,7 @@ def draw_scene(axes: Axes, scene: Scene, heights: Normalize) -> list[str]:
         )
         names.append("limits")
     draw_part(axes, scene.part, heights)
-    names += draw_dropped(axes, scene)
+    names += draw_free(axes, scene)
     names += draw_path(axes, scene.path((0, 1, 2)), _flat, plunge_lines=True)
     if scene.outlines and scene.tip_mm is not None:
         for outline, colour in zip(reversed(scene.outlines), ("shank", "cutter"), strict=True):
