@@ -306,16 +306,28 @@ class TableBuilder:
             first += count
 
     def append(self, path: Toolpath) -> None:
-        """Add the rows, events and spans of a toolpath with one state; they name the state that is in force here."""
-        first, state = self.index, len(self.states) - 1
+        """Add the rows, events and spans of a toolpath; its first state is the one in force here.
+
+        Its other states differ from that one by their spindle alone: a torch, a beam or a wire switched on and off.
+        """
+        first, places = self.index, self._places_of(path.states)
         self._flush()
         for chunk in path.chunks:
             if len(chunk):
-                states = np.full(len(chunk), state, np.int32)
-                self._chunks.append(replace(chunk, first=self.index, state=states))
+                self._chunks.append(replace(chunk, first=self.index, state=places[chunk.state]))
                 self.index = self._begin = self.index + len(chunk)
-        self.events += [replace(event, index=event.index + first, state=state) for event in path.events]
+        self.events += [
+            replace(event, index=event.index + first, state=int(places[event.state])) for event in path.events
+        ]
         self.spans += [replace(span, first=span.first + first, last=span.last + first) for span in path.spans]
+
+    def _places_of(self, states: Sequence[State]) -> np.ndarray:
+        """Add a toolpath's states behind the one in force, and return their numbers here as int32[n]."""
+        base, places = self.state, [len(self.states) - 1]
+        for state in list(states)[1:]:
+            self.set_state(replace(base, spindle=state.spindle, spindle_rpm=state.spindle_rpm))
+            places.append(len(self.states) - 1)
+        return np.array(places, np.int32)
 
     @property
     def room(self) -> int:

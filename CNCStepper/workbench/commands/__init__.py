@@ -26,11 +26,13 @@ def register() -> tuple[list[str], list[str]]:
 
     drawing = (NewJob(), ImportTools(), Freehand())
     areas, lines_and_holes = _made(operations.AREAS), _made(operations.LINES_AND_HOLES)
+    sheets = _made(operations.SHEETS)
     machine = (EditProgram(), OpenProgram(), Simulate(), Send(), Controller())
     order = _made(ORDERING)
-    for command in (*drawing, *areas, *lines_and_holes, *order, *machine):
+    for command in (*drawing, *areas, *lines_and_holes, *sheets, *order, *machine):
         FreeCADGui.addCommand(command.name, command)
-    return _names(drawing, areas, lines_and_holes, machine), _names(drawing, areas, lines_and_holes, order, machine)
+    kinds = (drawing, areas, lines_and_holes, sheets)
+    return _names(*kinds, machine), _names(*kinds, order, machine)
 
 
 def _made(kinds: Iterable[type[Command]]) -> tuple[Command, ...]:

@@ -16,6 +16,7 @@ from typing import Any
 
 from CNCStepper.job import question_key
 from CNCStepper.job.deferred_fitting import Unfitted, only_looking
+from CNCStepper.machine.processes import MILLING
 from CNCStepper.workbench.calculation import result_cache
 from CNCStepper.workbench.document import targets
 from CNCStepper.workbench.document.selection import Pair, selected_drawings
@@ -47,9 +48,15 @@ def create(document: Any, title: str, make: Callable[[], Any]) -> None:
 
 
 def tool_for(job: Any) -> Any:
-    """Return the tool with which a new operation of the job begins: a selected one, the last, or a new one."""
+    """Return the tool with which a new operation of the job begins: a selected one, the last, or a new one.
+
+    A process with a cut chart has a tool of its own, which the chart describes.
+    """
     from CNCStepper.workbench import api
 
+    if job.Process != MILLING.name:
+        selected = [obj for obj in targets.selected() if obj in job.Tools]
+        return next(iter(selected), None) or labelled(api.chart_tool(job), tr("Tool"))
     return targets.tool(job) or labelled(api.add_tool(job), tr("Tool"))
 
 
@@ -80,7 +87,14 @@ class Operation(Command):
     def why_not(self) -> str:
         """Return why no operation can be added."""
         lacks_drawing = tr(self.no_drawing) if self.no_drawing and targets.drawing() is None else ""
-        return missing_packages.why_not() or targets.why_no_panel() or targets.why_no_job() or lacks_drawing
+        no_job = missing_packages.why_not() or targets.why_no_panel() or targets.why_no_job()
+        return no_job or targets.why_not_by_process(self.by()) or lacks_drawing
+
+    def by(self) -> tuple[str, ...]:
+        """Return the processes that cut such an operation."""
+        from CNCStepper.workbench.features.catalogue import operation_class
+
+        return operation_class(self.cycle).BY
 
     def run(self) -> None:
         """Add the operation and open its panel, when the lines of its drawings are fitted."""

@@ -160,5 +160,36 @@ class Engrave(Operation):
         return default_values.engraving(tuple(job.StockSize))
 
 
+class SheetCut(Operation):
+    """Adds a cut out of sheet to the job."""
+
+    name = "CNCStepper_SheetCut"
+    menu_text = QT_TRANSLATE_NOOP("CNCStepper_SheetCut", "Sheet cut")
+    tooltip = QT_TRANSLATE_NOOP("CNCStepper_SheetCut", "Cuts parts out of sheet by torch, laser, jet, knife or point")
+    cycle = "sheet_cut"
+    label = later("Sheet cut")
+    no_drawing = later("Select what is to be cut out: a sketch, wires, or faces or edges of a solid")
+
+    def values(self, job: Any, tool: Any, is_drawn: bool) -> dict[str, Any]:
+        """Return nothing: process and chart give the values."""
+        return {}
+
+
+class WireCut(Operation):
+    """Adds a cut with a hot wire to the job."""
+
+    name = "CNCStepper_WireCut"
+    menu_text = QT_TRANSLATE_NOOP("CNCStepper_WireCut", "Wire cut")
+    tooltip = QT_TRANSLATE_NOOP("CNCStepper_WireCut", "Cuts parts out of foam with a hot wire, in from the edge")
+    cycle = "wire_cut"
+    label = later("Wire cut")
+    no_drawing = later("Select what is to be cut out: a sketch, wires, or faces or edges of a solid")
+
+    def values(self, job: Any, tool: Any, is_drawn: bool) -> dict[str, Any]:
+        """Return nothing: process and chart give the values."""
+        return {}
+
+
 AREAS = (Face, Pocket, RectangularPocket, CircularPocket, EllipticalPocket)
 LINES_AND_HOLES = (Contour, Drill, Bore, Thread, Engrave)
+SHEETS = (SheetCut, WireCut)
