@@ -24,7 +24,7 @@ from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.curve_bundle import bundle_of
 from CNCStepper.geometry.cut_order.cut_order import parents
 from CNCStepper.geometry.offset import left_loops
-from CNCStepper.tolerances import SAME_CUT_MM
+from CNCStepper.tolerances import SAME_CUT_MM, SAME_MM
 
 OFFSET_TOLERANCE_MM = 0.004  # of which an offset uses an eighth at most
 SHORTEST_MM = 0.02  # a shorter curve is nothing to cut

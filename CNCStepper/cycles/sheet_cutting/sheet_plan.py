@@ -159,7 +159,7 @@ class _Planner:
     def _begun(self, room: LeadRoom, lead_in: Lead) -> list[Cut]:
         """Return each cut from its lead-in on, in the order of the items."""
         closed = [number for number, item in enumerate(self.items) if item.path.closed]
-        begins = dict.fromkeys(range(len(self.items)), (0.0, None))
+        begins: dict[int, tuple[float, Curve | None]] = dict.fromkeys(range(len(self.items)), (0.0, None))
         if lead_in.kind != "none" and closed:
             begins.update(zip(closed, lead_ins(self.items, closed, lead_in, room, self.side), strict=True))
         outs: dict[int, Curve | None] = dict.fromkeys(range(len(self.items)))

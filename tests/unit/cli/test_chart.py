@@ -48,8 +48,12 @@ def test_a_chart_becomes_qtplasmacs_file_and_comes_back(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("process", "material", "machine", "cuts"),
-    [("plasma", "mild-steel", "torch-table", 2), ("laser", "plywood", "laser-table", 2), ("hot-wire", "eps", "wire-table", 1)],
-)  # fmt: skip
+    [
+        ("plasma", "mild-steel", "torch-table", 2),
+        ("laser", "plywood", "laser-table", 2),
+        ("hot-wire", "eps", "wire-table", 1),
+    ],
+)
 def test_a_kerf_test_is_a_job_that_cuts_squares_of_the_size_it_says(
     process: str, material: str, machine: str, cuts: int, tmp_path: Path
 ) -> None:
