@@ -8,7 +8,6 @@ from pathlib import Path
 import click
 
 from CNCStepper.atomic_file import write_whole
-
 from CNCStepper.cli.common.options import FilePath, NumberType
 from CNCStepper.cli.common.path_types import OutputPath
 from CNCStepper.cli.common.verb import Verbs, check_further
@@ -70,7 +69,7 @@ def show(
 @click.option("--to", type=OutputPath(""), required=True, help="Write it there: .toml, or .cfg for QtPlasmaC.")
 @units_option
 @click.option("--to-units", type=UnitsType, default="mm", show_default=True, help="Of the .cfg that is written.")
-def convert(file: Path, to: Path, units: str | None, to_units: str | None) -> None:
+def convert(file: Path, to: Path, units: str | None, to_units: str) -> None:
     """Write a chart as TOML or as QtPlasmaC's material file; what such a file cannot hold is told."""
     rows = read_chart(file, units or "")
     for note in write_chart(to, rows, to_units):
