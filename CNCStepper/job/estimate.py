@@ -41,7 +41,7 @@ def long_work(job: Job) -> list[str]:
 def cut_length_mm(operation: Cycle, job: Job) -> tuple[float, int]:
     """Return about how long the cut of an operation is, and in how many levels; holes count as one level."""
     values: Any = operation
-    if not hasattr(values, "depth_mm") or job.cutting.cuts_through:  # a wire or beam cuts through at once
+    if not (hasattr(values, "stepdown_mm") or hasattr(values, "pattern")):  # a wire or beam cuts through at once
         passes = getattr(values, "passes", 1)
         return sum(curve.length_mm for curve in values.curves) * passes, passes
     depth_mm = values.depth_mm

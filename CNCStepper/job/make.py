@@ -14,7 +14,7 @@ from CNCStepper.job.chart_tools import as_cut_by
 from CNCStepper.job.model import Job
 from CNCStepper.machine.cut_data import CutData
 from CNCStepper.machine.profile import Machine
-from CNCStepper.state import Start, State
+from CNCStepper.state import State
 from CNCStepper.toolpath import TableBuilder, Toolpath
 
 
@@ -91,7 +91,7 @@ def make_parts(job: Job, machine: Machine, title: str = "") -> list[Part]:
 
 def cut_operations(job: Job) -> tuple[Toolpath, list[Answer]]:
     """Return the moves of all operations, in work coordinates, and what each answered."""
-    table = TableBuilder(Start(), State(work_system=job.work_offset))
+    table = TableBuilder(job.begin, State(work_system=job.work_offset))
     answers = [_cut(number, operation, job, table) for number, operation in enumerate(job.operation, start=1)]
     return table.toolpath(), answers
 

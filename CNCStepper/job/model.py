@@ -31,6 +31,7 @@ from CNCStepper.cycles.pockets.elliptical_pocket import EllipticalPocket
 from CNCStepper.drawing.dxf.reader import Share
 from CNCStepper.drawing.point_list import read_heights, read_points
 from CNCStepper.errors import JobError, Place, Text, placed
+from CNCStepper.gcode.dialects import dialect
 from CNCStepper.geometry.curve import Curve, circle, from_points
 from CNCStepper.job.chart_tools import FIRST_TOOL, as_cut_by, filled, process_of, take_cut_data
 from CNCStepper.job.shapes import NO_SHAPES, Drawn, Shapes, read_shapes, with_curves
@@ -216,6 +217,7 @@ class Job(BaseModel):
     _has_z: bool = PrivateAttr(default=True)  # of the machine that the job is `on`
     _most_power: float = PrivateAttr(default=ON_RPM)
     _is_switch: bool = PrivateAttr(default=True)
+    _starts_at_zero: bool = PrivateAttr(default=False)
 
     @model_validator(mode="after")
     def _parts_fit_together(self) -> Job:
@@ -287,6 +289,7 @@ class Job(BaseModel):
         copy._has_z = machine.has_z
         copy._is_switch = not machine.has_spindle
         copy._most_power = machine.spindle.max_rpm
+        copy._starts_at_zero = dialect(machine.language()).starts_at_work_zero
         return copy
 
     def _row(self) -> CutData | None:
@@ -300,6 +303,11 @@ class Job(BaseModel):
             z_rate_mm_min = machine.axes[2].max_rate_mm_min if machine.has_z else row.feed_mm_min
             return filled(tool, self.cutting, row, z_rate_mm_min)
         return with_feeds(tool, material(self.material), machine) if self.is_milled and self.material else tool
+
+    @property
+    def begin(self) -> Start:
+        """Where the first operation finds the tool, in work coordinates: at the zero where the language says so."""
+        return Start.at_zero() if self._starts_at_zero else Start()
 
     @property
     def cutting(self) -> Process:
@@ -322,8 +330,11 @@ class Job(BaseModel):
     def started(self, start: Start | None, machine: Machine) -> Start | None:
         """Return `start` with the tools' length offsets, where programs for the machine select them; else unchanged.
 
-        One that is not known is taken as 0.
+        One that is not known is taken as 0. In a language without a word for tools the only one is in from the start.
         """
+        used = {operation.tool for operation in self.operation}
+        if len(used) == 1 and "T" not in dialect(machine.language()).letters:
+            start = replace(start or Start(), tool=used.pop())
         if machine.tool_length != "table":
             return start
         start = start or Start()

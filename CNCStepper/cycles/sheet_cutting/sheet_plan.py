@@ -161,8 +161,8 @@ class _Planner:
         closed = [number for number, item in enumerate(self.items) if item.path.closed]
         begins = dict.fromkeys(range(len(self.items)), (0.0, None))
         if lead_in.kind != "none" and closed:
-            begins |= dict(zip(closed, lead_ins(self.items, closed, lead_in, room, self.side), strict=True))
-        outs = dict.fromkeys(range(len(self.items)))
+            begins.update(zip(closed, lead_ins(self.items, closed, lead_in, room, self.side), strict=True))
+        outs: dict[int, Curve | None] = dict.fromkeys(range(len(self.items)))
         if self.cycle.lead_out.kind != "none" and closed:
             outs |= self._lead_outs(room, closed, [begins[number][0] for number in closed])
         return [self._cut(item, *begins[number], outs[number]) for number, item in enumerate(self.items)]
@@ -208,7 +208,7 @@ class _Planner:
         last = {int(self.part_of[number]): place for place, number in enumerate(numbers)}
         pieces: list[shapely.Polygon | None] = [None] * len(cuts)
         inner = points_of([item.path for item in self.items], ROUGH_MM)
-        for chain, place in sorted(last.items(), key=lambda pair: pair[1]):
+        for chain in sorted(last, key=last.__getitem__):
             if self.chains[chain].is_part and not held:
                 self.parts.append(whole[chain])
         for place, number in enumerate(numbers):
@@ -232,7 +232,8 @@ def _owned(paths: ChordPieces, part_of: np.ndarray) -> ChordPieces:
 def _without(chains: Sequence[Chain], left_out: Sequence[Chain]) -> list[Chain]:
     """Return the chains but some holes that hold nothing."""
     gone = {id(chain) for chain in left_out}
-    places, kept = {}, []
+    places: dict[int, int] = {}
+    kept: list[Chain] = []
     for index, chain in enumerate(chains):
         if id(chain) not in gone:
             places[index] = len(kept)

@@ -61,6 +61,8 @@ class WireCut(WireParameters, BaseModel):
         require_few_blocks(sum(len(stroke.curve) for stroke in route.strokes))
         run = WireRun(table, setup, sheet)
         figures = run.run(route, kerf_mm, self.corner_dwell_s, self.corner_angle_deg)
+        band = shapely.union_all([band, swept(run.before, kerf_mm / 2.0)])
+        band = band if sheet is None else band.intersection(sheet)
         removal = Removal(band, 0.0, -(setup.thickness_mm or UNKNOWN_DEPTH_MM), self.tolerance_mm)
         figures |= {"kerf_mm": kerf_mm, "parts": len(route.parts), "lines": len(items.lines)}
         return Answer([removal], figures, run.warnings + rest_warnings(corners), corners, list(route.parts))
@@ -123,7 +125,7 @@ def _sheet_of(setup: Setup) -> Polygon | None:
 
 def _around(items: Items, far_mm: float) -> Polygon:
     """Return a sheet round all that is cut, for a setup that does not know its stock."""
-    lines = [item.chords for item in (*items.parts, *items.lines)]
+    lines = [item.chords for item in items.every]
     return shapely.box(*shapely.union_all(lines).buffer(far_mm).bounds)
 
 

@@ -22,26 +22,30 @@ from CNCStepper.cycles.cycle import Setup
 from CNCStepper.cycles.moves import Moves, Point, point_of
 from CNCStepper.cycles.wire_cutting.wire_route import Route, Stroke, corners_of
 from CNCStepper.errors import Text
-from CNCStepper.geometry.curve import Curve
+from CNCStepper.geometry.curve import Curve, straight
 from CNCStepper.toolpath import TableBuilder
 
-WITHIN_MM = 0.001  # by so much a rapid along the sheet's edge may be inside of it
+WITHIN_MM = 0.001  # of rounding: a wire that stands so far inside the sheet's edge stands on it
 SHORTEST_DWELL_S = 0.001
 
 
 class WireRun:
-    """Writes a route into a table; warnings: what a person should know of it."""
+    """Writes a route into a table.
+
+    before: what the wire may burn on its way to the route's begin. warnings: what a person should know.
+    """
 
     def __init__(self, table: TableBuilder, setup: Setup, sheet: Polygon | None):
         self._table, self._setup, self._sheet = table, setup, sheet
         self._moves = Moves(table, setup)
         self._dwells: list[float] = []
+        self.before: list[Curve] = []
         self.warnings: list[str] = []
 
     def run(self, route: Route, kerf_mm: float, dwell_s: float, angle_deg: float) -> dict[str, float]:
         """Append the rows; return lengths and dwells by their names."""
         begin = point_of(route.strokes[0].curve.xy[0])
-        self._approach(begin)
+        self._approach(begin, kerf_mm / 2.0)
         self._switch_on()
         for stroke in route.strokes:
             self._table.open_span(stroke.kind, stroke.name)
@@ -56,36 +60,51 @@ class WireRun:
             "corner_dwell_s": sum(self._dwells),
         }
 
-    def _approach(self, begin: Point) -> None:
+    def _approach(self, begin: Point, half_mm: float) -> None:
         """Go round the sheet by rapids, and down beside it where there is a Z axis."""
-        stands = np.nan_to_num(self._table.position_mm)  # where it is not known: at the work zero
+        stands = point_of(np.array(self._table.position_mm))
         height_mm = self._setup.clearance_mm if self._setup.has_z else 0.0
-        for place in self._round(point_of(stands[:2]), begin):
+        if self._sheet is not None and np.isfinite(stands).all():
+            if self._sheet.buffer(-WITHIN_MM).contains(Place(stands)):
+                self._warn_inside(stands, begin)
+            elif self._sheet.distance(Place(stands)) < half_mm:
+                stands = self._away(stands, begin, height_mm)
+        for place in self._round(stands, begin, half_mm):
             self._rapid((*place, height_mm))
         self._rapid((*begin, 0.0))
 
-    def _round(self, stands: Point, begin: Point) -> list[Point]:
-        """Return the places to go to, so that no straight way between them crosses the sheet."""
-        if self._sheet is None:
+    def _away(self, stands: Point, begin: Point, height_mm: float) -> Point:
+        """Feed straight away from an edge that the wire touches, for it may be hot; return where it then is."""
+        (low_x, low_y), _, (high_x, high_y), _ = self._corners(begin)
+        (x, y), ways = stands, ((low_x, stands[1]), (high_x, stands[1]), (stands[0], low_y), (stands[0], high_y))
+        place = min(ways, key=lambda way: abs(way[0] - x) + abs(way[1] - y))
+        self._table.feed((*place, height_mm), self._setup.tool.feed_mm_min)
+        self.before.append(straight(stands, place))
+        return place
+
+    def _warn_inside(self, stands: Point, begin: Point) -> None:
+        what = (
+            "the program begins at X{x:g} Y{y:g}, which is over the sheet: move the wire out of the sheet, "
+            "to X{begin_x:.3f} Y{begin_y:.3f}, before it is started"
+        )
+        self.warnings.append(Text(what, x=stands[0], y=stands[1], begin_x=begin[0], begin_y=begin[1]))
+
+    def _round(self, stands: Point, begin: Point, half_mm: float) -> list[Point]:
+        """Return the places to go to, so that no straight way between them comes near the sheet."""
+        if self._sheet is None or not np.isfinite(stands).all() or self._sheet.contains(Place(stands)):
             return [begin]
-        inside = self._sheet.buffer(-WITHIN_MM)
-        if inside.contains(Place(stands)):
-            self.warnings.append(
-                Text(
-                    "the program begins at X{x:g} Y{y:g}, which is over the sheet: move the wire out of the sheet, "
-                    "to X{begin_x:.3f} Y{begin_y:.3f}, before it is started",
-                    x=stands[0],
-                    y=stands[1],
-                    begin_x=begin[0],
-                    begin_y=begin[1],
-                )
-            )
-            return [begin]
-        far_mm = inside.exterior.distance(Place(begin))
-        corners = [point_of(corner) for corner in corners_of(inside.buffer(far_mm).bounds)]
+        near = self._sheet.buffer(half_mm - WITHIN_MM)
+        corners = self._corners(begin)
         ways = ((*way, begin) for count in range(len(corners)) for way in itertools.permutations(corners, count))
-        open_ones = [way for way in ways if not LineString([stands, *way]).intersects(inside)]
+        open_ones = [way for way in ways if not LineString([stands, *way]).intersects(near)]
         return list(min(open_ones, key=lambda way: LineString([stands, *way]).length))
+
+    def _corners(self, begin: Point) -> list[Point]:
+        """Return the corners of the box round the sheet on which the way begins, counter-clockwise from the lowest."""
+        assert self._sheet is not None
+        low_x, low_y, high_x, high_y = self._sheet.bounds
+        off_mm = max(low_x - begin[0], begin[0] - high_x, low_y - begin[1], begin[1] - high_y)
+        return [point_of(corner) for corner in corners_of(self._sheet.buffer(off_mm).bounds)]
 
     def _switch_on(self) -> None:
         """Put the power on and wait until the wire is hot."""

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The pieces of a sheet that have fallen, hatched: at the moment of the picture nothing holds them any more.
 
-Seen from above they lie where they were cut; in the isometric view they lie lower by the sheet's thickness.
+They are drawn where they were cut, on the top face.
 """
 
 from __future__ import annotations

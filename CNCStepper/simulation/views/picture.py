@@ -89,7 +89,7 @@ def _heading(figure: Figure, box: tuple[float, float, float, float], text: str) 
 def _draw_isometric(figure: Figure, scene: Scene, bounds: np.ndarray, box: tuple[float, float, float, float]) -> None:
     axes = figure.add_axes(box)
     isometric_view.draw_part(axes, scene.part, heights_scale(scene.part))
-    isometric_view.draw_dropped(axes, scene)
+    isometric_view.draw_free(axes, scene)
     isometric_view.draw_axes(axes, isometric_view.frame_of(scene.part))
     axes.set(xlim=bounds[:, 0], ylim=bounds[:, 1])
     _heading(figure, box, TEXTS["isometric"])

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpreter.interpret import interpret
-from CNCStepper.gcode.wire.encoder import check_wire_line, prepare
+from CNCStepper.gcode.wire.encoder import CUT, MOST_MESSAGE, check_wire_line, prepare
 from CNCStepper.gcode.wire.read_back import read_back
 from CNCStepper.state import Start
 
@@ -66,6 +66,15 @@ def test_the_wire_and_its_map():
     assert wire.messages == {2: "turn the part"}
     assert wire.text == "G21G90\nG1X1.5Y0F100\nM0\nX2\nM2\n"
     assert len(wire.sha256) == 64 and wire.sha256 == prepare(wire.text).sha256
+
+
+@pytest.mark.parametrize("count", [50, 51, 100, 5000])
+def test_of_too_many_messages_at_one_line_the_last_are_told(count: int) -> None:
+    told = [f"{k:04} " + 74 * "x" for k in range(count)]  # 79 characters, and the end of a line
+    wire = prepare("".join(f"(MSG, {text})\n" for text in told) + "M0\n(MSG, next)\nM1\n")
+    whole, cut = "\n".join(told), wire.messages[0]
+    assert len(cut) == min(MOST_MESSAGE, len(whole)) and wire.messages[1] == "next"
+    assert cut == whole if count == 50 else cut.startswith(CUT) and whole.endswith(cut.removeprefix(CUT))
 
 
 def test_after_the_end_nothing_is_sent_where_nothing_is_read():

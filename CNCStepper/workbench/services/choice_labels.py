@@ -84,6 +84,52 @@ WORDS = {
 }
 
 
-def words_of(choice: str) -> str:
-    """Return the label of a choice; one without a label, like G54, is its own."""
+PROCESS_WORDS = {
+    "milling": later("Milling"),
+    "plasma": later("Plasma"),
+    "oxyfuel": later("Oxyfuel"),
+    "laser": later("Laser"),
+    "waterjet": later("Water jet"),
+    "hot-wire": later("Hot wire"),
+    "drag-knife": later("Drag knife"),
+    "scribe": later("Scribe"),
+}
+CHART_WORDS = {
+    "aluminium": later("aluminium"),
+    "cardboard": later("cardboard"),
+    "cardstock": later("cardstock"),
+    "copper": later("copper"),
+    "eps": later("EPS foam"),
+    "epp": later("EPP foam"),
+    "felt": later("felt"),
+    "foam": later("foam"),
+    "foam-board": later("foam board"),
+    "glass": later("glass"),
+    "granite": later("granite"),
+    "heat-transfer-film": later("heat transfer film"),
+    "leather": later("leather"),
+    "paper": later("paper"),
+    "rubber": later("rubber"),
+    "sandblast-film": later("sandblast film"),
+    "titanium": later("titanium"),
+    "vinyl": later("vinyl"),
+    "45 degrees": later("45° blade"),
+    "60 degrees": later("60° blade"),
+    "nichrome 0.4 mm": later("nichrome wire, 0.4 mm"),
+}
+CUT_WORDS = {
+    "usual": later("usual for the process"),
+    "own": later("own values"),
+    "nearest": later("the nearest edge"),
+    "front": later("front"),
+    "back": later("rear"),
+}
+OF_KEY = {("leave", "back"): later("back the way it came"), ("leave", "edge"): later("to the nearest edge")}
+WORDS |= {**PROCESS_WORDS, **CHART_WORDS, **CUT_WORDS}
+
+
+def words_of(choice: str, key: str = "") -> str:
+    """Return the label of a choice, of the property with a key; one without a label, like G54, is its own."""
+    if (key, choice) in OF_KEY:
+        return tr(OF_KEY[key, choice])
     return tr(WORDS[choice]) if choice in WORDS else choice
