@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The shipped jobs of the hot wire: proven without error, hot only where they cut, read back in the thesis's language."""
+"""The shipped jobs of the hot wire: proven, hot only where they cut, read back in the thesis's language."""
 
 from __future__ import annotations
 
 import re
 from functools import cache
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -52,7 +53,7 @@ def test_the_thesis_language_reads_its_program_back() -> None:
     made, _ = proven("thesis-a")
     lines = [line for line in made.program.splitlines() if not line.startswith("(")]
     assert not [line for line in lines if re.search(r"[MSTZK]", line)]
-    after_arcs = [after for line, after in zip(lines, lines[1:], strict=False) if line.startswith(("G2 ", "G3 "))]
+    after_arcs = [after for line, after in pairwise(lines) if line.startswith(("G2 ", "G3 "))]
     assert after_arcs
     assert all(after.startswith(("G90", "G2 ", "G3 ", "G0")) for after in after_arcs)
     path, cut = interpret(made.program, Start.at_zero(), "thesis-a").table(), made.toolpath.table()
