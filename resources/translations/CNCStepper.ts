@@ -6122,6 +6122,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a lead or a cut goes through a part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a limit switch is pressed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6318,6 +6322,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a rapid crosses the sheet, which a wire cannot</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a rapid crosses the stock with the beam on</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6327,6 +6335,10 @@
         </message>
         <message>
             <source>a rapid goes through stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a rapid goes with the power on</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6827,6 +6839,10 @@
         </message>
         <message>
             <source>before it starts set the Z zero with its tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>begin beside the sheet and enter at its edge</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7350,6 +7366,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>correct the path, the lead-in or the kerf</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>correct the path, the tool's diameter or the depth</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7403,6 +7423,10 @@
         </message>
         <message>
             <source>cut both in one operation, which leaves the gap standing, or use a smaller tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>cut holes before the outline round them, or hold the piece by tabs</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7918,6 +7942,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>go round the sheet, or cut with G1</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>goes down at {plunge_mm_min:g} mm/min</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8294,6 +8322,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>keep half a kerf beside the part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>kept only if the controller has had power ever since and was not reset in motion; a greeting, an alarm or a place that is not right says that it was: then {home}; {until_homed}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8327,6 +8359,14 @@
         </message>
         <message>
             <source>lay the work in its axes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lead in and out through scrap</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lead it round the part, through what becomes scrap</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8410,6 +8450,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>less than a kerf is left of a part between two cuts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>let Z always rise or always fall</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8423,6 +8467,10 @@
         </message>
         <message>
             <source>let them coincide, or keep them {small_mm:g} mm apart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lift the head higher, or go round the piece</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8679,6 +8727,10 @@
         </message>
         <message>
             <source>make the job again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>make the lead-in longer</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9362,6 +9414,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>pierce farther away from earlier cuts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>pierce in scrap, and lead in to the contour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>pin '{pin}' is no pin of a controller; there are {controller_pins}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9770,6 +9830,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>set F by the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set Z by the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>set again at the pause at line {line}: {places} (machine, mm); what comes after counts from there, what was before from the old one</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9898,6 +9966,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>split the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>start it with cncstepper send</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9978,7 +10050,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>switch it off with M5 sooner</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>switch it on with M3 and S before it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>switch it on with M3 beside the sheet</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10038,11 +10118,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>take out the G4, or switch the power off with M5 before it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>take out the inner (</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>take out {word}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take the kerf from the chart</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10430,6 +10518,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the cut begins without its pierce delay</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the cut begins without waiting for the spindle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10447,6 +10539,10 @@
         </message>
         <message>
             <source>the cut goes into {hurt} outline(s) that other contours leave standing, most at X{x:.3f} Y{y:.3f}, by {radius_mm:.3f} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the cut height is not the cut chart's</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10626,6 +10722,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the feed is not the cut chart's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the feed would be another</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10746,6 +10846,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the head goes over a piece that is free and may stand up</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the heights cannot be read: {reason}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10863,6 +10967,14 @@
         </message>
         <message>
             <source>the journal of the job cannot be written: {why}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the kerf goes beyond the drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the kerf goes beyond the drawing into a part</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11206,6 +11318,30 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the piece that is cut came free at line {line}: it has fallen or moved</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the pierce delay is not the chart's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the pierce height is not the cut chart's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the pierce is nearer to a part than the chart's lead-in is long: its spatter reaches the part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the pierce lies on a part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the pierce lies on an edge that is cut already</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the pins of the machine are not known to this reader</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11259,6 +11395,10 @@
         </message>
         <message>
             <source>the position stored for {code} is not known</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the power stands at the pierce for much longer than the chart's delay</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11382,6 +11522,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the program is too long for it to be known which pieces fall</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the program moves nothing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11394,11 +11538,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the program pauses with the power on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the program runs on and on: is there a loop without an end?</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the program waits or asks for what pulses cannot give</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the program waits with the power on in the middle of a cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11830,6 +11982,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the tool's width is not the cut chart's kerf</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the turn of the work system went into the coordinates</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11871,6 +12027,22 @@
         </message>
         <message>
             <source>the way would be bent otherwise</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the wire begins to cut inside the sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the wire goes through a part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the wire goes through the sheet without power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the wire moves before it is hot</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12402,6 +12574,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use a smaller kerf, or widen the web</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use a smaller tool</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12762,6 +12938,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write G4 P{delay_s:g} behind M3</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write G4 P{needed_s:g} after the spindle starts</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12807,6 +12987,10 @@
         </message>
         <message>
             <source>write M5 before M0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write M5 before M0, and pierce again behind it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

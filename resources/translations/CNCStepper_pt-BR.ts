@@ -6122,6 +6122,10 @@
             <translation>uma entrada ou saída do tipo 'line' precisa de length_mm e não de radius_mm</translation>
         </message>
         <message>
+            <source>a lead or a cut goes through a part</source>
+            <translation>uma entrada ou um corte atravessa uma peça</translation>
+        </message>
+        <message>
             <source>a limit switch is pressed</source>
             <translation>um fim de curso está acionado</translation>
         </message>
@@ -6318,6 +6322,10 @@
             <translation>um programa com sub-rotinas, laços ou desvios não é reescrito</translation>
         </message>
         <message>
+            <source>a rapid crosses the sheet, which a wire cannot</source>
+            <translation>um rápido atravessa a chapa, o que um fio não pode</translation>
+        </message>
+        <message>
             <source>a rapid crosses the stock with the beam on</source>
             <translation>um deslocamento rápido atravessa o bloco com o feixe ligado</translation>
         </message>
@@ -6328,6 +6336,10 @@
         <message>
             <source>a rapid goes through stock</source>
             <translation>um rápido atravessa o material</translation>
+        </message>
+        <message>
+            <source>a rapid goes with the power on</source>
+            <translation>um rápido anda com a potência ligada</translation>
         </message>
         <message>
             <source>a rapid with the tool running is not above all cuts</source>
@@ -6828,6 +6840,10 @@
         <message>
             <source>before it starts set the Z zero with its tool</source>
             <translation>antes de iniciá-lo, defina o zero de Z com a ferramenta dele</translation>
+        </message>
+        <message>
+            <source>begin beside the sheet and enter at its edge</source>
+            <translation>comece ao lado da chapa e entre pela borda</translation>
         </message>
         <message>
             <source>begin farther away</source>
@@ -7350,6 +7366,10 @@
             <translation>corrija o caminho ou as permissões do arquivo</translation>
         </message>
         <message>
+            <source>correct the path, the lead-in or the kerf</source>
+            <translation>corrija o percurso, a entrada ou a largura do corte</translation>
+        </message>
+        <message>
             <source>correct the path, the tool's diameter or the depth</source>
             <translation>corrija a trajetória, o diâmetro da ferramenta ou a profundidade</translation>
         </message>
@@ -7404,6 +7424,10 @@
         <message>
             <source>cut both in one operation, which leaves the gap standing, or use a smaller tool</source>
             <translation>corte os dois em uma só operação, que deixa o vão intacto, ou use uma ferramenta menor</translation>
+        </message>
+        <message>
+            <source>cut holes before the outline round them, or hold the piece by tabs</source>
+            <translation>corte os furos antes do contorno em volta deles, ou segure a peça com pontes</translation>
         </message>
         <message>
             <source>cut in more levels, or take a longer tool</source>
@@ -7918,6 +7942,10 @@
             <translation>continue, ou pare o trabalho</translation>
         </message>
         <message>
+            <source>go round the sheet, or cut with G1</source>
+            <translation>contorne a chapa, ou corte com G1</translation>
+        </message>
+        <message>
             <source>goes down at {plunge_mm_min:g} mm/min</source>
             <translation>desce a {plunge_mm_min:g} mm/min</translation>
         </message>
@@ -8294,6 +8322,10 @@
             <translation>junte-os em um só contorno, ou mova um deles</translation>
         </message>
         <message>
+            <source>keep half a kerf beside the part</source>
+            <translation>fique meia largura de corte ao lado da peça</translation>
+        </message>
+        <message>
             <source>kept only if the controller has had power ever since and was not reset in motion; a greeting, an alarm or a place that is not right says that it was: then {home}; {until_homed}</source>
             <translation>mantida só se o controlador ficou ligado desde então e não foi reiniciado em movimento; uma saudação, um alarme ou um lugar errado dizem que foi: então {home}; {until_homed}</translation>
         </message>
@@ -8328,6 +8360,14 @@
         <message>
             <source>lay the work in its axes</source>
             <translation>alinhe a peça com os eixos da máquina</translation>
+        </message>
+        <message>
+            <source>lead in and out through scrap</source>
+            <translation>entre e saia pelo retalho</translation>
+        </message>
+        <message>
+            <source>lead it round the part, through what becomes scrap</source>
+            <translation>passe o fio em volta da peça, pelo que vira retalho</translation>
         </message>
         <message>
             <source>leads had to be made smaller to stay in the scrap, down to {smallest:.0%} of their size</source>
@@ -8410,6 +8450,10 @@
             <translation>os comprimentos das ferramentas entraram nas coordenadas</translation>
         </message>
         <message>
+            <source>less than a kerf is left of a part between two cuts</source>
+            <translation>entre dois cortes sobra da peça menos do que a largura do corte</translation>
+        </message>
+        <message>
             <source>let Z always rise or always fall</source>
             <translation>faça Z sempre subir ou sempre descer</translation>
         </message>
@@ -8424,6 +8468,10 @@
         <message>
             <source>let them coincide, or keep them {small_mm:g} mm apart</source>
             <translation>faça-os coincidir ou mantenha-os a {small_mm:g} mm um do outro</translation>
+        </message>
+        <message>
+            <source>lift the head higher, or go round the piece</source>
+            <translation>levante mais o cabeçote, ou contorne a peça</translation>
         </message>
         <message>
             <source>lift the tool before it</source>
@@ -8680,6 +8728,10 @@
         <message>
             <source>make the job again</source>
             <translation>gere o trabalho de novo</translation>
+        </message>
+        <message>
+            <source>make the lead-in longer</source>
+            <translation>aumente a entrada</translation>
         </message>
         <message>
             <source>make the leads or the tool smaller, move the parts apart, or do without leads</source>
@@ -9362,6 +9414,14 @@
             <translation>escolha-o de novo</translation>
         </message>
         <message>
+            <source>pierce farther away from earlier cuts</source>
+            <translation>perfure mais longe dos cortes anteriores</translation>
+        </message>
+        <message>
+            <source>pierce in scrap, and lead in to the contour</source>
+            <translation>perfure no retalho e entre até o contorno</translation>
+        </message>
+        <message>
             <source>pin '{pin}' is no pin of a controller; there are {controller_pins}</source>
             <translation>o pino '{pin}' não é de um controlador; existem {controller_pins}</translation>
         </message>
@@ -9770,6 +9830,14 @@
             <translation>use $32=0 ou um firmware com PWM</translation>
         </message>
         <message>
+            <source>set F by the chart</source>
+            <translation>ajuste F pela tabela</translation>
+        </message>
+        <message>
+            <source>set Z by the chart</source>
+            <translation>ajuste Z pela tabela</translation>
+        </message>
+        <message>
             <source>set again at the pause at line {line}: {places} (machine, mm); what comes after counts from there, what was before from the old one</source>
             <translation>definido de novo na pausa da linha {line}: {places} (máquina, mm); o que vem depois conta a partir daí, o que veio antes, a partir do antigo</translation>
         </message>
@@ -9898,6 +9966,10 @@
             <translation>divida essa linha em duas</translation>
         </message>
         <message>
+            <source>split the program</source>
+            <translation>divida o programa</translation>
+        </message>
+        <message>
             <source>start it with cncstepper send</source>
             <translation>inicie-o com cncstepper send</translation>
         </message>
@@ -9978,8 +10050,16 @@
             <translation>desligue-o antes com M5</translation>
         </message>
         <message>
+            <source>switch it off with M5 sooner</source>
+            <translation>desligue antes com M5</translation>
+        </message>
+        <message>
             <source>switch it on with M3 and S before it</source>
             <translation>ligue-o antes com M3 e S</translation>
+        </message>
+        <message>
+            <source>switch it on with M3 beside the sheet</source>
+            <translation>ligue com M3 ao lado da chapa</translation>
         </message>
         <message>
             <source>switch the machine off, or unlock and home it afterwards at the machine itself</source>
@@ -10038,12 +10118,20 @@
             <translation>retire R</translation>
         </message>
         <message>
+            <source>take out the G4, or switch the power off with M5 before it</source>
+            <translation>tire o G4, ou desligue a potência com M5 antes dele</translation>
+        </message>
+        <message>
             <source>take out the inner (</source>
             <translation>retire o ( interno</translation>
         </message>
         <message>
             <source>take out {word}</source>
             <translation>retire {word}</translation>
+        </message>
+        <message>
+            <source>take the kerf from the chart</source>
+            <translation>use a largura do corte da tabela</translation>
         </message>
         <message>
             <source>taken as a flat mill: '{name}' names no shape that a table's words can tell</source>
@@ -10430,6 +10518,10 @@
             <translation>o corte</translation>
         </message>
         <message>
+            <source>the cut begins without its pierce delay</source>
+            <translation>o corte começa sem o tempo de perfuração</translation>
+        </message>
+        <message>
             <source>the cut begins without waiting for the spindle</source>
             <translation>o corte começa sem esperar o spindle</translation>
         </message>
@@ -10448,6 +10540,10 @@
         <message>
             <source>the cut goes into {hurt} outline(s) that other contours leave standing, most at X{x:.3f} Y{y:.3f}, by {radius_mm:.3f} mm</source>
             <translation>o corte entra em {hurt} linha(s) que outros contornos deixam intacta(s), mais em X{x:.3f} Y{y:.3f}, por {radius_mm:.3f} mm</translation>
+        </message>
+        <message>
+            <source>the cut height is not the cut chart's</source>
+            <translation>a altura de corte não é a da tabela de corte</translation>
         </message>
         <message>
             <source>the cut is taken to be {kerf_mm:g} mm wide, the simulation cuts with the tool's {diameter_mm:g} mm</source>
@@ -10626,6 +10722,10 @@
             <translation>o avanço é maior do que os eixos da máquina conseguem</translation>
         </message>
         <message>
+            <source>the feed is not the cut chart's</source>
+            <translation>o avanço não é o da tabela de corte</translation>
+        </message>
+        <message>
             <source>the feed would be another</source>
             <translation>o avanço seria outro</translation>
         </message>
@@ -10746,6 +10846,10 @@
             <translation>a grade tem furos demais</translation>
         </message>
         <message>
+            <source>the head goes over a piece that is free and may stand up</source>
+            <translation>o cabeçote passa sobre uma peça solta que pode estar levantada</translation>
+        </message>
+        <message>
             <source>the heights cannot be read: {reason}</source>
             <translation>as alturas não podem ser lidas: {reason}</translation>
         </message>
@@ -10864,6 +10968,14 @@
         <message>
             <source>the journal of the job cannot be written: {why}</source>
             <translation>o diário do trabalho não pode ser gravado: {why}</translation>
+        </message>
+        <message>
+            <source>the kerf goes beyond the drawing</source>
+            <translation>o corte passa do desenho</translation>
+        </message>
+        <message>
+            <source>the kerf goes beyond the drawing into a part</source>
+            <translation>o corte passa do desenho e entra em uma peça</translation>
         </message>
         <message>
             <source>the kernels are not compiled ahead: {said}</source>
@@ -11206,6 +11318,30 @@
             <translation>o padrão de busca não pode ser lido: {error}</translation>
         </message>
         <message>
+            <source>the piece that is cut came free at line {line}: it has fallen or moved</source>
+            <translation>a peça que é cortada se soltou na linha {line}: ela caiu ou se moveu</translation>
+        </message>
+        <message>
+            <source>the pierce delay is not the chart's</source>
+            <translation>o tempo de perfuração não é o da tabela</translation>
+        </message>
+        <message>
+            <source>the pierce height is not the cut chart's</source>
+            <translation>a altura de perfuração não é a da tabela de corte</translation>
+        </message>
+        <message>
+            <source>the pierce is nearer to a part than the chart's lead-in is long: its spatter reaches the part</source>
+            <translation>a perfuração está mais perto de uma peça do que o comprimento de entrada da tabela: os respingos alcançam a peça</translation>
+        </message>
+        <message>
+            <source>the pierce lies on a part</source>
+            <translation>a perfuração fica sobre uma peça</translation>
+        </message>
+        <message>
+            <source>the pierce lies on an edge that is cut already</source>
+            <translation>a perfuração fica sobre uma borda já cortada</translation>
+        </message>
+        <message>
             <source>the pins of the machine are not known to this reader</source>
             <translation>este leitor não conhece os pinos da máquina</translation>
         </message>
@@ -11260,6 +11396,10 @@
         <message>
             <source>the position stored for {code} is not known</source>
             <translation>a posição guardada para {code} não é conhecida</translation>
+        </message>
+        <message>
+            <source>the power stands at the pierce for much longer than the chart's delay</source>
+            <translation>a potência fica parada na perfuração muito mais do que o tempo da tabela</translation>
         </message>
         <message>
             <source>the probe stands at its end already</source>
@@ -11382,6 +11522,10 @@
             <translation>o programa não é o que foi verificado: o texto é outro</translation>
         </message>
         <message>
+            <source>the program is too long for it to be known which pieces fall</source>
+            <translation>o programa é longo demais para se saber quais peças caem</translation>
+        </message>
+        <message>
             <source>the program moves nothing</source>
             <translation>o programa não move nada</translation>
         </message>
@@ -11394,12 +11538,20 @@
             <translation>o programa espera com o spindle girando</translation>
         </message>
         <message>
+            <source>the program pauses with the power on</source>
+            <translation>o programa faz pausa com a potência ligada</translation>
+        </message>
+        <message>
             <source>the program runs on and on: is there a loop without an end?</source>
             <translation>o programa não para de executar: há um laço sem fim?</translation>
         </message>
         <message>
             <source>the program waits or asks for what pulses cannot give</source>
             <translation>o programa espera ou pede o que os pulsos não podem dar</translation>
+        </message>
+        <message>
+            <source>the program waits with the power on in the middle of a cut</source>
+            <translation>o programa espera com a potência ligada no meio de um corte</translation>
         </message>
         <message>
             <source>the program was proven for another machine, or its profile was changed since</source>
@@ -11830,6 +11982,10 @@
             <translation>o raio da ferramenta entrou no percurso, que só vale para esta ferramenta</translation>
         </message>
         <message>
+            <source>the tool's width is not the cut chart's kerf</source>
+            <translation>a largura da ferramenta não é a largura do corte da tabela</translation>
+        </message>
+        <message>
             <source>the turn of the work system went into the coordinates</source>
             <translation>a rotação do sistema de coordenadas entrou nas coordenadas</translation>
         </message>
@@ -11872,6 +12028,22 @@
         <message>
             <source>the way would be bent otherwise</source>
             <translation>o trajeto seria curvado de outro modo</translation>
+        </message>
+        <message>
+            <source>the wire begins to cut inside the sheet</source>
+            <translation>o fio começa a cortar dentro da chapa</translation>
+        </message>
+        <message>
+            <source>the wire goes through a part</source>
+            <translation>o fio atravessa uma peça</translation>
+        </message>
+        <message>
+            <source>the wire goes through the sheet without power</source>
+            <translation>o fio atravessa a chapa sem potência</translation>
+        </message>
+        <message>
+            <source>the wire moves before it is hot</source>
+            <translation>o fio anda antes de estar quente</translation>
         </message>
         <message>
             <source>the word {letter} has no number that can be read</source>
@@ -12402,6 +12574,10 @@
             <translation>use um nome próprio</translation>
         </message>
         <message>
+            <source>use a smaller kerf, or widen the web</source>
+            <translation>use um corte mais estreito, ou alargue a parede</translation>
+        </message>
+        <message>
             <source>use a smaller tool</source>
             <translation>use uma ferramenta menor</translation>
         </message>
@@ -12762,6 +12938,10 @@
             <translation>escreva G18 antes dessa linha</translation>
         </message>
         <message>
+            <source>write G4 P{delay_s:g} behind M3</source>
+            <translation>escreva G4 P{delay_s:g} depois de M3</translation>
+        </message>
+        <message>
             <source>write G4 P{needed_s:g} after the spindle starts</source>
             <translation>escreva G4 P{needed_s:g} depois de ligar o spindle</translation>
         </message>
@@ -12808,6 +12988,10 @@
         <message>
             <source>write M5 before M0</source>
             <translation>escreva M5 antes de M0</translation>
+        </message>
+        <message>
+            <source>write M5 before M0, and pierce again behind it</source>
+            <translation>escreva M5 antes de M0, e perfure de novo depois</translation>
         </message>
         <message>
             <source>write M70 before, in the same subroutine</source>
