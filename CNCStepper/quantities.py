@@ -61,6 +61,10 @@ QUANTITIES: dict[str, Quantity] = {
     "torque": Quantity("Nm", 0.00001, 10_000, "no stepper motor gives more than 10 kNm"),
     "mass": Quantity("kg", 0.0001, 100_000, "nothing that an axis moves weighs more than 100 t"),
     "inertia": Quantity("kg·m²", 1e-12, 1_000, "no screw and rotor has more"),
+    "percent": Quantity("%", 0.01, 1000, "more than ten times the whole is a slip"),
+    "current": Quantity("A", 0.001, 10_000, "no torch or wire draws more than 10 kA"),
+    "voltage": Quantity("V", 0.001, 10_000, "no arc or wire stands at more than 10 kV"),
+    "pressure": Quantity("bar", 0.001, 10_000, "no jet is driven by more than 10 kbar"),
     "force": Quantity("N", 0.0001, 1_000_000, "no axis pushes with more than 100 t"),
 }
 
@@ -78,6 +82,7 @@ MOST_ITEMS: dict[str, int] = {  # of a list in a file; longer ones are a slip, a
     "inputs": 64,
     "notes": 10_000,
     "diameters": 1_000,
+    "cuts": 5_000,  # rows of a cut chart
 }
 
 

@@ -116,6 +116,7 @@ class State:
     surface_m_min: float = 0.0  # G96: what S asks for; spindle_rpm follows X
     rotation_deg: float = 0.0  # of the work system about Z
     blend_mm: float = 0.0  # G64 P: how far corners may be cut; 0 without P, when no one has said how far
+    spindle_number: int = 0  # $ of M3: QtPlasmaC's torch 0, scribe 1, spotting 2
 
     @property
     def spindle_turns(self) -> bool:

@@ -16,6 +16,7 @@ from CNCStepper.errors import Text
 
 TEMPLATES = "templates"
 MOST_VALUES, MOST_NESTED = 40, 8
+MOST_CHARACTERS = 10_000  # of a text or of a value in one
 FIELD = re.compile(  # no width that fills the memory
     r"\{[a-z_]\w*(![ra])?(:[^{}\d]{0,3}\d{0,2}(\.\d{1,2})?[a-zA-Z%]?)?\}"
 )
@@ -70,7 +71,8 @@ def _text(content: Any, nested: int = 0) -> Any:
         template, values = content["template"], content["values"]
         if nested == MOST_NESTED or len(values) > MOST_VALUES or set("{}") & set(FIELD.sub("", template)):
             return None
-        return Text(template, **{name: _text(value, nested + 1) for name, value in values.items()})
+        text = Text(template, **{name: _text(value, nested + 1) for name, value in values.items()})
+        return text if len(text) <= MOST_CHARACTERS else None
     except (TypeError, KeyError, ValueError, AttributeError, IndexError):
         return None
 

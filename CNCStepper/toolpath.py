@@ -66,7 +66,8 @@ class Event:
     """Something that happens before the row with execution index `index` is run.
 
     kind: "dwell" (value in s), "message", "comment", "pause" (M0), "optional_pause" (M1),
-    "tool_change" (value: the tool), "tool_select", "end" (M2, M30), "probe", "output".
+    "tool_change" (value: the tool), "tool_select", "end" (M2, M30), "probe", "output",
+    "material" (value: its feed in mm/min, 0 where it is not known; text: M190 and P, or its comment).
     state: index of the state in force at that moment. line: source line from 1, 0 where there is none.
     """
 
@@ -135,6 +136,25 @@ class Toolpath:
         """Return the work offset in force on every row, float64[n, 3]: work = machine - offset."""
         per_state = np.array([state.offset_mm for state in self.states], float).reshape(-1, 3)
         return per_state[self.table().state]
+
+
+def chunk_of_rows(rows: list[tuple], first: int, axes: int) -> Chunk:
+    """Return the chunk of rows (kind, end, centre, plane, turns, feed, state, line), each end of `axes` numbers in mm.
+
+    first: index of the first row in the table.
+    """
+    kind, end, centre, plane, turns, feed, state, line = zip(*rows, strict=True) if rows else ((),) * 8
+    return Chunk(
+        first,
+        np.array(kind, np.uint8),
+        np.array(end, float).reshape(-1, axes),
+        np.array(centre, float).reshape(-1, 3),
+        np.array(plane, np.uint8),
+        np.array(turns, np.uint16),
+        np.array(feed, float),
+        np.array(state, np.int32),
+        np.array(line, np.int32),
+    )
 
 
 def join_chunks(chunks: list[Chunk]) -> Chunk:
@@ -213,6 +233,14 @@ class TableBuilder:
         """The state that the next row will name."""
         return self.states[-1]
 
+    @property
+    def position_mm(self) -> tuple[float, ...]:
+        """Where the last row that is not taken yet ended; the start's position where there is none."""
+        if self._rows:
+            return tuple(map(float, self._rows[-1][1]))
+        chunks = self._pieces or self._chunks
+        return tuple(chunks[-1].end[-1].tolist()) if chunks else tuple(self.start.position_mm)
+
     def set_state(self, state: State) -> None:
         """Let the rows from here on name `state`; nothing happens when it is the one in force."""
         if state != self.states[-1]:
@@ -263,28 +291,43 @@ class TableBuilder:
         """Note a span of rows that are there already."""
         self.spans.append(Span(kind, name, first, last))
 
-    def add_cuts(self, kind: np.ndarray, end: np.ndarray, centre: np.ndarray, feed_mm_min: float) -> None:
-        """Add feed moves and arcs in the XY plane as columns of a chunk; they name the state that is in force here."""
-        first = 0
+    def add_cuts(self, kind: np.ndarray, end: np.ndarray, centre: np.ndarray, feed_mm_min: float | np.ndarray) -> None:
+        """Add feed moves and arcs in the XY plane as columns of a chunk; they name the state that is in force here.
+
+        feed_mm_min: of all rows, or of each.
+        """
+        first, feeds = 0, np.broadcast_to(np.asarray(feed_mm_min, float), len(kind))
         while first < len(kind):
             some = slice(first, first + self.room)
             count = len(kind[some])
             none, state = np.zeros(count, np.uint8), np.full(count, len(self.states) - 1, np.int32)
-            turns, feed = (kind[some] != LINE).astype(np.uint16), np.full(count, feed_mm_min)
+            turns, feed = (kind[some] != LINE).astype(np.uint16), feeds[some].copy()
             self.extend((kind[some], end[some], centre[some], none, turns, feed, state, none.astype(np.int32)))
             first += count
 
     def append(self, path: Toolpath) -> None:
-        """Add the rows, events and spans of a toolpath with one state; they name the state that is in force here."""
-        first, state = self.index, len(self.states) - 1
+        """Add the rows, events and spans of a toolpath; its first state is the one in force here.
+
+        Its other states differ from that one by their spindle alone: a torch, a beam or a wire switched on and off.
+        """
+        first, places = self.index, self._places_of(path.states)
         self._flush()
         for chunk in path.chunks:
             if len(chunk):
-                states = np.full(len(chunk), state, np.int32)
-                self._chunks.append(replace(chunk, first=self.index, state=states))
+                self._chunks.append(replace(chunk, first=self.index, state=places[chunk.state]))
                 self.index = self._begin = self.index + len(chunk)
-        self.events += [replace(event, index=event.index + first, state=state) for event in path.events]
+        self.events += [
+            replace(event, index=event.index + first, state=int(places[event.state])) for event in path.events
+        ]
         self.spans += [replace(span, first=span.first + first, last=span.last + first) for span in path.spans]
+
+    def _places_of(self, states: Sequence[State]) -> np.ndarray:
+        """Add a toolpath's states behind the one in force, and return their numbers here as int32[n]."""
+        base, places = self.state, [len(self.states) - 1]
+        for state in list(states)[1:]:
+            self.set_state(replace(base, spindle=state.spindle, spindle_rpm=state.spindle_rpm))
+            places.append(len(self.states) - 1)
+        return np.array(places, np.int32)
 
     @property
     def room(self) -> int:
@@ -329,7 +372,7 @@ class TableBuilder:
 
     def empty(self) -> Chunk:
         """Return a chunk without rows."""
-        return self._chunk(0, [])
+        return chunk_of_rows([], 0, self.axes)
 
     def _row(self, kind, end_mm, centre_mm, plane, turns, feed_mm_min, line) -> None:
         checkpoint()
@@ -353,7 +396,7 @@ class TableBuilder:
     def _collect(self) -> None:
         """Make a piece of the single rows."""
         if self._rows:
-            self._pieces.append(self._chunk(self.index - len(self._rows), self._rows))
+            self._pieces.append(chunk_of_rows(self._rows, self.index - len(self._rows), self.axes))
             self._rows = []
 
     def _flush(self) -> None:
@@ -362,17 +405,3 @@ class TableBuilder:
             self._chunks.append(self._pieces[0] if len(self._pieces) == 1 else join_chunks(self._pieces))
             self._pieces = []
         self._begin = self.index
-
-    def _chunk(self, first: int, rows: list[tuple]) -> Chunk:
-        kind, end, centre, plane, turns, feed, state, line = zip(*rows, strict=True) if rows else ((),) * 8
-        return Chunk(
-            first,
-            np.array(kind, np.uint8),
-            np.array(end, float).reshape(-1, self.axes),
-            np.array(centre, float).reshape(-1, 3),
-            np.array(plane, np.uint8),
-            np.array(turns, np.uint16),
-            np.array(feed, float),
-            np.array(state, np.int32),
-            np.array(line, np.int32),
-        )

@@ -15,6 +15,8 @@ from CNCStepper.cycles.pockets.circular_pocket import CircularPocket
 from CNCStepper.cycles.pockets.elliptical_pocket import EllipticalPocket
 from CNCStepper.cycles.pockets.pocket import Pocket
 from CNCStepper.cycles.pockets.rectangular_pocket import RectangularPocket
+from CNCStepper.cycles.sheet_cutting.sheet_cut import SheetCut
+from CNCStepper.cycles.wire_cutting.wire_cut import WireCut
 from CNCStepper.errors import JobError, Text
 from CNCStepper.quantities import shown
 
@@ -28,7 +30,9 @@ CYCLES: dict[str, type[BaseModel]] = {
     "face": Face,
     "pocket": Pocket,
     "rectangular_pocket": RectangularPocket,
+    "sheet_cut": SheetCut,
     "thread": Thread,
+    "wire_cut": WireCut,
 }
 
 

@@ -17,6 +17,8 @@ from typing import Protocol
 from shapely.geometry.base import BaseGeometry
 
 from CNCStepper.geometry.curve import Curve
+from CNCStepper.machine.cut_charts import CutData
+from CNCStepper.machine.processes import MILLING, Process
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.toolpath import TableBuilder
 
@@ -28,7 +30,8 @@ class Setup:
     stock, thickness_mm: the outline of the raw material seen from above and its thickness, where they are known. keep:
     closed outlines of the parts that the job's other operations leave standing, which leads must not cut into. parts:
     of those, for each contour that runs outside, the outlines of the part, which no cut beside it may enter. Curves are
-    in work coordinates.
+    in work coordinates. process, cut_data: how it is cut, with the row of the cut chart where the process has one.
+    has_z: without a Z axis all rows stay at height 0. power_s: the S with which a beam or wire is on.
     """
 
     tool: Tool
@@ -38,6 +41,10 @@ class Setup:
     keep: tuple[Curve, ...] = ()
     thickness_mm: float | None = None
     parts: tuple[tuple[Curve, ...], ...] = ()
+    process: Process = MILLING
+    cut_data: CutData | None = None
+    has_z: bool = True
+    power_s: float = 1.0
 
 
 @dataclass(frozen=True)
@@ -70,13 +77,15 @@ class RestCorner:
 class Answer:
     """What a cycle reports: the wanted removals, its figures (recalculated ae, ap, passes) by name, and warnings.
 
-    corners: all places that the tool cannot reach, the worst first.
+    corners: all places that the tool cannot reach, the worst first. parts: what a beam or wire cuts free, in the order
+    in which that is done: shapely polygons with their holes, exact within 0.0005 mm.
     """
 
     removals: list[Removal]
     figures: dict[str, float] = field(default_factory=dict)
     warnings: list[str] = field(default_factory=list)
     corners: list[RestCorner] = field(default_factory=list)
+    parts: list[BaseGeometry] = field(default_factory=list)
 
 
 class Cycle(Protocol):

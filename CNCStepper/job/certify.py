@@ -199,7 +199,7 @@ def send_job(
         expected=expected_settings(machine) if machine else {},
         work_offsets_mm=(_offsets(known) if known else {}) | (_places(start, wire.lines) if start else {}),
         work_system=known.work_system if known else "",
-        dialect=dialect or (machine.controller if machine else ""),
+        dialect=machine.language(dialect) if machine else dialect,
         machine=machine.name if machine else "",
         retrace=_path_retract(machine, start or Start(), dialect) if machine else {},
         plan=plan,
@@ -210,7 +210,7 @@ def send_job(
 def _path_retract(machine: Machine, start: Start, dialect: str) -> dict[str, Any]:
     """Return what a way back along the cut is proven with, as plain data."""
     profile = machine.model_dump(mode="json")
-    return {"machine": profile, "start": _start(start), "dialect": dialect or machine.controller}
+    return {"machine": profile, "start": _start(start), "dialect": machine.language(dialect)}
 
 
 def _offsets(start: Start) -> dict[str, tuple[float, ...]]:

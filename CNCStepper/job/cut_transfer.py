@@ -16,6 +16,7 @@ from CNCStepper.job.make import is_split, make_parts, make_program
 from CNCStepper.job.model import Job, StockForm, operation_of
 from CNCStepper.job.path_commands import commands, gcode
 from CNCStepper.job.question_key import Content
+from CNCStepper.machine.cut_data import CutData
 from CNCStepper.machine.profile import Machine, validated
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.state import Start
@@ -51,6 +52,7 @@ def setting_from(content: dict[str, Any], machine: dict[str, Any]) -> Job:
         "stock": validated(StockForm, content["stock"], "stock"),
         "tool": tuple(validated(Tool, raw, "tool") for raw in content["tool"]),
         "operation": _operations(content),
+        "cut_data": validated(CutData, row, "cut_data") if (row := content.get("cut_data")) else None,
     }
     return Job.model_construct(**{**content, **parts}).on(machine_from(machine))
 
@@ -87,7 +89,7 @@ def read_back(job: Job | None, machine: Machine, text: str, file: str) -> Toolpa
     start = Start()
     if job is not None:
         start = job.started(start, machine) or start
-    return interpret(text, start, dialect=machine.controller, file=file)
+    return interpret(text, start, dialect=machine.language(), file=file)
 
 
 def path_text(job: Job | None, machine: Machine, text: str, file: str) -> str:

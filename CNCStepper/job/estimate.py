@@ -2,7 +2,7 @@
 """How long the cuts of a job will be, from its numbers alone, so that a long wait is announced before it begins.
 
 clearing   area / stepover for each level          along curves   their length for each level
-holes      the turns of the helix, or the depth    levels         depth / stepdown
+holes      the turns of the helix, or the depth    levels         depth / stepdown; one where the cycle has no depth
 """
 
 from __future__ import annotations
@@ -41,6 +41,9 @@ def long_work(job: Job) -> list[str]:
 def cut_length_mm(operation: Cycle, job: Job) -> tuple[float, int]:
     """Return about how long the cut of an operation is, and in how many levels; holes count as one level."""
     values: Any = operation
+    if not (hasattr(values, "stepdown_mm") or hasattr(values, "pattern")):  # a wire or beam cuts through at once
+        passes = getattr(values, "passes", 1)
+        return sum(curve.length_mm for curve in values.curves) * passes, passes
     depth_mm = values.depth_mm
     if hasattr(values, "pattern") and not isinstance(values.pattern, str):
         holes = len(values.pattern.holes())

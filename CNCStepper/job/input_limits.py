@@ -5,7 +5,7 @@ Bounds without a job are those of the quantities (`quantities`); what only leave
 a slip. A key says what it measures:
 
     depths    depth_mm, stepdown_mm, …    twice the stock's thickness and 10 mm, and the travel of Z
-    heights   clearance_mm, …             the travel of Z
+    heights   clearance_mm, …             the travel of Z, without a Z that of the last axis
     widths    stepover_mm, radius_mm, …   four times the longest side of the stock or the longest travel
     feeds     …feed_mm_min                ten times the fastest axis
 """
@@ -86,7 +86,7 @@ def _largest(value: Any) -> float:
 
 def reach_of(stock_mm: tuple[float, float, float], machine: Machine) -> Reach:
     """Return how far values may go on a stock of that size and that machine."""
-    travels_mm = [axis.travel_max_mm - axis.travel_min_mm for axis in machine.axes]
+    travels_mm = [axis.travel_max_mm - axis.travel_min_mm for axis in machine.own_axes.values()]
     travel = Limit(travels_mm[-1], "travel")
     stock_limit = Limit(TIMES_THICK * stock_mm[2] + SPARE_MM, "depth")
     wide_mm = max(*stock_mm[:2], *travels_mm)
@@ -94,5 +94,5 @@ def reach_of(stock_mm: tuple[float, float, float], machine: Machine) -> Reach:
         depth=min(stock_limit, travel, key=lambda limit: limit.most),
         height=travel,
         width=Limit(TIMES_WIDE * wide_mm, "width"),
-        feed=Limit(TIMES_FAST * max(axis.max_rate_mm_min for axis in machine.axes), "feed"),
+        feed=Limit(TIMES_FAST * max(axis.max_rate_mm_min for axis in machine.own_axes.values()), "feed"),
     )

@@ -10,9 +10,11 @@ from CNCStepper.cycles.cycle import Answer, Cycle, Removal
 from CNCStepper.errors import CNCStepperError, Place
 from CNCStepper.gcode.dialects import dialect
 from CNCStepper.gcode.writer.write import WriteOptions, write, write_split
+from CNCStepper.job.chart_tools import as_cut_by
 from CNCStepper.job.model import Job
+from CNCStepper.machine.cut_data import CutData
 from CNCStepper.machine.profile import Machine
-from CNCStepper.state import Start, State
+from CNCStepper.state import State
 from CNCStepper.toolpath import TableBuilder, Toolpath
 
 
@@ -64,7 +66,7 @@ def make_program(job: Job, machine: Machine, title: str = "") -> Made:
     """
     job = job.on(machine)
     toolpath, answers = cut_operations(job)
-    return Made(write(toolpath, dialect(machine.controller), _options(job, machine, title)), toolpath, answers)
+    return Made(write(toolpath, dialect(machine.language()), _options(job, machine, title)), toolpath, answers)
 
 
 def is_split(job: Job, machine: Machine) -> bool:
@@ -79,7 +81,7 @@ def make_parts(job: Job, machine: Machine, title: str = "") -> list[Part]:
     """
     job = job.on(machine)
     toolpath, answers = cut_operations(job)
-    texts = write_split(toolpath, dialect(machine.controller), _options(job, machine, title))
+    texts = write_split(toolpath, dialect(machine.language()), _options(job, machine, title))
     stretches = groupby(zip(job.operation, answers, strict=True), key=lambda pair: pair[0].tool)
     return [
         Part(number, tool, text, [answer for _, answer in pairs])
@@ -89,7 +91,7 @@ def make_parts(job: Job, machine: Machine, title: str = "") -> list[Part]:
 
 def cut_operations(job: Job) -> tuple[Toolpath, list[Answer]]:
     """Return the moves of all operations, in work coordinates, and what each answered."""
-    table = TableBuilder(Start(), State(work_system=job.work_offset))
+    table = TableBuilder(job.begin, State(work_system=job.work_offset))
     answers = [_cut(number, operation, job, table) for number, operation in enumerate(job.operation, start=1)]
     return table.toolpath(), answers
 
@@ -106,12 +108,13 @@ def operation_name(operation: Cycle) -> str:
 def _cut(number: int, operation: Cycle, job: Job, table: TableBuilder) -> Answer:
     """Append one operation; an error names it, for a job may hold many of a kind."""
     tool = job.tools[operation.tool]
+    turns = tool.spindle_rpm > 0 and job.cutting.power == "operation"
     table.set_state(
         replace(
             table.state,
             tool=tool.number,
-            spindle="cw" if tool.spindle_rpm else "off",
-            spindle_rpm=tool.spindle_rpm,
+            spindle="cw" if turns else "off",
+            spindle_rpm=tool.spindle_rpm if turns else 0.0,
             mist=job.coolant == "mist",
             flood=job.coolant == "flood",
         )
@@ -127,16 +130,24 @@ def _cut(number: int, operation: Cycle, job: Job, table: TableBuilder) -> Answer
     return answer
 
 
+def _material(job: Job) -> CutData | None:
+    """Return the chart's row as the job's tool cuts it."""
+    if job.cut_data is None or not job.operation:
+        return job.cut_data
+    return as_cut_by(job.cut_data, job.tools[job.operation[0].tool])
+
+
 def _options(job: Job, machine: Machine, title: str) -> WriteOptions:
     return WriteOptions(
         units=job.units,
         work_offset=job.work_offset,
         clearance_mm=job.clearance_mm,
-        spin_up_s=machine.spindle.spin_up_s,
+        spin_up_s=machine.spindle.spin_up_s if job.cutting.power == "operation" else 0.0,
         tool_change=machine.tool_change,
         title=title,
         tools={tool.number: tool.words for tool in job.tool},
         tool_length=machine.tool_length,
         tool_lengths_mm=job.tool_lengths_mm,
-        rapid_mm_min=max(axis.max_rate_mm_min for axis in machine.axes),
+        rapid_mm_min=machine.fastest_mm_min,
+        cut_data=_material(job),
     )

@@ -8,6 +8,9 @@ The tools of a job in a file of their own: `tools = "shop.fctl"` beside the `[[t
 
 The job has those that its operations use. A `[[tool]]` with the number of one of them says more of it, or other than
 the file: feeds and speed, which these files do not have.
+
+A job of a process with a cut chart takes tool and feeds from it: `chart_tools.py`. Without a Z axis clearance_mm and
+retract_mm may be left out.
 """
 
 from __future__ import annotations
@@ -18,7 +21,7 @@ from pathlib import Path
 from typing import Annotated, Any, Literal
 
 import numpy as np
-from pydantic import BaseModel, ConfigDict, Field, model_validator
+from pydantic import BaseModel, ConfigDict, Field, PrivateAttr, model_validator
 
 from CNCStepper.atomic_file import write_whole
 from CNCStepper.cycles.catalogue import cycle_class
@@ -28,12 +31,17 @@ from CNCStepper.cycles.pockets.elliptical_pocket import EllipticalPocket
 from CNCStepper.drawing.dxf.reader import Share
 from CNCStepper.drawing.point_list import read_heights, read_points
 from CNCStepper.errors import JobError, Place, Text, placed
+from CNCStepper.gcode.dialects import dialect
 from CNCStepper.geometry.curve import Curve, circle, from_points
+from CNCStepper.job.chart_tools import FIRST_TOOL, as_cut_by, filled, process_of, take_cut_data
 from CNCStepper.job.shapes import NO_SHAPES, Drawn, Shapes, read_shapes, with_curves
+from CNCStepper.machine.cut_charts import cut_data_for
+from CNCStepper.machine.cut_data import CutData
 from CNCStepper.machine.feeds_and_speeds import Remark, remarks_on, with_feeds
 from CNCStepper.machine.files.readers import read_json, read_toml
 from CNCStepper.machine.materials import material, material_names
-from CNCStepper.machine.profile import Machine, load_machine, profile_names, validated
+from CNCStepper.machine.processes import MILLING, PROCESSES, Process, ProcessName
+from CNCStepper.machine.profile import ON_RPM, Machine, load_machine, profile_names, validated
 from CNCStepper.machine.tools.stored_tool import StoredTool, given_keys
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.machine.tools.tool_files import read_tools
@@ -41,6 +49,8 @@ from CNCStepper.quantities import MOST_ITEMS, Coordinate, Height, Length, Length
 from CNCStepper.simulation.checks.clamps import Clamp
 from CNCStepper.simulation.stock import Cylinder, HeightField, Stock
 from CNCStepper.state import WORK_SYSTEMS, Start
+
+NO_HEIGHT_MM = 1.0  # of a job whose machine never lifts its tool
 
 
 class ToolFile(BaseModel):
@@ -180,8 +190,10 @@ class Job(BaseModel):
 
     units: of the program written only, "mm" is G21 and "inch" is G20; heights are above the stock's top.
     operation: cycles in the order in which they are cut, each already checked by its own model; none where only another
-    program is proven with its machine, stock, tools and clamps. material: of the table of materials, from which tools
-    without feeds or speed take theirs. notes: what a person should know of the files that curves and tools came from.
+    program is proven with its machine, stock, tools and clamps. process: how it is cut. material: for milling of the
+    table of materials, from which tools without feeds or speed take theirs; else of the cut chart, as consumable.
+    chart: the file of the shop's own chart. cut_data: the row that was found there. notes: what a person should know of
+    the files that curves and tools came from.
     """
 
     model_config = ConfigDict(extra="forbid", frozen=True, arbitrary_types_allowed=True)
@@ -189,21 +201,29 @@ class Job(BaseModel):
     units: Literal["mm", "inch"] = "mm"
     machine: str
     work_offset: str = "G54"
+    process: ProcessName = "milling"
     clearance_mm: Height
     retract_mm: Height
     coolant: Literal["none", "mist", "flood"] = "none"
     material: str = ""
+    consumable: str = ""
+    chart: str = ""
+    cut_data: CutData | None = None
     stock: StockForm
     clamp: tuple[ClampForm, ...] = Field(default=(), max_length=MOST_ITEMS["clamps"])
     tool: tuple[Tool, ...] = Field(min_length=1, max_length=MOST_ITEMS["tools"])
     operation: tuple[Any, ...] = Field(default=(), max_length=MOST_ITEMS["operations"])
     notes: tuple[str, ...] = Field(default=(), max_length=MOST_ITEMS["notes"])
+    _has_z: bool = PrivateAttr(default=True)  # of the machine that the job is `on`
+    _most_power: float = PrivateAttr(default=ON_RPM)
+    _is_switch: bool = PrivateAttr(default=True)
+    _starts_at_zero: bool = PrivateAttr(default=False)
 
     @model_validator(mode="after")
     def _parts_fit_together(self) -> Job:
         if self.work_offset not in WORK_SYSTEMS:
             raise ValueError(Text("work_offset must be one of {work_systems}", work_systems=", ".join(WORK_SYSTEMS)))
-        if self.material and self.material not in material_names():
+        if self.is_milled and self.material and self.material not in material_names():
             raise ValueError(
                 Text(
                     "there is no material '{material}'; use one of: {material_names}",
@@ -225,7 +245,21 @@ class Job(BaseModel):
                         tool=operation.tool,
                     )
                 )
+            self._check_shape(self.tools[operation.tool])
         return self
+
+    def _check_shape(self, tool: Tool) -> None:
+        """Raise ValueError for a tool that the process does not cut with; milling takes a laser's jet too, as ever."""
+        if not self.is_milled and tool.shape not in self.cutting.shapes:
+            shapes = ", ".join(self.cutting.shapes)
+            raise ValueError(
+                Text(
+                    "{process} does not cut with a {shape} tool; its shape is one of: {shapes}",
+                    process=self.process,
+                    shape=tool.shape,
+                    shapes=shapes,
+                )
+            )
 
     @classmethod
     def load(cls, path: str | Path) -> Job:
@@ -244,15 +278,50 @@ class Job(BaseModel):
         return {tool.number: tool.length_offset_mm for tool in self.tool if tool.length_offset_mm is not None}
 
     def on(self, machine: Machine) -> Job:
-        """Return the job as that machine cuts it: tools without feeds or speed have those of the material, if named."""
-        if not self.material:
-            return self
-        stuff = material(self.material)
-        return self.model_copy(update={"tool": tuple(with_feeds(tool, stuff, machine) for tool in self.tool)})
+        """Return the job as that machine cuts it: tools without feeds have those of material or chart, if named.
+
+        Raises JobError where the machine does not name the process, or the chart does not cover the job.
+        """
+        machine.process(self.process)
+        row = self._row()
+        copy = self.model_copy(update={"tool": tuple(self._fed(tool, row, machine) for tool in self.tool)})
+        copy = copy.model_copy(update={"cut_data": row})
+        copy._has_z = machine.has_z
+        copy._is_switch = not machine.has_spindle
+        copy._most_power = machine.spindle.max_rpm
+        copy._starts_at_zero = dialect(machine.language()).starts_at_work_zero
+        return copy
+
+    def _row(self) -> CutData | None:
+        """Return the chart's row; a job made without a file finds it in the chart that ships."""
+        if self.cut_data or not (self.cutting.uses_chart and self.material):
+            return self.cut_data
+        return cut_data_for(self.process, self.material, self.stock.size_mm[2], self.consumable)
+
+    def _fed(self, tool: Tool, row: CutData | None, machine: Machine) -> Tool:
+        if row is not None:
+            z_rate_mm_min = machine.axes[2].max_rate_mm_min if machine.has_z else row.feed_mm_min
+            return filled(tool, self.cutting, row, z_rate_mm_min)
+        return with_feeds(tool, material(self.material), machine) if self.is_milled and self.material else tool
+
+    @property
+    def begin(self) -> Start:
+        """Where the first operation finds the tool, in work coordinates: at the zero where the language says so."""
+        return Start.at_zero() if self._starts_at_zero else Start()
+
+    @property
+    def cutting(self) -> Process:
+        """The process as data."""
+        return PROCESSES[self.process]
+
+    @property
+    def is_milled(self) -> bool:
+        """Whether the process is milling."""
+        return self.process == MILLING.name
 
     def remarks(self, machine: Machine) -> dict[int, tuple[Remark, ...]]:
         """Return what is out of the range of tool or material on that machine, by tool; nothing without a material."""
-        if not self.material:
+        if not (self.is_milled and self.material):
             return {}
         used = {operation.tool for operation in self.operation}
         cutters = [tool for tool in self.tool if tool.number in used]
@@ -261,8 +330,11 @@ class Job(BaseModel):
     def started(self, start: Start | None, machine: Machine) -> Start | None:
         """Return `start` with the tools' length offsets, where programs for the machine select them; else unchanged.
 
-        One that is not known is taken as 0.
+        One that is not known is taken as 0. In a language without a word for tools the only one is in from the start.
         """
+        used = {operation.tool for operation in self.operation}
+        if len(used) == 1 and "T" not in dialect(machine.language()).letters:
+            start = replace(start or Start(), tool=used.pop())
         if machine.tool_length != "table":
             return start
         start = start or Start()
@@ -291,7 +363,16 @@ class Job(BaseModel):
             parts = tuple(kept for kept in map(_kept_by, outside) if kept)  # threads have a side too, and keep nothing
         tool = self.tools[operation.tool]
         outline, thickness_mm = self.stock.outline(), self.stock.size_mm[2]
-        return Setup(tool, self.clearance_mm, self.retract_mm, outline, keep, thickness_mm, parts)
+        row = self.cut_data and as_cut_by(self.cut_data, tool)
+        given = (tool, self.clearance_mm, self.retract_mm, outline, keep, thickness_mm, parts)
+        return Setup(*given, self.cutting, row, self._has_z, self._power_s(tool))
+
+    def _power_s(self, tool: Tool) -> float:
+        """Return the S with which a beam or wire is on; a torch that is a switch knows only on and off."""
+        if self._is_switch:
+            return ON_RPM
+        share = (self.cut_data.power_percent if self.cut_data else 0.0) / 100.0
+        return tool.spindle_rpm or (share or 1.0) * self._most_power
 
 
 def depends_on_contours(operation: Cycle) -> bool:
@@ -330,17 +411,36 @@ def _read(path: Path, share: Share) -> Job:
     shapes = read_shapes(_tables(content, "shape", path), path.parent, str(path), drawn, share)
     content.pop("shape", None)
     content["notes"] = (*_notes(content, path), *shapes.notes)
+    first = {"tool": FIRST_TOOL} if process_of(content, str(path)).uses_chart else {}
     content["operation"] = tuple(
-        operation_of(raw, path.parent, f"{path} operation {number}", shapes, drawn)
+        operation_of(first | raw, path.parent, f"{path} operation {number}", shapes, drawn)
         for number, raw in enumerate(_tables(content, "operation", path), start=1)
     )
     if "tools" in content:
         take_tool_file(content, path)
+    take_cut_data(content, path.parent, str(path))
+    _take_heights(content, path.parent)
     if isinstance(stock := content.get("stock"), dict) and "heights" in stock:
         stock["heights_mm"] = read_heights(
             file_in_job_folder(path.parent, stock.pop("heights"), "stock.heights", str(path))
         )
     return validated(Job, content, str(path))
+
+
+def _take_heights(content: dict[str, Any], folder: Path) -> None:
+    """Give a job that names no heights those of a machine without Z, which has none."""
+    missing = [key for key in ("clearance_mm", "retract_mm") if key not in content]
+    name = content.get("machine")
+    if missing and isinstance(name, str) and not _has_z(_machine_name(name, folder)):
+        content.update(dict.fromkeys(missing, NO_HEIGHT_MM))
+
+
+def _has_z(machine: str) -> bool:
+    """Return whether a machine has a Z; one that cannot be read is taken to have, and refused later."""
+    try:
+        return load_machine(machine).has_z
+    except JobError:
+        return True
 
 
 def save_job(job: Job, path: Path) -> None:

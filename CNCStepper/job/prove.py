@@ -11,7 +11,7 @@ from dataclasses import asdict, dataclass, replace
 from functools import reduce
 from itertools import groupby, islice, takewhile
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypedDict, TypeVar, Unpack
 
 import numpy as np
 
@@ -25,9 +25,12 @@ from CNCStepper.job.model import Job
 from CNCStepper.job.planned_times import milestones
 from CNCStepper.job.proof_inputs import Given
 from CNCStepper.job.wire_round_trip import wire_round_trip
+from CNCStepper.machine.cut_data import CutData
+from CNCStepper.machine.processes import MILLING, Process
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.motion.planner.plan import begun, times_and_whole_s
+from CNCStepper.simulation.check_context import CheckContext, Cutting
 from CNCStepper.simulation.checks.check_program import check
 from CNCStepper.simulation.checks.clamps import Clamp
 from CNCStepper.simulation.checks.report import report
@@ -40,7 +43,10 @@ from CNCStepper.state import Start
 from CNCStepper.toolpath import Toolpath, require_straight_axes
 
 if TYPE_CHECKING:
+    from shapely.geometry.base import BaseGeometry
+
     from CNCStepper.job.prove_file import FileProof
+    from CNCStepper.simulation.exact.free_pieces import FreePiece, SheetVerdict
     from CNCStepper.simulation.removal.timeline import TimelinePosition
     from CNCStepper.simulation.views.scene import Scene
 
@@ -51,6 +57,15 @@ See = Callable[[HeightMap], None]
 AnyProof = TypeVar("AnyProof", "Proof", "FileProof")
 
 
+class ProofOptions(TypedDict, total=False):
+    """What every proof takes, whatever is proven; `prove` has the meanings and the defaults."""
+
+    dialect: str
+    tell: Tell
+    share: Share
+    see: See
+
+
 @dataclass(frozen=True)
 class Proof:
     """What is known of a program text on a machine.
@@ -58,7 +73,7 @@ class Proof:
     wire: what would be sent. toolpath: where the tool goes, naming the file's lines. motors: the same rows as the
     motors go them, which differ where play is taken up for a controller that does not. times_s: end of every row.
     part: the stock after the program, or None without stock and tools. report: plain data for JSON.
-    given: what it was proven against.
+    given: what it was proven against. pieces: what it cuts free of a sheet, in order.
     """
 
     wire: WireText
@@ -69,6 +84,7 @@ class Proof:
     part: HeightMap | None
     report: dict[str, Any]
     given: Given
+    pieces: Sequence[FreePiece] = ()
 
     @property
     def refused(self) -> bool:
@@ -105,7 +121,7 @@ class Proof:
         part = part or self.part
         if part is None or self.given.tools is None:
             raise JobError("picture", "there is no part to draw", advice="give the stock and the tools")
-        return scene_at(self.toolpath, self.times_s, part, self.given.tools, moment, self.given.machine)
+        return scene_at(self.toolpath, self.times_s, part, self.given.tools, moment, self.given.machine, self.pieces)
 
     def draw(self, path: Path, title: str, tools: str) -> None:
         """Draw the cut part and the tool's paths as PNG or SVG; `tools` names the cutters for people."""
@@ -144,6 +160,9 @@ def prove(
     keep_out: Sequence[Clamp] = (),
     edge_mm: float | None = None,
     before: PriorPrograms | None = None,
+    process: Process = MILLING,
+    cut_data: CutData | None = None,
+    parts: Sequence[BaseGeometry] = (),
     tell: Tell = lambda stage: None,
     share: Share = lambda share: None,
     see: See = lambda part: None,
@@ -153,10 +172,11 @@ def prove(
     start: None is a machine whose position and zero are unknown (its times begin at the work zero). removals: the
     shapes wanted, in work coordinates, by which gouge and left-over are judged. keep_out: the clamps. edge_mm: how far
     from the sheet's edge cuts must stay. before: the programs that have cut this stock; `removals` hold theirs too.
+    process, cut_data, parts: how it cuts, the row of the cut chart, and the shapely polygons that are to be left whole.
     tell: called with the stage that begins, one of STAGES. share: with how much of reading and timing is done, 0 to 1.
     see: called with the part once it is cut, before judging.
     """
-    language = dialect or machine.controller
+    language = machine.language(dialect)
     tell("read")
     wire, motors, toolpath = wire_round_trip(text, machine, language, file, start, share)
     require_straight_axes(motors, file)
@@ -168,16 +188,37 @@ def prove(
     tell("judge")
     judgement = judge(moves, tools, list(removals), stock) if tools is not None and removals else None
     tell("check")
-    given = Given(text, language, machine, stock, tools, removals, keep_out, edge_mm, before.sha256 if before else ())
-    findings = _checked(given, toolpath, motors, moves, judgement, file)
+    prior = before.sha256 if before else ()
+    given = Given(text, language, machine, stock, tools, removals, keep_out, edge_mm, prior, process, cut_data, parts)
+    sheet = _sheet(given, moves, ends_s)
+    findings = _checked(given, toolpath, motors, moves, judgement, sheet, file)
     tell("report")
     cut: dict[str, Any] = {"judgement": judgement, "part": part, "tools": tools}
+    cut["pieces"] = sheet.told() if sheet else []
     told = report(toolpath, ends_s, whole_s=whole_s, file=file, findings=findings, **cut)
-    return Proof(wire, toolpath, motors, ends_s, findings, part, told, given)
+    pieces = [replace(one, row=one.row + len(toolpath) - len(moves)) for one in (sheet.free if sheet else [])]
+    return Proof(wire, toolpath, motors, ends_s, findings, part, told, given, pieces)
+
+
+def _sheet(given: Given, moves: Toolpath, ends_s: np.ndarray) -> SheetVerdict | None:
+    """Return what the moves cut free of a sheet; ends_s: of the last of them. None where nothing comes free."""
+    cutting = Cutting(given.process, given.cut_data, given.parts)
+    if given.tools is None or not cutting.is_through_sheet:
+        return None
+    from CNCStepper.simulation.exact.free_pieces import sheet_verdict
+
+    known_s = np.concatenate([np.full(len(moves) - len(ends_s), np.nan), ends_s])
+    return sheet_verdict(CheckContext.of(moves, given.machine, ""), cutting, given.tools, given.stock, known_s)
 
 
 def _checked(
-    given: Given, toolpath: Toolpath, motors: Toolpath, moves: Toolpath, judgement: Judgement | None, file: str
+    given: Given,
+    toolpath: Toolpath,
+    motors: Toolpath,
+    moves: Toolpath,
+    judgement: Judgement | None,
+    sheet: SheetVerdict | None,
+    file: str,
 ) -> list[Finding]:
     """Return what all checks find in a toolpath; `moves` are its own after those that have cut the stock before."""
     return check(
@@ -191,6 +232,10 @@ def _checked(
         edge_mm=given.edge_mm,
         cut=moves,
         motors=motors,
+        process=given.process,
+        cut_data=given.cut_data,
+        parts=given.parts,
+        sheet=sheet,
     )
 
 
@@ -209,19 +254,18 @@ def prove_job(
     text: str,
     file: str = "",
     start: Start | None = None,
-    tell: Tell = lambda stage: None,
-    share: Share = lambda share: None,
-    dialect: str = "",
-    see: See = lambda part: None,
+    *,
     earlier: Sequence[Proof] = (),
     answers: Sequence[Answer] | None = None,
+    **options: Unpack[ProofOptions],
 ) -> Proof:
     """Return the proof of a job's program text, as `prove` does, against the shapes that the job wants removed.
 
     earlier: the proofs of the programs that the job was split into and that are run before this one, in their order.
     answers: what the program's own operations answered, where somebody has just cut them; else they are cut anew.
     """
-    tell("make")
+    if tell := options.get("tell"):
+        tell("make")
     answers = answers_of(job, machine, len(earlier)) if answers is None else answers
     own = [removal for answer in answers for removal in answer.removals]
     proof = prove_operations(
@@ -234,10 +278,7 @@ def prove_job(
         before=PriorPrograms.of(earlier),
         file=file,
         start=start,
-        tell=tell,
-        share=share,
-        dialect=dialect,
-        see=see,
+        **options,
     )
     return with_findings(proof, list(_refused(earlier, file)))
 
@@ -253,35 +294,39 @@ def prove_operations(
     before: PriorPrograms | None,
     file: str = "",
     start: Start | None = None,
-    tell: Tell = lambda stage: None,
-    share: Share = lambda share: None,
-    dialect: str = "",
-    see: See = lambda part: None,
+    **options: Unpack[ProofOptions],
 ) -> Proof:
     """Return the proof of a text that runs some of a job's operations, on the stock that others may have cut before.
 
     answers: of the operations that it runs, of which `first` of the job's come before. removals: what those before
     and these want removed together.
     """
+    cut = job.on(machine)
     proof = prove(
         text,
         machine,
         file=file,
-        dialect=dialect,
         start=job.started(start, machine),
         stock=job.stock.stock(),
-        tools=job.on(machine).tools,
+        tools=tools_of(cut),
+        process=job.cutting,
+        cut_data=cut.cut_data,
+        parts=[part for answer in answers for part in answer.parts],
         removals=removals,
         keep_out=job.clamps,
         edge_mm=job.stock.edge_mm,
         before=before,
-        tell=tell,
-        share=share,
-        see=see,
+        **options,
     )
     lines, spans = FirstLines.of(proof.toolpath), proof.toolpath.spans
     own = list(findings_of(job, machine, lines, spans, answers, file, first))
     return with_findings(with_answers(proof, answers), own)
+
+
+def tools_of(job: Job) -> dict[int, Tool] | Tool:
+    """Return a job's tools by number; the one jet or wire of a job is its tool whatever T says, or where none is."""
+    tools = list(job.tools.values())
+    return tools[0] if job.cutting.cuts_through and len(tools) == 1 else job.tools
 
 
 def operations_before(job: Job, parts: int) -> int:

@@ -28,13 +28,15 @@ from CNCStepper.input_file import Unchanged
 from CNCStepper.job.findings import FirstLines
 from CNCStepper.job.planned_times import Milestones
 from CNCStepper.job.proof_inputs import Given
+from CNCStepper.machine.cut_data import CutData
+from CNCStepper.machine.processes import MILLING, Process
 from CNCStepper.machine.profile import Machine
 from CNCStepper.motion.planner.backlash import ToolMoves
 from CNCStepper.motion.planner.buffers import TICKS_PER_S
 from CNCStepper.motion.planner.chunk_window import ChunkWindow
 from CNCStepper.motion.planner.plan import Run, begun_chunks
 from CNCStepper.motion.planner.standstills import StopEvents
-from CNCStepper.simulation.check_context import CheckContext
+from CNCStepper.simulation.check_context import CheckContext, Cutting
 from CNCStepper.simulation.checks.check_program import Checks
 from CNCStepper.simulation.checks.report import Figures
 from CNCStepper.simulation.finding import MOST_LISTED, Finding, refused
@@ -43,11 +45,15 @@ from CNCStepper.state import Start
 from CNCStepper.toolpath import Chunk, Event, Span, Toolpath, straight_chunks
 
 if TYPE_CHECKING:  # what looks at the stock is loaded where there is one: a short check takes half the time without
+    from shapely.geometry.base import BaseGeometry
+
     from CNCStepper.control.program.program_columns import ColumnWriter
     from CNCStepper.cycles.cycle import Removal
     from CNCStepper.simulation.checks.clamps import Clamp
     from CNCStepper.simulation.cutter_solid import Tools
     from CNCStepper.simulation.exact.cutting_path import JudgedPath
+    from CNCStepper.simulation.exact.free_pieces import SheetVerdict
+    from CNCStepper.simulation.exact.sheet_cuts import SheetCuts
     from CNCStepper.simulation.exact.stored_cuts import StoredCuts
     from CNCStepper.simulation.exact.swept_area import Judgement
     from CNCStepper.simulation.removal.heightmap import HeightMap
@@ -113,6 +119,9 @@ def prove_file(
     removals: Sequence[Removal] = (),
     keep_out: Sequence[Clamp] = (),
     edge_mm: float | None = None,
+    process: Process = MILLING,
+    cut_data: CutData | None = None,
+    parts: Sequence[BaseGeometry] = (),
     sent: Path | None = None,
     name: str = "",
     share: Callable[[float], None] = lambda share: None,
@@ -120,11 +129,12 @@ def prove_file(
 ) -> FileProof:
     """Return the proof of a program's file; raises ProgramError as `prove` does.
 
-    tools: by number, or one that stands for every number. removals, keep_out, edge_mm, tell: as `prove` takes them.
+    tools: by number, or one that stands for every number. The rest to `parts`, and tell: as `prove` takes them.
     sent: an empty folder for what is sent. name: of the file, for people; its path where left out. share: called with
     the share that is done.
     """
-    given = Given("", dialect or machine.controller, machine, stock, tools, removals, keep_out, edge_mm)
+    against: dict[str, Any] = {"process": process, "cut_data": cut_data, "parts": parts}
+    given = Given("", machine.language(dialect), machine, stock, tools, removals, keep_out, edge_mm, **against)
     return _FileProof(path, given, start, sent, name or str(path), share, tell).run()
 
 
@@ -158,7 +168,13 @@ class _FileProof:
                 from CNCStepper.simulation.exact.cutting_path import JudgedPath
 
                 self._judged = JudgedPath(given.tools, given.stock)
-        self._checks = Checks(given.stock, given.tools, given.keep_out, given.edge_mm, kept=self._kept)
+        cutting = Cutting(given.process, given.cut_data, given.parts)
+        self._sheet: SheetCuts | None = None
+        if given.tools is not None and cutting.is_through_sheet:
+            from CNCStepper.simulation.exact.sheet_cuts import SheetCuts
+
+            self._sheet = SheetCuts(cutting, given.tools, given.stock)
+        self._checks = Checks(given.stock, given.tools, given.keep_out, given.edge_mm, kept=self._kept, cutting=cutting)
         self._figures, self._milestones, self._lines = Figures(given.tools), Milestones(), FirstLines()
         self._writer: ColumnWriter | None = None
         table = self._wire.table
@@ -247,6 +263,8 @@ class _FileProof:
         self._milestones.see(lines, ends_s)
         if self._judged:
             self._judged.see(of_tool.toolpath)
+        if self._sheet:
+            self._sheet.see(of_tool, ends_s)
         if self._part is not None and self._stock is not None and self._tools is not None:
             from CNCStepper.simulation.removal.heightmap import HeightMap
             from CNCStepper.simulation.removal.removal_moves import moves_of
@@ -261,7 +279,8 @@ class _FileProof:
     def _proof(self) -> FileProof:
         table, judgement = self._wire.table, self._judgement()
         self._tell("check")
-        findings = self._checks.end(judgement, self._judged.line if self._judged else None)
+        sheet = self._sheet_verdict()
+        findings = self._checks.end(judgement, self._judged.line if self._judged else None, sheet)
         toolpath = Toolpath(table.start, [], table.states, spans=table.spans)
         return FileProof(
             path=self._path,
@@ -276,6 +295,7 @@ class _FileProof:
                 findings=findings,
                 judgement=judgement,
                 part=self._part,
+                pieces=sheet.told() if sheet else [],
             ),
             given=self._given,
             cell_mm=None if self._part is None else self._part.cell_mm,
@@ -290,6 +310,14 @@ class _FileProof:
             return None
         self._tell("judge")
         return self._judged.judged(self._given.removals)
+
+    def _sheet_verdict(self) -> SheetVerdict | None:
+        """Return what is cut free of the sheet, of a process that cuts through."""
+        if not self._sheet:
+            return None
+        from CNCStepper.simulation.exact.free_pieces import SheetVerdict, freed_pieces
+
+        return SheetVerdict(self._sheet, freed_pieces(self._sheet))
 
     def _sent(self) -> StoredWire:
         """Return what would be sent."""

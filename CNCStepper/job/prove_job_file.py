@@ -8,7 +8,7 @@ from pathlib import Path
 
 from CNCStepper.job.findings import findings_of
 from CNCStepper.job.model import Job
-from CNCStepper.job.prove import answers_of, with_answers, with_findings
+from CNCStepper.job.prove import answers_of, tools_of, with_answers, with_findings
 from CNCStepper.job.prove_file import FileProof, prove_file
 from CNCStepper.machine.profile import Machine
 from CNCStepper.state import Start
@@ -31,14 +31,17 @@ def prove_job_file(
     name, sent, share: as `prove_file` takes them. tell: as `prove` does.
     """
     tell("make")
-    answers, file = answers_of(job, machine, 0), name or str(path)
+    answers, file, cut = answers_of(job, machine, 0), name or str(path), job.on(machine)
     proof = prove_file(
         path,
         machine,
         dialect=dialect,
         start=job.started(start, machine),
         stock=job.stock.stock(),
-        tools=job.on(machine).tools,
+        tools=tools_of(cut),
+        process=job.cutting,
+        cut_data=cut.cut_data,
+        parts=[part for answer in answers for part in answer.parts],
         removals=[removal for answer in answers for removal in answer.removals],
         keep_out=job.clamps,
         edge_mm=job.stock.edge_mm,

@@ -178,9 +178,11 @@ SHAPE_KEYS: dict[str, tuple[ShapeKey, ...]] = {
     "face": _AREA,
     "contour": _LINES,
     "engrave": _LINES,
+    "sheet_cut": (*_LINES, ShapeKey("marks", "marks", closed=False)),
     "drill": _HOLES,
     "bore": _HOLES,
     "thread": _HOLES,
+    "wire_cut": _LINES,
 }
 
 

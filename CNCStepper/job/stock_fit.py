@@ -28,6 +28,8 @@ from CNCStepper.cycles.pockets.circular_pocket import CircularPocket
 from CNCStepper.cycles.pockets.elliptical_pocket import EllipticalPocket
 from CNCStepper.cycles.pockets.pocket import Pocket
 from CNCStepper.cycles.pockets.rectangular_pocket import RectangularPocket
+from CNCStepper.cycles.sheet_cutting.sheet_cut import SheetCut
+from CNCStepper.cycles.wire_cutting.wire_cut import WireCut
 from CNCStepper.errors import Place, Text
 from CNCStepper.geometry.curve import Curve, circle
 from CNCStepper.geometry.shapes.ellipse import Ellipse
@@ -94,7 +96,9 @@ def _of_outlines(cycle: Pocket | Face) -> list[np.ndarray]:
 
 @drawn.register(Contour)
 @drawn.register(Engrave)
-def _of_curves(cycle: Contour | Engrave) -> list[np.ndarray]:
+@drawn.register(SheetCut)
+@drawn.register(WireCut)
+def _of_curves(cycle: Contour | Engrave | SheetCut | WireCut) -> list[np.ndarray]:
     return _points(cycle.curves, cycle.offset_mm)
 
 

@@ -123,7 +123,11 @@ def _rpm(speeds: Range, diameter_mm: float, rpm_of_rate: float, machine: Machine
     """Return the speed of the range's middle, whole tens, bounded by the axes' rate and the spindle."""
     rpm = min(1000.0 * math.sqrt(speeds[0] * speeds[1]) / (math.pi * diameter_mm), rpm_of_rate)
     rpm = max(math.floor(rpm / 10.0) * 10.0, 10.0)
-    return rpm if machine is None else min(max(rpm, machine.spindle.min_rpm), machine.spindle.max_rpm)
+    return (
+        rpm
+        if machine is None or not machine.has_spindle
+        else min(max(rpm, machine.spindle.min_rpm), machine.spindle.max_rpm)
+    )
 
 
 def _flute_remarks(tool: Tool) -> Iterator[Remark]:

@@ -5,19 +5,21 @@ from __future__ import annotations
 
 import math
 import tomllib
+from collections.abc import Set
 from functools import cache
 from importlib import resources
 from itertools import pairwise
 from pathlib import Path
 from typing import Annotated, Any, Literal, TypeVar
 
-from pydantic import BaseModel, ConfigDict, Field, StrictBool, ValidationError, model_validator
+from pydantic import BaseModel, ConfigDict, Field, StrictBool, ValidationError, model_serializer, model_validator
 
 from CNCStepper.errors import JobError, Text
 from CNCStepper.input_file import is_there
 from CNCStepper.machine.axis_drive import Drive
 from CNCStepper.machine.files.readers import read_json, read_toml
 from CNCStepper.machine.files.validation_errors import refusal_of
+from CNCStepper.machine.processes import PROCESSES, Process, ProcessName, process_named
 from CNCStepper.machine.step_wait_tables import Waits
 from CNCStepper.machine.wiring import Input, Signals, check_apart
 from CNCStepper.quantities import (
@@ -35,6 +37,7 @@ from CNCStepper.quantities import (
 from CNCStepper.safe_text import printable
 
 AXIS_NAMES = ("x", "y", "z")
+WITHOUT_FEED_WORDS = ("thesis-a",)  # languages in which the speeds of cuts and rapids are settings of the machine
 CALIBRATED = 0.02  # steps_per_mm, as measured, may differ from what the drive gives by this share
 Model = TypeVar("Model", bound=BaseModel)
 TorqueOr0 = Annotated[float, Bounds("torque", zero=True)]
@@ -183,32 +186,69 @@ class Outputs(_Checked):
 class Retreat(_Checked):
     """What is on while the tool goes back along its cut and forward again.
 
-    outputs: "keep" (spindle and coolant as they were) or "off"; left out, a laser's are off and others are kept. A
-    torch or a jet that is switched as a spindle wants "off".
+    outputs: "keep" (spindle and coolant as they were) or "off"; left out, those of a laser, a torch or a jet are off,
+    others are kept. A torch that a milling machine switches as its spindle wants "off".
     """
 
     outputs: Literal["keep", "off"] | None = None
 
 
+NO_Z = Axis(  # what planner and step generators take for a Z that is not there; it never moves
+    steps_per_mm=100.0,
+    max_rate_mm_min=1000.0,
+    acceleration_mm_s2=100.0,
+    jerk_mm_s3=1000.0,
+    travel_min_mm=-1.0,
+    travel_max_mm=1.0,
+)
+SWITCHED = Spindle(min_rpm=0.0, max_rpm=1.0)  # stands for no spindle: a torch is off at 0 and on at 1
+ON_RPM = SWITCHED.max_rpm
+
+
 class Machine(_Checked):
     """A whole machine profile; the unit of each value is in its name.
 
-    tool_change: "pause" (retract, M5, a message, M0), "split" (a file a tool) or "m6". tool_length: what is done about
-    the length of a new tool: "touch_off" (the operator sets the Z zero with it), "table" (its length offset: G43 H, or
-    G43.1 Z) or "none" (all tools stand out equally far). input: the machine's own buttons.
+    processes: what it can do, without the key milling, and laser where the spindle is one. feed_mm_min, rapid_mm_min:
+    the speeds of a language that has no words for them; the first also what a program without F takes. tool_change:
+    "pause" (retract, M5, a message, M0), "split" (a file a tool) or "m6". tool_length: what is done about the length of
+    a new tool: "touch_off" (the operator sets the Z zero with it), "table" (its length offset: G43 H, or G43.1 Z) or
+    "none" (all tools stand out equally far). axis: x, y and, where the table has one, z. spindle: left out, the torch
+    is a switch (M3 and M5 without S), or the machine has none. input: the machine's own buttons.
     """
 
     name: str
     controller: str
+    processes: tuple[ProcessName, ...] = Field(default=(), min_length=1, max_length=len(PROCESSES))
+    feed_mm_min: Feed | None = None
+    rapid_mm_min: Feed | None = None
     tool_change: Literal["pause", "split", "m6"] = "pause"
     tool_length: Literal["touch_off", "table", "none"] = "touch_off"
     planner: Planner
     axis: dict[Literal["x", "y", "z"], Axis]
-    spindle: Spindle
+    spindle: Spindle = SWITCHED
     outputs: Outputs = Outputs()
     retreat: Retreat = Retreat()
     signals: Signals = Signals()
     input: tuple[Input, ...] = Field(default=(), max_length=MOST_ITEMS["inputs"])
+
+    @model_validator(mode="before")
+    @classmethod
+    def _mills_where_nothing_is_said(cls, content: Any) -> Any:
+        if not isinstance(content, dict) or "processes" in content:
+            return content
+        spindle = content.get("spindle")
+        is_laser = spindle.get("laser") is True if isinstance(spindle, dict) else getattr(spindle, "laser", False)
+        return {**content, "processes": _usual_processes(is_laser)}
+
+    @model_serializer(mode="wrap")
+    def _without_what_is_usual(self, as_dict: Any) -> dict[str, Any]:
+        """Leave out what a profile that does not say it means, so that its certificates stay what they were."""
+        usual: dict[str, Any] = {"feed_mm_min": None, "rapid_mm_min": None}
+        usual["processes"] = _usual_processes(self.spindle.laser)
+        if not self.has_spindle:
+            usual["spindle"] = self.spindle
+        told = {key for key in usual if getattr(self, key) != usual[key]}
+        return {key: value for key, value in as_dict(self).items() if key in told or key not in usual}
 
     @model_validator(mode="after")
     def _inputs_are_apart(self) -> Machine:
@@ -216,15 +256,15 @@ class Machine(_Checked):
         return self
 
     @model_validator(mode="after")
-    def _has_three_axes(self) -> Machine:
-        missing = [name for name in AXIS_NAMES if name not in self.axis]
+    def _has_x_and_y(self) -> Machine:
+        missing = [name for name in ("x", "y") if name not in self.axis]
         if missing:
             raise ValueError(Text("axis.{missing} is missing", missing=missing[0]))
         return self
 
     @model_validator(mode="after")
     def _s_curves_have_jerks(self) -> Machine:
-        without = [name for name in AXIS_NAMES if self.axis[name].jerk_mm_s3 is None]  # type: ignore[index]
+        without = [name for name, axis in self.own_axes.items() if axis.jerk_mm_s3 is None]
         if self.planner.ramp == "s_curve" and without:
             raise ValueError(
                 Text('axis.{without}.jerk_mm_s3 is missing: ramp = "s_curve" needs it', without=without[0])
@@ -239,12 +279,108 @@ class Machine(_Checked):
     @property
     def keeps_outputs_back(self) -> bool:
         """Whether spindle and coolant stay on while the tool goes back along its cut."""
-        return self.retreat.outputs == "keep" or (self.retreat.outputs is None and not self.spindle.laser)
+        is_torch = self.cuts_standing and "contour" in self._powers
+        is_off = self.spindle.laser or is_torch
+        return self.retreat.outputs == "keep" or (self.retreat.outputs is None and not is_off)
+
+    @property
+    def _powers(self) -> Set[str]:
+        return {PROCESSES[name].power for name in self.processes} - {"none"}
+
+    @property
+    def cuts_standing(self) -> bool:
+        """Whether the tool cuts on where it stands: a laser, or all that has power is a torch, a jet or a hot wire."""
+        return self.spindle.laser or (bool(self._powers) and "operation" not in self._powers)
+
+    @property
+    def stand_s(self) -> float:
+        """How long the tool may stand with power; a laser's controller takes it by itself."""
+        if self.spindle.laser or not self.cuts_standing:
+            return math.inf
+        return min(PROCESSES[name].stand_s for name in self.processes if PROCESSES[name].power != "none")
+
+    @property
+    def run_up_mm(self) -> float:
+        """How far behind an interruption a cut begins again, in its own kerf."""
+        if self.spindle.laser or not self.cuts_standing:
+            return 0.0
+        return max(PROCESSES[name].run_up_mm for name in self.processes)
 
     @property
     def axes(self) -> tuple[Axis, ...]:
-        """The axes in the order x, y, z."""
-        return tuple(self.axis[name] for name in AXIS_NAMES)  # type: ignore[index]
+        """The axes in the order x, y, z; for a Z that is not there one that never moves."""
+        return tuple(self.own_axes.get(name, NO_Z) for name in AXIS_NAMES)
+
+    @property
+    def own_axes(self) -> dict[str, Axis]:
+        """The axes that are there, by name, in the order x, y, z."""
+        return {name: self.axis[name] for name in AXIS_NAMES if name in self.axis}  # type: ignore[index]
+
+    @property
+    def has_z(self) -> bool:
+        """Whether the tool can be lifted."""
+        return "z" in self.axis
+
+    @property
+    def has_spindle(self) -> bool:
+        """Whether M3 takes an S: the profile has a spindle, or a laser's or wire's power."""
+        return self.spindle != SWITCHED
+
+    @property
+    def switches_power(self) -> bool:
+        """Whether a process of the machine switches its power, by M3 without S where there is no spindle."""
+        return any(PROCESSES[name].power in ("contour", "always") for name in self.processes)
+
+    @property
+    def fastest_mm_min(self) -> float:
+        """The speed of rapids: the profile's own, else the fastest axis'."""
+        return self.rapid_mm_min or max(axis.max_rate_mm_min for axis in self.own_axes.values())
+
+    @property
+    def rapid_limit_mm_min(self) -> float | None:
+        """The speed of rapids along the way, where the controller's language leaves it to the machine; else None."""
+        return self.rapid_mm_min if self.controller in WITHOUT_FEED_WORDS else None
+
+    def process(self, name: str) -> Process:
+        """Return the process of that name; raises JobError where there is none, or not on this machine."""
+        process = process_named(name)
+        if process.name not in self.processes:
+            raise JobError(
+                "process-machine",
+                Text("{machine} does not cut by {process}", machine=self.name, process=process.name),
+                value=process.name,
+                limit=", ".join(self.processes),
+                advice=Text("use one of: {processes}", processes=", ".join(self.processes)),
+            )
+        return process
+
+    def language(self, dialect: str = "", feed_mm_min: float = 0.0) -> str:
+        """Return the dialect, the controller's where none is given, with settings for what this machine lacks.
+
+        feed_mm_min: what a program without F takes; 0 is the profile's feed_mm_min, where it has one.
+        """
+        base, _, own = (dialect or self.controller).partition(":")
+        settings = [setting for setting in own.split(",") if setting]
+        told = {setting.partition("=")[0] for setting in settings}
+        feed_mm_min = feed_mm_min or self.feed_mm_min or 0.0
+        lacks = {
+            "z": "" if self.has_z else "none",
+            "spindle": self._spindle_setting(base),
+            "feed": f"{feed_mm_min:.10g}" if feed_mm_min else "",
+        }
+        settings += [f"{key}={value}" for key, value in lacks.items() if value and key not in told]
+        return base + ":" * bool(settings) + ",".join(settings)
+
+    def _spindle_setting(self, dialect: str) -> str:
+        if dialect in WITHOUT_FEED_WORDS:
+            return "always" if "hot-wire" in self.processes else ""
+        if self.has_spindle:
+            return ""
+        return "switch" if self.switches_power else "none"
+
+
+def _usual_processes(is_laser: bool) -> tuple[ProcessName, ...]:
+    return ("milling", "laser") if is_laser else ("milling",)
 
 
 def profile_names() -> list[str]:

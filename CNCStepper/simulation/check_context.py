@@ -3,20 +3,42 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from CNCStepper.errors import Place
+from CNCStepper.machine.cut_data import CutData
+from CNCStepper.machine.processes import MILLING, Process
 from CNCStepper.machine.profile import Machine
 from CNCStepper.motion.planner.plan import top_speeds_mm_s
 from CNCStepper.simulation.arc_chords import extremes
 from CNCStepper.simulation.finding import Finding, Severity
 from CNCStepper.simulation.tip_segments import tips_mm
 from CNCStepper.toolpath import RAPID, Chunk, Toolpath
+
+if TYPE_CHECKING:  # shapely is loaded where a stock is looked at
+    from shapely.geometry.base import BaseGeometry
+
+
+@dataclass(frozen=True)
+class Cutting:
+    """How a program cuts, where that is known: the process, the row of the cut chart, the parts that are to be left.
+
+    parts: shapely polygons with their holes, in work coordinates; empty where the job is not known.
+    """
+
+    process: Process = MILLING
+    cut_data: CutData | None = None
+    parts: Sequence[BaseGeometry] = ()
+
+    @property
+    def is_through_sheet(self) -> bool:
+        """Whether a beam or wire cuts through the whole sheet, so that pieces come free of it."""
+        return self.process.cuts_through
 
 
 @dataclass(frozen=True)

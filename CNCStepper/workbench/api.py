@@ -26,6 +26,7 @@ from typing import TYPE_CHECKING, Any
 
 from CNCStepper.atomic_file import write_whole
 from CNCStepper.errors import CNCStepperError, JobError, OutputError, Place, Text
+from CNCStepper.machine.processes import PROCESSES
 from CNCStepper.workbench import packages
 from CNCStepper.workbench.document import program_file
 from CNCStepper.workbench.features.base import Feature, edit, require_parts
@@ -45,6 +46,7 @@ __all__ = [
     "add_freehand",
     "add_operation",
     "add_tool",
+    "chart_tool",
     "edit",
     "edit_program",
     "import_tools",
@@ -74,6 +76,12 @@ def add_tool(job: Any, **values: Any) -> Any:
     tool = _add(job.Document, "App::FeaturePython", Tool, {"number": max(numbers, default=0) + 1, **values})
     job.Tools = [*job.Tools, tool]
     return tool
+
+
+def chart_tool(job: Any) -> Any:
+    """Return the job's tool that its cut chart describes, made where it has none."""
+    present = (tool for tool in job.Tools if tool.FromChart)
+    return next(present, None) or add_tool(job, from_chart=True)
 
 
 def import_tools(job: Any, path: str | Path, unit_mm: float = 1.0) -> tuple[list[Any], list[str]]:
@@ -115,12 +123,15 @@ def add_operation(job: Any, cycle: str, drawing: Any = None, picked: Sequence[st
     """Return a new operation at the end of the job, from a drawing (picked: its faces and edges) or from numbers.
 
     drawings, among the values: several, each an object or a pair of it and the names of its faces and edges.
-    cycle: its name in job files, such as "pocket", "contour" or "drill"; it is cut with the job's last tool unless
-    `tool` says which.
+    cycle: its name in job files, such as "pocket", "contour" or "drill"; it is cut with the job's last tool, or the
+    one that its cut chart describes, unless `tool` says which.
     """
+    kind = operation_class(cycle)
+    if PROCESSES[job.Process].uses_chart and "tool" not in values and job.Process in kind.BY:
+        values["tool"] = chart_tool(job)
     tool = {"tool": job.Tools[-1]} if job.Tools else {}
     drawn = {} if drawing is None else {"drawings": [(drawing, tuple(picked))]}
-    operation = _add(job.Document, "App::FeaturePython", operation_class(cycle), {**tool, **drawn, **values})
+    operation = _add(job.Document, "App::FeaturePython", kind, {**tool, **drawn, **values})
     job.Operations = [*job.Operations, operation]
     return operation
 

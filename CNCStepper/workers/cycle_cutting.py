@@ -2,7 +2,7 @@
 """The process that cuts operations and writes programs for the panels: `python -m CNCStepper.workers.cycle_cutting`.
 
 It knows nothing of FreeCAD. Each line on standard input is a question in JSON; a newer one ends the work on the one
-before. Each line on standard output tells something of the newest:
+before. Each line on standard output is about the newest:
 
     {"mark": 3, "compiled": true, "parts": {KEY: PART, ...}}      what is asked; compiled: kernels may be compiled
 
@@ -113,7 +113,7 @@ class Answers:
         return {"error": error_to_json(error)}
 
     def _fits(self, part: dict[str, Any]) -> dict[str, Any]:
-        from CNCStepper.job.spline_fitting import answer_to
+        from CNCStepper.job.curve_fit_cache import answer_to
 
         tell({"stage": "fit"})
         return answer_to(part)

@@ -5642,6 +5642,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{value}' is no feed for programs without F</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{words}' is no length or angle that is known</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7410,6 +7414,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>cut it in one way, or with a machine whose language has M3 and M5</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>cut on the stock that the moves before it have left, and judged against the shapes of the job</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8866,6 +8874,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>name the material, or write a [[tool]]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>named parameters are not part of this dialect</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9427,6 +9439,10 @@
         </message>
         <message>
             <source>prepare this program's own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>process must be a text</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10774,6 +10790,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the job of {process} names no material and has no tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the job still runs, on {port}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12098,6 +12118,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this machine has no Z axis: arcs are in XY</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine has no Z axis: take it out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine has no spindle whose speed is chosen: write M3 alone</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine has nothing that is switched (knife and point have no power): take it out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this one is made by itself when that is done, in about a minute</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12846,6 +12882,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write feed= and mm/min, for example feed=900</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write fewer digits</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13071,6 +13111,10 @@
         </message>
         <message>
             <source>{dialect} answers {answer}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{dialect} cannot switch the power off between two cuts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13354,6 +13398,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{machine} does not cut by {process}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{match} is no number</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13591,6 +13639,10 @@
         </message>
         <message>
             <source>{problem} in {table}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{process} does not cut with a {shape} tool; its shape is one of: {shapes}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -5642,6 +5642,10 @@
             <translation>'{text}' move como só o controlador sabe</translation>
         </message>
         <message>
+            <source>'{value}' is no feed for programs without F</source>
+            <translation>'{value}' não é um avanço para programas sem F</translation>
+        </message>
+        <message>
             <source>'{words}' is no length or angle that is known</source>
             <translation>'{words}' não é um comprimento ou ângulo conhecido</translation>
         </message>
@@ -7410,6 +7414,10 @@
             <translation>corte antes, ou segure a peça com pontes</translation>
         </message>
         <message>
+            <source>cut it in one way, or with a machine whose language has M3 and M5</source>
+            <translation>corte em um só percurso, ou com uma máquina cuja linguagem tenha M3 e M5</translation>
+        </message>
+        <message>
             <source>cut on the stock that the moves before it have left, and judged against the shapes of the job</source>
             <translation>cortado no material que os movimentos anteriores deixaram, e julgado pelas formas do trabalho</translation>
         </message>
@@ -8866,6 +8874,10 @@
             <translation>indique a máquina (--machine)</translation>
         </message>
         <message>
+            <source>name the material, or write a [[tool]]</source>
+            <translation>indique o material, ou escreva um [[tool]]</translation>
+        </message>
+        <message>
             <source>named parameters are not part of this dialect</source>
             <translation>parâmetros com nome não fazem parte deste dialeto</translation>
         </message>
@@ -9428,6 +9440,10 @@
         <message>
             <source>prepare this program's own</source>
             <translation>prepare as linhas deste próprio programa</translation>
+        </message>
+        <message>
+            <source>process must be a text</source>
+            <translation>process deve ser um texto</translation>
         </message>
         <message>
             <source>programs are not written in the dialect {dialect}</source>
@@ -10774,6 +10790,10 @@
             <translation>o trabalho está prestes a continuar</translation>
         </message>
         <message>
+            <source>the job of {process} names no material and has no tool</source>
+            <translation>o trabalho de {process} não indica material e não tem ferramenta</translation>
+        </message>
+        <message>
             <source>the job still runs, on {port}</source>
             <translation>o trabalho ainda está em andamento, em {port}</translation>
         </message>
@@ -12098,6 +12118,22 @@
             <translation>esta linha fica em um trecho a ser percorrido ao contrário e faz mais que mover</translation>
         </message>
         <message>
+            <source>this machine has no Z axis: arcs are in XY</source>
+            <translation>esta máquina não tem eixo Z: os arcos ficam em XY</translation>
+        </message>
+        <message>
+            <source>this machine has no Z axis: take it out</source>
+            <translation>esta máquina não tem eixo Z: retire-o</translation>
+        </message>
+        <message>
+            <source>this machine has no spindle whose speed is chosen: write M3 alone</source>
+            <translation>esta máquina não tem fuso com rotação escolhida: escreva só M3</translation>
+        </message>
+        <message>
+            <source>this machine has nothing that is switched (knife and point have no power): take it out</source>
+            <translation>esta máquina não tem nada que se ligue (faca e ponta não têm potência): retire-o</translation>
+        </message>
+        <message>
             <source>this one is made by itself when that is done, in about a minute</source>
             <translation>este será feito por si mesmo quando isso terminar, em cerca de um minuto</translation>
         </message>
@@ -12846,6 +12882,10 @@
             <translation>escreva endsub, ou M99 em um subprograma na forma Fanuc</translation>
         </message>
         <message>
+            <source>write feed= and mm/min, for example feed=900</source>
+            <translation>escreva feed= e mm/min, por exemplo feed=900</translation>
+        </message>
+        <message>
             <source>write fewer digits</source>
             <translation>escreva menos algarismos</translation>
         </message>
@@ -13072,6 +13112,10 @@
         <message>
             <source>{dialect} answers {answer}</source>
             <translation>{dialect} responde {answer}</translation>
+        </message>
+        <message>
+            <source>{dialect} cannot switch the power off between two cuts</source>
+            <translation>{dialect} não consegue desligar a potência entre dois cortes</translation>
         </message>
         <message>
             <source>{dialect} does not accept {name}</source>
@@ -13354,6 +13398,10 @@
             <translation>{machine} em {port}, grbl {firmware}, iniciado em {begin}</translation>
         </message>
         <message>
+            <source>{machine} does not cut by {process}</source>
+            <translation>{machine} não corta com {process}</translation>
+        </message>
+        <message>
             <source>{match} is no number</source>
             <translation>{match} não é um número</translation>
         </message>
@@ -13592,6 +13640,10 @@
         <message>
             <source>{problem} in {table}</source>
             <translation>{problem} em {table}</translation>
+        </message>
+        <message>
+            <source>{process} does not cut with a {shape} tool; its shape is one of: {shapes}</source>
+            <translation>{process} não corta com uma ferramenta {shape}; a forma é uma de: {shapes}</translation>
         </message>
         <message>
             <source>{program}, which is to be run before it, is refused</source>

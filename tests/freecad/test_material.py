@@ -13,7 +13,7 @@ from CNCStepper.workbench import api
 from CNCStepper.workbench.document.core_job import machine_of
 from CNCStepper.workbench.features.base import problem_of
 from CNCStepper.workbench.features.tool import model_of
-from CNCStepper.workbench.panels.choice_labels import WORDS
+from CNCStepper.workbench.services.choice_labels import WORDS
 
 NOTHING = {"feed_mm_min": 0, "plunge_mm_min": 0, "spindle_rpm": 0}
 

@@ -104,3 +104,10 @@ def test_json_keeps_texts_wherever_they_stand() -> None:
 def test_templates_that_do_not_give_the_english_are_left(told: Any) -> None:
     assert restored({"a": "hello", "templates": {"hello": told}}) == {"a": "hello"}
     assert type(restored({"a": "hello", "templates": {"hello": told}})["a"]) is str
+
+
+def test_a_template_that_would_fill_the_memory_is_not_formatted() -> None:
+    text, template = "x" * 40, "{a}" * 40
+    for _ in range(4):  # 40 ** 4 characters each
+        text = {"template": template, "values": {"a": text}}
+    assert restored({"templates": {"x": text}, "why": "x"}) == {"why": "x"}

@@ -24,10 +24,10 @@ FLOORS = [  # from the top; rooms on one line do not know each other
     {"motion"},
     {"gcode", "cycles", "drawing"},
     {"toolpath"},
-    {"geometry", "machine", "state", "canned_drilling"},
+    {"geometry", "machine", "state", "drilling_strokes"},
     {"output_files", "input_file", "quantities", "text_json"},
     {"errors", "units", "kernels", "atomic_file", "cancellation", "dependencies"},
-    {"kernel_cache", "safe_text"},
+    {"kernel_cache", "safe_text", "tolerances"},
 ]
 FLOOR_OF = {room: floor for floor, rooms in enumerate(FLOORS) for room in rooms}
 

@@ -32,7 +32,7 @@ from hand import Hand
 from PySide import QtCore, QtGui
 from test_cycle_panels import PANEL, every_panel, unfold
 
-from CNCStepper.job import spline_fitting
+from CNCStepper.job import curve_fit_cache
 from CNCStepper.workbench import api, panels
 from CNCStepper.workbench.calculation import deferred_drawing, result_cache
 from CNCStepper.workbench.calculation.cut_process import process
@@ -271,12 +271,12 @@ def test_a_new_tolerance_is_fitted_beside_the_window(hand: Hand) -> None:
         tolerance = lines[f"{PANEL}tolerance_mm"]
         hand.main(partial(focus, tolerance))
         for value in ("0.011", "0.012", "0.013"):
-            before = hand.main(lambda: len(spline_fitting._fits))
+            before = hand.main(lambda: len(curve_fit_cache._fits))
             with hand.watchdog() as watch:
                 typist.replace(tolerance, f"{value} mm")
                 hand.wait(lambda value=value: float(engraving.Tolerance) == float(value), 120, "the fit")
             print(f"{SPLINES} splines with {value} mm: {watch}".partition(" in\n")[0], flush=True)
-            assert hand.main(lambda: len(spline_fitting._fits)) >= before + SPLINES
+            assert hand.main(lambda: len(curve_fit_cache._fits)) >= before + SPLINES
             if is_quick(watch):
                 break
         else:
@@ -300,7 +300,7 @@ def draw_rings() -> Any:
 
 
 def forget_fits() -> None:
-    spline_fitting._fits.clear()
+    curve_fit_cache._fits.clear()
     result_cache.forget()
 
 
@@ -317,9 +317,9 @@ def test_the_lines_of_a_new_operation_are_fitted_beside_the_window(hand: Hand, m
     hand.main(forget_fits)
     hand.wait(lambda: FreeCADGui.Command.get("CNCStepper_Pocket").getAction()[0].isEnabled(), 10, "the command")
     fits: list[Any] = []
-    plain = spline_fitting.Spline.fit
+    plain = curve_fit_cache.Spline.fit
     monkeypatch.setattr(
-        spline_fitting.Spline, "fit", lambda line, tolerance_mm: fits.append(line) or plain(line, tolerance_mm)
+        curve_fit_cache.Spline, "fit", lambda line, tolerance_mm: fits.append(line) or plain(line, tolerance_mm)
     )
     hand.command("CNCStepper_Pocket")
     hand.wait(lambda: hand.exists(f"{PANEL}ok"), 60, "the panel")

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 
 import click
 
-from CNCStepper.cli.common.options import dialect_name, dialect_option, machine_option, program_argument, read_program
+from CNCStepper.cli.common.chart_options import ChartOptions, chart_options
+from CNCStepper.cli.common.options import dialect_option, machine_option, program_argument, read_program
 from CNCStepper.cli.common.progress import Progress
 from CNCStepper.cli.common.start_state_options import StartOptions, start_options
 from CNCStepper.cli.common.streamed_program import program_chunks
@@ -26,7 +27,8 @@ if TYPE_CHECKING:
 @machine_option(required=True)
 @dialect_option
 @start_options
-def command(program: Path, machine: Machine, dialect: str | None, given: StartOptions) -> None:
+@chart_options
+def command(program: Path, machine: Machine, dialect: str | None, given: StartOptions, cut: ChartOptions) -> None:
     """Print the seconds that PROGRAM takes on the machine, from its planner; one number on the last line.
 
     Unless told, the machine stands at the work zero when the program begins, as in `check` and in the report of `run`.
@@ -35,7 +37,7 @@ def command(program: Path, machine: Machine, dialect: str | None, given: StartOp
     from CNCStepper.errors import ProgramError
     from CNCStepper.state import Start
 
-    language = dialect_name(dialect, machine)
+    language = cut.language(dialect, machine)
     text = None if program.is_file() else read_program(program)  # a pipe can be read only once
 
     def taken_s(start: Start) -> float:

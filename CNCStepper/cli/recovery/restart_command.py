@@ -18,7 +18,7 @@ from CNCStepper.control.journal.store import PROFILE
 from CNCStepper.control.session.files import write_private
 from CNCStepper.control.transport.link import BAUD
 from CNCStepper.errors import JobError
-from CNCStepper.machine.profile import load_machine, profile_names
+from CNCStepper.machine.profile import Machine, load_machine, profile_names, validated
 
 if TYPE_CHECKING:
     from CNCStepper.control.journal.replay import JobReplay
@@ -95,11 +95,15 @@ class RestartLine:
 
     def _set_dialect(self) -> None:
         dialect = self._story.header.get("dialect", "")
-        if dialect and dialect != self._profile.get("controller", "grbl"):
+        if dialect and dialect != self._usual_dialect():
             self._options["--dialect"] = [dialect]
 
+    def _usual_dialect(self) -> str:
+        """Return how the programs of the journal's machine are read where nothing is said."""
+        return validated(Machine, self._profile, "journal").language() if self._profile else "grbl"
+
     def _no_stock(self) -> Iterator[str]:
-        """Say so where the job was sent without stock."""
+        """Note where the job was sent without stock."""
         if "--job" not in self._options and not {"--stock", "--tool"} <= set(self._options):
             yield NO_STOCK
             what = "the stock and its tool, so nobody sees whether a rapid meets material"
@@ -120,7 +124,7 @@ class RestartLine:
             self._options["--work-zero"] = [",".join(f"{value:.3f}" for value in zero_mm[:3])]
 
     def _look_at(self, files: Mapping[str, str]) -> None:
-        """Say which of the files that the command names are not as they were."""
+        """Note which of the files that the command names have changed."""
         for name in (name for name in files if name in self.words):
             if not Path(name).is_file():
                 self._tell("missing", f"{name} is not there any more: the restart is made with it, bring it back")

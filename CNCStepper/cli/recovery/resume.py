@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""`cncstepper resume`: what the journal of a job says after a crash, and the command that restarts it safely."""
+"""`cncstepper resume`: what the journal of a job holds after a crash, and the command that restarts it safely."""
 
 from __future__ import annotations
 
@@ -115,8 +115,8 @@ def _offered(story: JobReplay, file: Path, line: int) -> Iterator[tuple[str, str
 def _nothing_to_enter(story: JobReplay, file: Path, line: int) -> str:
     """Return NOTHING_CUT or NOTHING_LEFT where the program cuts nothing before a line, or from there on; else ""."""
     from CNCStepper.recovery.restart.entry_point import entry_point_of
+    from CNCStepper.recovery.restart.interrupted_program import read_program as read
     from CNCStepper.recovery.restart.places import RequestedPlace, place_of
-    from CNCStepper.recovery.restart.program import read_program as read
 
     try:
         program = read(read_program(file), story.header.get("dialect") or "grbl", None, str(file))

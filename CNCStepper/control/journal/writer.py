@@ -254,7 +254,7 @@ class Journal:
         return bool(self._trouble) and self.permitted <= sent < len(self._job.lines)
 
     def mark_uncertain(self, line: int) -> None:
-        """Learn that a line (from 0) or one after it was cut otherwise than the program says: none is finished."""
+        """Learn that a line (from 0) or one after it was cut otherwise than programmed: none is finished."""
         self._doubted = min(self._doubted, line)
 
     def end(self, outcome: Outcome) -> list[str]:
@@ -296,7 +296,10 @@ class Journal:
     def _certain(self, acknowledged: int, is_idle: bool) -> int:
         if is_idle:
             return acknowledged
-        return finished_lines(self._job.lines, acknowledged, self._capacity.moves, self._step_mm)
+        try:
+            return finished_lines(self._job.lines, acknowledged, self._capacity.moves, self._step_mm)
+        except JobError:  # the lines cannot be read any more: what was certain before remains
+            return 0
 
     def _group(self, may_be_sent: int, acknowledged: int, finished: int) -> Group:
         driver, job = self._driver, self._job
@@ -305,8 +308,8 @@ class Journal:
             may_be_sent,
             acknowledged,
             finished,
-            job.place(finished).line if finished < len(job.lines) else 0,
-            job.place(may_be_sent - 1).line if may_be_sent else 0,
+            job.known_line(finished + 1) if finished < len(job.lines) else 0,
+            job.known_line(may_be_sent),
             driver.status.name if driver.status else "",
             driver.mpos_mm,
             driver.wpos_mm,

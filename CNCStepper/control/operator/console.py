@@ -5,7 +5,7 @@ line ──► sent ──► what the controller says ("console") ──► ok 
 
 Whether a line that a person types at a console may go to the controller now, and what kind of line it is.
 
-    $H  $X                     home and unlock: done as the desk does them
+    $H  $X                     home and unlock: done as the service does them
     $  $$  $#  $G  $I  $N ...  questions, while it stands
     $J=G91G21X10F1000          a jog
     $110=500                   a setting, while it stands
@@ -22,7 +22,8 @@ import re
 from collections.abc import Callable
 
 from CNCStepper.control.program.wire_line import check_length, check_line, dwell_s
-from CNCStepper.control.protocol.grbl.driver import Answered, Grbl, Received, Sent
+from CNCStepper.control.protocol.grbl.character_counting import Sent
+from CNCStepper.control.protocol.grbl.driver import Answered, Grbl, Received
 from CNCStepper.control.protocol.grbl.firmware import Firmware
 from CNCStepper.control.protocol.grbl.report import Feedback, NamedSetting, Setting, Status
 from CNCStepper.errors import MachineRefusal, Text

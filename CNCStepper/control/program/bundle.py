@@ -30,7 +30,7 @@ from typing import Any, BinaryIO, TypeVar, overload
 from zipfile import ZIP_STORED, BadZipFile, ZipFile, ZipInfo
 
 from CNCStepper.control.program.wire_line import check_line
-from CNCStepper.errors import Place, Text
+from CNCStepper.errors import JobError, Place, Text
 from CNCStepper.input_file import Unchanged, input_kind
 
 WIRE, LINE_MAP = "wire.txt", "line_map.npy"
@@ -42,7 +42,7 @@ CHUNK = 16_384  # items that are written at once
 CHUNK_BYTES = 1 << 18
 MOST_MEMBERS = 8
 MOST_DIRECTORY_BYTES = 1 << 16
-MOST_HEAD_BYTES = 64_000_000
+MOST_HEAD_BYTES = 8_000_000  # the plan of a certificate has at most 1000 rows
 MOST_BLOCK_BYTES = 1 << 24  # no controller reads lines of a thousandth of this
 NUMBER, NUMBER_BYTES = "i", 4  # of `array`
 _ARRAY_MAGIC = b"\x93NUMPY\1\0"
@@ -80,12 +80,15 @@ def is_bundle(path: Path) -> bool:
         return file.read(len(MAGIC)) == MAGIC
 
 
-def read_bundle(path: Path) -> Bundle:
-    """Return what a bundle holds; raises OSError, and ValueError for what is none."""
+def read_bundle(path: Path, private: bool = False) -> Bundle:
+    """Return what a bundle holds; raises OSError, and ValueError for what is none.
+
+    private: a copy that nobody else writes, so that its columns are read without asking whether it was changed.
+    """
     if kind := input_kind(path):
         raise ValueError(Text("this is {kind}, not a file", kind=kind))
     try:
-        members = _members(path)
+        members = _members(path, None if private else Unchanged(path))
         (head,) = (member for name, member in members.items() if name.endswith(HEAD))
         columns = {name: _column(name, member) for name, member in members.items() if member != head}
         return Bundle(_head(head), columns)
@@ -169,22 +172,30 @@ def array_bytes(numbers: Sequence[int]) -> Iterator[bytes]:
 
 @dataclass(frozen=True)
 class _Member:
-    """The bytes of a file from `begin` on."""
+    """The bytes of a file from `begin` on; unchanged: None for a private copy."""
 
     path: Path
     begin: int
     size: int
-    unchanged: Unchanged
+    unchanged: Unchanged | None
 
     def read(self, begin: int, end: int) -> bytes:
-        """Return some of them; raises JobError where the file was changed, ValueError where it is too short."""
-        self.unchanged.check()
-        with open(self.path, "rb") as file:
-            file.seek(self.begin + begin)
-            data = file.read(end - begin)
+        """Return some of them; raises JobError where the file was changed or cannot be read any more."""
+        if self.unchanged:
+            self.unchanged.check()
+        try:
+            with open(self.path, "rb") as file:
+                file.seek(self.begin + begin)
+                data = file.read(end - begin)
+        except OSError as error:
+            raise self._unreadable(Text("{error}", error=error.strerror or error)) from error
         if len(data) != end - begin:
-            raise ValueError("the file is cut short")
+            raise self._unreadable("it is cut short")
         return data
+
+    def _unreadable(self, why: str) -> JobError:
+        what = Text("the program's file cannot be read any more: {why}", why=why)
+        return JobError("program-unreadable", what, advice="make it again", place=Place(str(self.path)))
 
     def pieces(self) -> Iterator[bytes]:
         """Yield them all, piece by piece."""
@@ -272,9 +283,8 @@ class _Archive(io.FileIO):
         return super().read(size) or b""
 
 
-def _members(path: Path) -> dict[str, _Member]:
+def _members(path: Path, unchanged: Unchanged | None) -> dict[str, _Member]:
     """Return where the members of a zip lie."""
-    unchanged = Unchanged(path)
     with _Archive(path) as file, ZipFile(file) as archive:
         infos = archive.infolist()
         if len(infos) > MOST_MEMBERS or len({info.filename for info in infos}) != len(infos):

@@ -139,7 +139,8 @@ class Certificate:
     def _checked(self) -> Certificate:
         """Return the certificate; raises JobError where its lines are others than those proven."""
         self.send_job()
-        if not isinstance(self.content.get("wire"), Mapping) or "sha256" not in self.content["wire"]:
+        wire = self.content.get("wire")
+        if not isinstance(wire, Mapping) or not isinstance(wire.get("sha256"), str):
             raise _refusal("certificate", "the certificate lacks what a sender needs", "wire")
         self.compare("wire", digest_of_lines(self.lines))
         return self
@@ -171,14 +172,16 @@ class Certificate:
 
     def check_clean(self) -> None:
         """Refuse a program in which the proof found errors; raises JobError naming the first."""
-        errors = [finding for finding in self.content["findings"] if finding["severity"] == "error"]
+        try:
+            errors = [finding for finding in self.content["findings"] if finding["severity"] == "error"]
+            place = Place(errors[0]["file"], errors[0]["line"], errors[0]["column"]) if errors else None
+        except (KeyError, TypeError) as error:
+            raise _refusal("certificate", "the certificate's findings are damaged", str(error)) from error
         if errors:
-            first = errors[0]
-            place = Place(first["file"], first["line"], first["column"])
             what = Text(
                 "the proof found {errors} error(s) in the program, the first: {text}",
                 errors=len(errors),
-                text=first["text"],
+                text=errors[0]["text"],
             )
             raise JobError("certificate-errors", what, advice="correct the program, and check it again", place=place)
 
@@ -189,8 +192,8 @@ class Certificate:
     def send_job(self, **instead: Any) -> SendJob:
         """Return the job of sending the proven lines, with other values for some fields of it."""
         try:
-            columns = {"lines": self.lines, "file_lines": self.file_lines, "messages": self.messages}
-            sent = {**columns, **self.content["send"]}
+            columns = {"lines": self.lines, "file_lines": self.file_lines}
+            sent = {"messages": self.messages, **self.content["send"], **columns}
             return SendJob.from_content({"port": "", **sent, **self._identity(), **instead})
         except (AttributeError, KeyError, TypeError) as error:
             raise _refusal("certificate", "the certificate lacks what a sender needs", str(error)) from error
@@ -205,13 +208,14 @@ class Certificate:
         }
 
 
-def sendable(path: Path, **instead: Any) -> SendJob:
+def sendable(path: Path, private: bool = False, **instead: Any) -> SendJob:
     """Return the job of a certificate's file, or of one that `write_job` wrote, with other values for some fields.
 
-    Raises JobError for a certificate that was changed or that holds errors, and for what is neither.
+    private: as `read_bundle` takes it. Raises JobError for a certificate that was changed or that holds errors, and for
+    what is neither.
     """
     try:
-        bundle = read_bundle(path) if is_bundle(path) else None
+        bundle = read_bundle(path, private) if is_bundle(path) else None
     except (OSError, ValueError) as error:
         raise JobError(
             "send-job", Text("the job cannot be read: {error}", error=error), advice="make it again"

@@ -90,6 +90,13 @@ class SendJob:
         """Return the file's line of the last of so many wire lines, 0 for none."""
         return self.place(count - 1).line if count else 0
 
+    def known_line(self, count: int) -> int:
+        """Return what `last_line` does, and 0 where the line map cannot be read: a state is told all the same."""
+        try:
+            return self.last_line(count)
+        except JobError:  # whoever sends from it ends the job with the reason
+            return 0
+
     def check(self) -> None:
         """Check every line before any is sent; raises ProgramError naming the file's line and column."""
         if not self.lines:
@@ -159,7 +166,7 @@ def program_members(job: SendJob) -> dict[str, Iterable[bytes]]:
 def read_job(path: Path) -> SendJob:
     """Return the job of `write_job`, whose lines are read when they are asked for; raises JobError, OSError."""
     try:
-        return SendJob.of_bundle(read_bundle(path))
+        return SendJob.of_bundle(read_bundle(path, private=True))
     except ValueError as error:
         raise _no_job(error) from error
 

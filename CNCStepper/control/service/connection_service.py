@@ -5,7 +5,7 @@
                     ^  `---> a job's phases ---'               (`JobRun`)
                     `-----> ended: link lost, left alone, told to end
 
-An alarm is no refusal here: the desk is there to home and to unlock. A job is refused in it.
+An alarm is no refusal here: the service is there to home and to unlock. A job is refused in it.
 """
 
 from __future__ import annotations
@@ -37,7 +37,14 @@ from CNCStepper.control.session.job_phase import Phase
 from CNCStepper.control.session.status import REFUSED, Outcome, SenderStatus
 from CNCStepper.control.stream.job_run import MAY_HAVE_RESTARTED, JobRun, Refuse, Stopped, Tell
 from CNCStepper.control.stream.pause_id import PauseCounter
-from CNCStepper.control.stream.position_trust import LOST, PositionTrust, check_program, is_lost
+from CNCStepper.control.stream.position_trust import (
+    LOST,
+    PositionTrust,
+    check_program,
+    is_lost,
+    trust_after_job,
+    trust_at_lost_link,
+)
 from CNCStepper.control.stream.status_snapshot import forward_messages
 from CNCStepper.control.transport.link import Link, open_link, open_unless
 from CNCStepper.errors import CNCStepperError, JobError, Text
@@ -48,7 +55,7 @@ class ConnectionService:
     """One connection; `run` blocks until it ends, `ask`, `stop` and `status` may be called from any thread.
 
     tell, refuse, ended: hear what happens, as of a `JobRun`, and how a job ended. alone_s: how long nobody has
-    been there; a desk that is alone and has nothing to do ends. journals: the folder for those of its jobs; None
+    been there; a service that is alone and has nothing to do ends. journals: the folder for those of its jobs; None
     keeps none. kept: what was held of the position before, and is from now on; None begins with nothing. during_job:
     entered for the time of each job. job_file: for a copy of the last job.
     """
@@ -165,7 +172,7 @@ class ConnectionService:
             self._may_stop = False
             self._come_to_rest(driver, idle)
         except Exception:
-            idle.lose_position()
+            idle.trust = trust_at_lost_link()
             raise
         finally:
             self._save_trust(idle)
@@ -260,9 +267,10 @@ class ConnectionService:
         own = {"port": self.port, "baud": self._baud}
         consents = {"zero_confirmed": zero_confirmed, "allow_differences": allow_differences}
         try:
+            idle.check_at_rest()  # a copy takes its time, and nothing is read from the controller meanwhile
             job = self._copied(Path(file), own | consents)
         except CNCStepperError as error:
-            known = idle.position_known is not False
+            known = idle.trust.position_known is not False
             self._ended(Outcome(REFUSED, error.text, known, replace(self.status(), phase=REFUSED), error))
             return
         self._run_job(idle, job)
@@ -276,17 +284,17 @@ class ConnectionService:
         try:
             draft.unlink(missing_ok=True)  # of a process that was killed
             copy_private(file, draft)
-            sendable(draft)
+            sendable(draft, private=True)
             os.replace(draft, self._job_file)
         except CNCStepperError:
             raise
-        except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
+        except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError, MemoryError) as error:
             raise JobError(
                 "send-job", Text("the job cannot be read: {error}", error=error), advice="make it again"
             ) from error
         finally:
             draft.unlink(missing_ok=True)
-        return sendable(self._job_file, **instead)
+        return sendable(self._job_file, private=True, **instead)
 
     def _run_job(self, idle: IdleController, job: SendJob) -> None:
         self._trust = trust = idle.trust
@@ -309,11 +317,9 @@ class ConnectionService:
         if not run.has_begun:  # nothing was sent: what the machine said meanwhile it said by itself
             if outcome.error and outcome.error.code in MAY_HAVE_RESTARTED:
                 idle.lose_position()
-            outcome = replace(outcome, position_known=outcome.position_known and idle.position_known is not False)
+            outcome = replace(outcome, position_known=outcome.position_known and idle.trust.position_known is not False)
         else:
-            idle.trust = trust  # the reset at the end of a job does not cost it
-            if not outcome.position_known:
-                idle.lose_position()
+            idle.trust = trust_after_job(trust, outcome.position_known)
         self._last_done = job if outcome.done else None
         self._ended(outcome)
 

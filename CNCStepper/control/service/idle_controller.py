@@ -24,7 +24,14 @@ from CNCStepper.control.session.status import SenderStatus
 from CNCStepper.control.stream import stop_sequence
 from CNCStepper.control.stream.job_run import Refuse, Tell
 from CNCStepper.control.stream.overrides import override_byte
-from CNCStepper.control.stream.position_trust import PositionTrust, trust_at_connect
+from CNCStepper.control.stream.position_trust import (
+    LOST,
+    NOTHING_AGAINST,
+    PositionTrust,
+    trust_after_sleep,
+    trust_at_connect,
+    trust_at_zero,
+)
 from CNCStepper.control.stream.status_snapshot import status_snapshot
 from CNCStepper.errors import CNCStepperError, LinkError, MachineRefusal, Text
 
@@ -48,13 +55,11 @@ CRITICAL = "Reset to continue"
 class IdleController:
     """One machine between jobs; runs on the service's thread, except for `status`.
 
-    position_known, homed, counts_from_here: see `PositionTrust`.
+    trust: what is held of the position; to be set again after a reset that has not cost it.
     """
 
     def __init__(self, driver: Grbl, timing: Timing, tell: Tell, refuse: Refuse):
-        self.position_known: bool | None = None
-        self.counts_from_here = False
-        self.homed = False
+        self.trust = NOTHING_AGAINST
         self._driver = driver
         self._timing = timing
         self._tell = tell
@@ -65,10 +70,9 @@ class IdleController:
         self._homing_since_s: float | None = None
         self._alarm = ""
         self._wants_reset = False
-        self._zeroed: set[str] = set()
         self._does: dict[str, Callable[..., None]] = {
             "hold": self._hold,
-            "resume": lambda stand=None: self._resume(),  # the desk has compared its stand
+            "resume": lambda stand=None: self._resume(),  # the service has compared its stand
             "stop": self.stop,
             "jog": lambda **way: self._jogger.step(JogMove(**way)),
             "jog_on": lambda press, **way: self._jogger.keep(press, JogMove(**way)),
@@ -84,16 +88,6 @@ class IdleController:
             "switch": self._switch,
             "override": lambda **values: driver.realtime(override_byte(**values)),
         }
-
-    @property
-    def trust(self) -> PositionTrust:
-        """What is held of the position; to be set again after a reset that has not cost it."""
-        return PositionTrust(self.position_known, self.homed, self.counts_from_here, frozenset(self._zeroed))
-
-    @trust.setter
-    def trust(self, trust: PositionTrust) -> None:
-        self.position_known, self.homed, self.counts_from_here = trust[:3]
-        self._zeroed = set(trust.zeroed)
 
     @property
     def busy(self) -> bool:
@@ -121,9 +115,9 @@ class IdleController:
         phase = self.phase
         state = self._driver.status.state if self._driver.status else ""
         message = (self._alarm or LOCKED[state]) if phase == "alarm" and state in LOCKED else ""
-        return replace(
-            status_snapshot(self._driver, phase, message), position_known=self.position_known, homed=self.homed
-        )
+        trust = self.trust
+        snapshot = status_snapshot(self._driver, phase, message)
+        return replace(snapshot, position_known=trust.position_known, homed=trust.homed)
 
     def turn(self) -> None:
         """Send what is due, ask, and listen once."""
@@ -162,8 +156,7 @@ class IdleController:
 
     def lose_position(self) -> None:
         """From now on the machine's position is unknown until it is homed or all its zeros are set."""
-        self.position_known = self.homed = self.counts_from_here = False
-        self._zeroed.clear()
+        self.trust = LOST
 
     def meet(self, before: PositionTrust, greeted: bool) -> None:
         """Take over a connected controller. before: trust until then; greeted: it has restarted."""
@@ -238,9 +231,7 @@ class IdleController:
     def _set_zero(self, axes: str) -> None:
         self.check_at_rest()
         system = actions.set_zero(self._driver, axes, self._timing)
-        self._zeroed |= set(axes.upper())
-        if self._zeroed == set(actions.AXES):
-            self.position_known = True
+        self.trust = trust_at_zero(self.trust, axes, actions.AXES)
         self._tell("message", Text("zero of {axes} set in {system}", axes=axes.upper(), system=system))
 
     def _unlock(self) -> None:
@@ -248,12 +239,10 @@ class IdleController:
         asleep = self.status().machine_state == "Sleep"
         trust = self.trust
         actions.unlock(self._driver, self._timing, self._wants_reset or asleep)
-        self.trust = trust  # a reset at rest does not cost it
-        if asleep:  # its motors had let go
-            self.homed = self.counts_from_here = False
+        self.trust = trust_after_sleep(trust) if asleep else trust  # a reset at rest does not cost it
 
     def _type(self, text: str) -> None:
-        """Do what a typed line asks: home and unlock as the desk does them, the others as they stand."""
+        """Do what a typed line asks: home and unlock as the service does them, the others as they stand."""
         kind = kind_of(text)
         self.check_at_rest()
         if kind == HOME_LINE:
@@ -313,7 +302,7 @@ class IdleController:
             self._refuse(Command("home"), error)
             return
         self._homing_since_s = None
-        self.position_known = self.homed = True
+        self.trust = self.trust._replace(position_known=True, homed=True)
         self._tell("message", HOMED)
 
     def _take_alarm(self, alarm: Alarm) -> None:

@@ -20,7 +20,14 @@ from CNCStepper.control.session.command import JOB_COMMANDS, Command, Inbox
 from CNCStepper.control.session.status import REFUSED, Outcome, SenderStatus
 from CNCStepper.control.stream.job_run import JobRun, Refuse, Stopped, Tell
 from CNCStepper.control.stream.journal_protocol import Journals
-from CNCStepper.control.stream.position_trust import AT_HOME, LOST, check_program, is_lost, trust_at_connect
+from CNCStepper.control.stream.position_trust import (
+    AT_HOME,
+    LOST,
+    check_program,
+    is_lost,
+    trust_after_job,
+    trust_at_connect,
+)
 from CNCStepper.control.stream.status_snapshot import forward_messages
 from CNCStepper.control.transport.link import Link, open_link, open_unless
 from CNCStepper.errors import MachineRefusal
@@ -141,8 +148,8 @@ class Sender:
         trust = self._trust
         if self._connecting and self._run.driver:
             trust = trust_at_connect(trust, self._run.driver, self._greeted)
-        elif outcome.kind != REFUSED and not outcome.position_known:
-            trust = LOST
+        elif outcome.kind != REFUSED:
+            trust = trust_after_job(trust, outcome.position_known)
         self._kept.save_or_warn(trust, self._tell)
 
     def _listen(self, received: list[Received]) -> None:

@@ -62,7 +62,7 @@ class Command:
 
 def read_command(request: Mapping[str, Any], known: tuple[str, ...]) -> Command:
     """Return the command of a client's request; raises ValueError with words when it is none of `known`."""
-    name = str(request["command"])
+    name = str(request.get("command", ""))
     if name not in known:
         raise ValueError(Text("there is no command '{name}'", name=name[:40]))
     return Command(name, {key: _value(request.get(key), kind, key) for key, kind in VALUES[name].items()})

@@ -288,7 +288,7 @@ class SessionServer:
         try:
             command = read_command(request, self._served.commands)
         except (ValueError, KeyError) as error:
-            return {"event": "refused", "text": str(error)}
+            return {"event": "refused", "text": error.args[0] if isinstance(error.args[0], Text) else str(error)}
         self._served.ask(command)
         return {"event": "accepted", "command": command.name}
 

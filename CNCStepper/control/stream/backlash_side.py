@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """On which side of its gap a job's lines have left each motor, where they take up the play of the axes.
 
-So that who was jogged between two lines comes back as the next line presumes it, on that side (`pause.py`).
+So that who was jogged between two lines comes back as the next line presumes it, on that side (`program_pause.py`).
 """
 
 from __future__ import annotations
@@ -84,5 +84,5 @@ def backlash_tracker(job: SendJob) -> BacklashTracker | None:
     except ValidationError as error:
         what = Text("the job's machine profile cannot be read: {error}", error=error)
         raise JobError("machine-profile", what, advice=CHECK_AGAIN) from error
-    play = backlash_of(machine, job.dialect or machine.controller)
+    play = backlash_of(machine, machine.language(job.dialect))
     return BacklashTracker(play) if play else None

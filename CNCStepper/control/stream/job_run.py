@@ -2,13 +2,13 @@
 """Runs one job over an open connection; it ends only when the machine is at rest and the reason is known.
 
     connecting --> running <--> holding --> held          `!` and `~`, asked for here or at the machine
-        |             |  `--------- leg ----> retreated   back along the cut and forward again (`path_retract.py`)
-        |             |  `--> paused (M0, or line by line: `pause.py`), door
+        |             |  `--------- leg ----> retreated   back along the cut and forward again (`retract_handover.py`)
+        |             |  `--> paused (M0, or line by line: `program_pause.py`), door
         |             v
         |          finishing (all acknowledged) --> done (Idle, reported twice)
         `-> refused   `-> stopping --> stopped, failed    hold, Hold:0, soft reset
 
-Who owns the link, a `Sender` for one job or a `Desk` that stays, brings it; one thread does it all: it
+Who owns the link, a `Sender` for one job or a `ConnectionService` that stays, brings it; one thread does it all: it
 listens, obeys, feeds and asks `?`.
 """
 
@@ -36,16 +36,16 @@ from CNCStepper.control.session.status import DONE, FAILED, REFUSED, STOPPED, Ou
 from CNCStepper.control.stream import stop_sequence
 from CNCStepper.control.stream.backlash_side import BacklashTracker, backlash_tracker
 from CNCStepper.control.stream.feeder import Feeder
+from CNCStepper.control.stream.hold_and_resume import Phases, check_no_tool_change
 from CNCStepper.control.stream.journal_protocol import ActiveJournal, Journals, LegJournal, NoJournal, check_not_held
 from CNCStepper.control.stream.overrides import NORMAL, override_byte, restore
-from CNCStepper.control.stream.path_retract import LAST, PathRetract, check_place, reset_at_rest
 from CNCStepper.control.stream.path_watch import PathWatch
-from CNCStepper.control.stream.pause import Pause
 from CNCStepper.control.stream.pause_id import PauseCounter
 from CNCStepper.control.stream.pending_requests import PendingRequests
-from CNCStepper.control.stream.phases import Phases, check_no_tool_change
 from CNCStepper.control.stream.position_trust import counts_steps
+from CNCStepper.control.stream.program_pause import Pause
 from CNCStepper.control.stream.remaining_time import Remaining
+from CNCStepper.control.stream.retract_handover import LAST, PathRetract, check_place, reset_at_rest
 from CNCStepper.control.stream.status_snapshot import status_snapshot
 from CNCStepper.control.stream.tool_power import power_of
 from CNCStepper.errors import CNCStepperError, LinkError, MachineRefusal, Text
@@ -119,8 +119,8 @@ class JobRun:
             acknowledged=max(0, before + feeder.acknowledged),
             total=before + feeder.total,
             file=feeder.job.file,
-            file_line=feeder.job.last_line(min(self._done, feeder.acknowledged)),
-            file_line_sent=feeder.job.last_line(feeder.sent),
+            file_line=feeder.job.known_line(min(self._done, feeder.acknowledged)),
+            file_line_sent=feeder.job.known_line(feeder.sent),
             elapsed_s=self._clock() - self._begin_s,
             remaining_s=self._remaining.remaining_s,
             done=self._remaining.done,
@@ -239,6 +239,7 @@ class JobRun:
         self._trouble += (report for report in received if isinstance(report, (Alarm, Greeting)))
         for report in received:
             self._take(driver, report)
+        self._feeder.power.hold(driver)
         self._execute_command(driver)
         self._requests.turn(self._phases.name in LEG_BEGINS)
         if self._phases.stands and self._stand.is_left(driver):
@@ -287,7 +288,7 @@ class JobRun:
         rests = self._idle_reports >= IDLE_REPORTS or self._phases.name in (Phase.PAUSED, Phase.RETREATED)
         acknowledged, elapsed_s = self._feeder.acknowledged, self._clock() - self._begin_s
         self._done = acknowledged if rests else max(self._done, self._path.done(acknowledged))
-        line, total = self.job.last_line(self._done), self._feeder.total
+        line, total = self.job.known_line(self._done), self._feeder.total
         self._remaining.take(self._phases.name, elapsed_s, line, self._done, total)
 
     def _follow_state(self, driver: Grbl) -> None:
@@ -333,7 +334,7 @@ class JobRun:
         elif command.name == "want_back":
             self._phases.hold_or_resume("hold", driver)
             self._requests.request_retract(command)
-        elif command.name == "resume" and self._phases.name == Phase.RETREATED:
+        elif command.name == "resume" and (self._phases.name == Phase.RETREATED or self._feeder.power.is_stopped):
             self._requests.request_resume(command)
         elif command.name == "by_line":
             self._by_line = self._feeder.by_line = command.values["on"]

@@ -2,6 +2,14 @@
 """Position trust: whether the machine's position is known, and which actions it allows.
 
 nothing against it --alarm, greeting, lost link, a job that was killed--> unknown --homed, or all its zeros set--> known
+
+    event                                             trust after it
+    connected                                         trust_at_connect: a restart or an alarm loses the position
+    link lost, or the sender ends with an error       trust_at_lost_link: the position is lost
+    job ended                                         trust_after_job: lost, unless the job's end says that it is kept
+    homing under way                                  lost until it is there: AT_HOME
+    zeros set                                         trust_at_zero: known when all axes have theirs
+    slept                                             trust_after_sleep: the motors had let go
 """
 
 from __future__ import annotations
@@ -45,6 +53,31 @@ def trust_at_connect(before: PositionTrust, driver: Grbl, greeted: bool) -> Posi
         return before
     was_lost = before.position_known is False and not before.counts_from_here
     return LOST._replace(counts_from_here=not was_lost and counts_from_here(driver))
+
+
+def trust_at_lost_link() -> PositionTrust:
+    """Return the trust after the link to the machine was lost: it may have moved on, or stopped with lost steps."""
+    return LOST
+
+
+def trust_after_job(before: PositionTrust, position_known: bool) -> PositionTrust:
+    """Return the trust after a job that moved the machine; the reset at its end does not cost the position.
+
+    position_known: of the job's outcome; False after a lost link, an alarm, a restart or a stop that lost steps.
+    """
+    return before if position_known else LOST
+
+
+def trust_at_zero(before: PositionTrust, axes: str, all_axes: str) -> PositionTrust:
+    """Return the trust after the zeros of `axes` were set: known once all have theirs since it was lost."""
+    zeroed = before.zeroed | set(axes.upper())
+    known = True if zeroed == set(all_axes) else before.position_known
+    return before._replace(zeroed=zeroed, position_known=known)
+
+
+def trust_after_sleep(before: PositionTrust) -> PositionTrust:
+    """Return the trust after a sleep, in which the motors let go: no machine position counts from home any more."""
+    return before._replace(homed=False, counts_from_here=False)
 
 
 def counts_steps(driver: Grbl | None) -> bool:

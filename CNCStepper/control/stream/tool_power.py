@@ -5,10 +5,14 @@
 
 A beam, a torch or a jet would go on cutting where it stands, and along each jog: grbl switches a laser off in a hold,
 but here it is idle. A spindle turns on at an M0, as it does on the controller; for a new tool (M6) it is stopped.
+
+In a hold (!) the controller leaves a torch burning and a wire hot: the override that stops the spindle takes their
+power, at once or after as long as the process allows. To go on they pierce or heat up again: `~` alone does not wait.
 """
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Mapping
 from typing import Any
@@ -16,21 +20,30 @@ from typing import Any
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.protocol.grbl.driver import Grbl
 from CNCStepper.control.protocol.grbl.readiness import LASER_MODE
+from CNCStepper.machine.processes import PROCESSES
 
 OFF = "M5"
 _M = re.compile(r"M0*(\d+)(?:\.0*)?(?![\d.])")
 _S = re.compile(r"S[\d.]+")
+_DWELL = re.compile(r"G0*4P([\d.]+)")
+SPINDLE_STOP = b"\x9e"  # it switches, so it is sent once a hold
+SWITCHED_ON = "SC"  # in `A:` of the status
 _POWER = {"3": "M3", "4": "M4", "5": "", "2": "", "30": ""}  # what is on after each of these
 
 
 class ToolPower:
     """The power of one controller's tool.
 
-    cuts_standing: it cuts without turning. spin_up_s: how long it takes, or pierces, once it is on. modes: of `$G`.
+    cuts_standing: it cuts without turning. spin_up_s: how long it takes once it is on; one that pierces, as long
+    as the program waits behind its last M3. modes: of `$G`. stand_s: how long it may stand with power in a hold.
     """
 
-    def __init__(self, cuts_standing: bool = False, spin_up_s: float = 0.0, modes: str = ""):
+    def __init__(self, cuts_standing: bool = False, spin_up_s: float = 0.0, modes: str = "", stand_s: float = math.inf):
         self.is_taken = False  # although the program has it on
+        self.is_stopped = False  # in the hold that lasts
+        self._stand_s = stand_s
+        self._held_s: float | None = None  # when the hold was first seen
+        self._is_fresh = False  # nothing was switched or waited for since M3
         self._cuts_standing = cuts_standing
         self._spin_up_s = spin_up_s
         self._on = self._speed = ""
@@ -40,9 +53,32 @@ class ToolPower:
     def follow(self, text: str) -> None:
         """Note what a line that is sent leaves on."""
         plain = _plain(text)
+        self._note_wait(plain)
         for number in _M.findall(plain):
             self._on = _POWER.get(number, self._on)
         self._speed = next(iter(_S.findall(plain)), self._speed)
+
+    def _note_wait(self, plain: str) -> None:
+        """Note how long the program waits for a tool that pierces."""
+        wait = _DWELL.search(plain)
+        if wait and self._is_fresh and self._cuts_standing and math.isfinite(self._stand_s):
+            self._spin_up_s = float(wait[1])
+        self._is_fresh = any(_POWER.get(number) for number in _M.findall(plain))
+
+    def hold(self, driver: Grbl) -> None:
+        """Take the power in a hold once the tool has stood with it for as long as it may."""
+        status = driver.status
+        if status is None or status.state != "Hold":
+            self._held_s, self.is_stopped = None, False
+            return
+        if status.substate not in (0, None):  # it still moves, and cuts
+            return
+        now_s = driver.clock()
+        self._held_s = now_s if self._held_s is None else self._held_s
+        is_on = any(letter in (driver.outputs or "") for letter in SWITCHED_ON)
+        if is_on and not self.is_stopped and now_s - self._held_s >= self._stand_s:
+            driver.realtime(SPINDLE_STOP)
+            self.is_stopped = True
 
     def stand(self, driver: Grbl) -> None:
         """Take its power from a tool that would cut on, as soon as the lines before are cut."""
@@ -75,7 +111,11 @@ def power_of(job: SendJob, driver: Grbl, modes: str) -> ToolPower:
     spindle = profile.get("spindle") or {}
     is_laser = driver.settings.get(LASER_MODE) == 1 or bool(spindle.get("laser"))
     is_off_back = (profile.get("retreat") or {}).get("outputs") == "off"
-    return ToolPower(is_laser or is_off_back, 0.0 if is_laser else spindle.get("spin_up_s", 0.0), modes)
+    processes = [PROCESSES[name] for name in profile.get("processes") or ("milling",)]
+    is_torch = all(process.power in ("contour", "always", "none") for process in processes)
+    stand_s = min(process.stand_s for process in processes) if is_torch and not is_laser else math.inf
+    spin_up_s = 0.0 if is_laser else spindle.get("spin_up_s", 0.0)
+    return ToolPower(is_laser or is_off_back or math.isfinite(stand_s), spin_up_s, modes, stand_s)
 
 
 def _plain(text: str) -> str:

@@ -67,7 +67,7 @@ def switched_of(path: Toolpath, options: WriteOptions, target: Dialect) -> Switc
     tool = np.array([state.tool for state in path.states])
     by_row = tool[table.state]
     changes = np.flatnonzero(by_row[1:] != by_row[:-1]) + 1
-    judged = tool if "T" in target.letters else np.zeros_like(tool)
+    judged = tool if "T" in target.letters and not target.plasma else np.zeros_like(tool)
     return Switched(path, on, judged, changes, _strokes(path))
 
 

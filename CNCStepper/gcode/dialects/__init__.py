@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The dialects by name; each is one small definition in a file of its own.
 
-A dialect with settings is named with them: `mach:dwell=ms`, `mini-lathe:g20=diameter,g70=inch`.
+A dialect with settings is named with them: `mach:dwell=ms`, `mini-lathe:g20=diameter,g70=inch`; `machine_settings`
+has those that every dialect takes.
 """
 
 from collections.abc import Mapping
@@ -17,13 +18,17 @@ from CNCStepper.gcode.dialects.grblhal import GRBLHAL
 from CNCStepper.gcode.dialects.iso import ISO
 from CNCStepper.gcode.dialects.linuxcnc import LINUXCNC
 from CNCStepper.gcode.dialects.mach import MACH
+from CNCStepper.gcode.dialects.machine_settings import with_machine_setting
 from CNCStepper.gcode.dialects.marlin import MARLIN
 from CNCStepper.gcode.dialects.mini_lathe import MINI_LATHE
+from CNCStepper.gcode.dialects.qtplasmac import QTPLASMAC
 from CNCStepper.gcode.dialects.thesis_a import THESIS_A
 
 __all__ = ["ArcRule", "Dialect", "Writing", "dialect", "dialect_named", "dialect_names"]
 
-_DIALECTS = {one.name: one for one in (GRBL, GRBLHAL, FLUIDNC, LINUXCNC, MACH, MARLIN, ISO, THESIS_A, MINI_LATHE)}
+_DIALECTS = {
+    one.name: one for one in (GRBL, GRBLHAL, FLUIDNC, LINUXCNC, QTPLASMAC, MACH, MARLIN, ISO, THESIS_A, MINI_LATHE)
+}
 
 
 def dialect_names() -> list[str]:
@@ -69,6 +74,10 @@ def _with_settings(plain: Dialect, settings: str, name: str) -> Dialect:
     chosen = plain
     for setting in settings.split(",") if settings else ():
         key, _, value = setting.partition("=")
+        narrowed = with_machine_setting(chosen, key, value)
+        if narrowed is not None:
+            chosen = narrowed
+            continue
         values = plain.settings.get(key, {})
         if value not in values:
             known = [f"{key}={value}" for key, values in plain.settings.items() for value in values]

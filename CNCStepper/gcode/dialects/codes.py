@@ -2,7 +2,7 @@
 """The G and M codes of RS274/NGC as data: modal group, words, and what each code sets.
 
 Most codes only set fields of the modal snapshot; those are complete here. A code that does more names an
-`act`, a function in `modal_codes.ACTS`. `ORDER` is RS274's order of execution within one line.
+`act`, a function in `execute.ACTS`. `ORDER` is RS274's order of execution within one line.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Any
 
-from CNCStepper.canned_drilling import CYCLE_NAMES, OWN_WORD
+from CNCStepper.drilling_strokes import CYCLE_NAMES, OWN_WORD
 from CNCStepper.state import WORK_SYSTEMS
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, PLANE_NAMES, RAPID
 

@@ -49,7 +49,8 @@ class Writing:
     the program's one is the machine's. comment: its form, "" where there are none. block_end: what ends every block.
     code_digits: 2 for G01. number_step: from one N word to the next, 0 for none. helices, full_circles: whether an arc
     may leave its plane and end where it begins. whole_ends: every block names all coordinates. lifts: Z is the height.
-    rapid_feed: rapids heed F, so that both rapids and cuts name it. pointed: every number has its point.
+    rapid_feed: rapids heed F, so that both rapids and cuts name it. pointed: every number has its point. short: numbers
+    have no trailing zeros. keeps_distance: moves that were incremental stay so.
     """
 
     header: tuple[str, ...] = ()
@@ -72,6 +73,8 @@ class Writing:
     lifts: bool = True
     rapid_feed: bool = False
     pointed: bool = False
+    short: bool = False
+    keeps_distance: bool = False
 
 
 @dataclass(frozen=True)
@@ -134,7 +137,12 @@ class Dialect:
     dwell_letter: str = "P"
     dwell_unit_s: float = 1.0  # what one of that letter is after G4
     feed_unit_mm_min: float = 1.0  # what F1 is in a metric text; the front has turned it into mm/min already
-    default_feed_mm_min: float = 0.0
+    default_feed_mm_min: float = 0.0  # in force until an F comes
+    feed_is_setting: bool = False  # of the machine: a program needs no F for it
+    has_z: bool = True
+    power: str = "speed"  # "speed": M3 with S; "switch": M3 without S is on; "always": on from the program's begin
+    plasma: bool = False  # QtPlasmaC chooses cut data by material, pierces and moves Z itself
+    spindles: int = 1  # that the word $ may name
     starts_at_work_zero: bool = False  # where the position is unknown the tool stands at the work zero
 
     def motion_code(self, motion: int) -> Code | None:

@@ -80,7 +80,7 @@ def pieces(line: str, dialect: Dialect, as_written: bool = False) -> list[Piece]
 
 def reads_moves_directly(dialect: Dialect) -> bool:
     """Return whether a line with only N, one G, coordinates and F is read unchanged."""
-    return not {"records", "dotless", "feed_per_second"} & {*dialect.front}
+    return not {"records", "dotless", "feed_per_second", "without_height"} & {*dialect.front}
 
 
 # records of the mini-lathe
@@ -215,6 +215,61 @@ def dwell_by_axis(piece: Piece) -> Iterator[Piece]:
     yield piece.replaced(seconds, lambda match: f"P{match[1]}", end)
 
 
+# programs of QtPlasmaC
+
+
+def without_height(piece: Piece) -> Iterator[Piece]:
+    """Take Z out; a line that moves nothing else is left with its comments only, as QtPlasmaC's filter does it."""
+    words, comments = _height_words(piece.text)
+    if not words:
+        yield piece
+        return
+    others = "".join(piece.text[begin:end] for begin, end in _outside(len(piece.text), [*words, *comments]))
+    if not re.search(r"[XYABCUVW]", re.sub("<[^>]*>", "", others), re.IGNORECASE):
+        words = _outside(len(piece.text), comments)
+    blank = set().union(*(range(begin, end) for begin, end in words))
+    text = "".join(" " if at in blank else character for at, character in enumerate(piece.text))
+    yield Piece(text, piece.columns, piece.ends_chunk)
+
+
+def _height_words(text: str) -> tuple[list[tuple[int, int]], list[tuple[int, int]]]:
+    """Return where Z words with their values stand, and where comments."""
+    words, comments, at = [], [], 0
+    while at < len(text):
+        begin = at
+        if text[at] in "(;":
+            at = text.find(")", at) + 1 if text[at] == "(" and ")" in text[at:] else len(text)
+            comments.append((begin, at))
+        elif text[at] == "<":
+            at = text.find(">", at) + 1 or len(text)
+        elif text[at] in "Zz":
+            at = _end_of_value(text, at + 1)
+            words.append((begin, at))
+        else:
+            at += 1
+    return words, comments
+
+
+def _end_of_value(text: str, at: int) -> int:
+    """Return where a word's value ends: a number, or an expression with its brackets, or a parameter."""
+    while at < len(text) and text[at] in " \t":
+        at += 1
+    if match := re.compile(rf"{_NUMBER}|#(?:<[^>]*>|[0-9]+)").match(text, at):
+        return match.end()
+    depth = 0
+    while at < len(text) and (depth or text[at] == "["):
+        depth += {"[": 1, "]": -1}.get(text[at], 0)
+        at += 1
+    return at
+
+
+def _outside(length: int, spans: list[tuple[int, int]]) -> list[tuple[int, int]]:
+    """Return what of [0, length) lies between the spans."""
+    ends = [0, *(end for _, end in sorted(spans))]
+    begins = [*(begin for begin, _ in sorted(spans)), length]
+    return [(end, begin) for end, begin in zip(ends, begins, strict=True) if end < begin]
+
+
 def _semicolon(text: str) -> int:
     """Return where a comment after ";" begins, or the end."""
     at = text.find(";")
@@ -240,6 +295,7 @@ STEPS: dict[str, Callable[[Piece], Iterator[Piece]]] = {
         one_command,
         program_name,
         dwell_by_axis,
+        without_height,
     )
 }
 VALUE_STEPS = frozenset(("dotless", "feed_per_second", "dwell_in_seconds", "dwell_by_axis"))  # they change numbers

@@ -40,9 +40,12 @@ THESIS_A = Dialect(
         work_systems=(),
         helices=False,
         full_circles=False,
+        short=True,
+        keeps_distance=True,
     ),
     repeats=frozenset((RAPID, LINE)),
     arc_centres="absolute",
     default_feed_mm_min=900.0,
+    feed_is_setting=True,
     starts_at_work_zero=True,
 )

@@ -1,28 +1,32 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """One block while it is executed: the values of its words, and its moves.
 
-The codes of a block are functions that take it (`execute.py`, `execute.py`), and `execute.py` calls them.
+The codes of a block are functions that take it, and `execute.py` calls them. The feed of a move is worked out here: per
+minute, per turn, or in inverse time, which needs the length of the move.
 """
 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterable
-from math import isnan
+from collections.abc import Callable, Iterable, Sequence
+from math import hypot, isnan, sqrt
 from typing import Protocol
 
 from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects import Dialect
-from CNCStepper.gcode.dialects.codes import ALL_AXES
+from CNCStepper.gcode.dialects.codes import ALL_AXES, MOTION_NAMES
 from CNCStepper.gcode.interpreter.canonical_output import SET_FEED, Canon, CanonicalBlock
-from CNCStepper.gcode.interpreter.motion.moves import SMALLEST_INVERSE_FEED, Arc, chords, way_length
+from CNCStepper.gcode.interpreter.motion.arcs import Arc, chords
+from CNCStepper.gcode.interpreter.motion.end_points import unknown_position
 from CNCStepper.gcode.interpreter.state import stand_alone_position
 from CNCStepper.gcode.interpreter.state.model import NO_FURTHER, Model, Point, rpm_at
 from CNCStepper.gcode.interpreter.state.parameters import length_scale
 from CNCStepper.gcode.syntax.line_grammar import Plan
 from CNCStepper.gcode.syntax.words import Word
 from CNCStepper.state import State
-from CNCStepper.toolpath import RAPID, XY, TableBuilder
+from CNCStepper.toolpath import PLANE_AXES, RAPID, XY, TableBuilder
+
+SMALLEST_INVERSE_FEED = 0.1  # units a minute; RS274 never goes below
 
 
 class ProfileReader(Protocol):
@@ -190,8 +194,34 @@ class Block(CanonicalBlock, ABC):
             return model.state.feed_mm_turn * rpm_at(model, end)
         if length < 0:
             begin = (*model.machine(model.programmed_work()), *(model.further or (0.0,) * len(further)))
-            length = way_length(begin, (*end, *further), arc)
+            length = _way_length(begin, (*end, *further), arc)
         feed = max(SMALLEST_INVERSE_FEED * model.scale, length * self.value("F"))
         self.lengths(SET_FEED, feed)
         model.feed_number = feed / model.scale
         return feed
+
+
+def check_feed(model: Model, motion: int, plan: Plan | None = None, values: Sequence[float] = ()) -> None:
+    """Refuse a feed move while no feed is set, or in inverse time without its own F."""
+    name, mode = MOTION_NAMES[motion], model.state.feed_mode
+    if mode == "per_minute" and model.state.feed_mm_min <= 0:
+        raise ProgramError(
+            "no-feed", Text("{name} has no feed", name=name), value=name, advice="write an F word above 0 before"
+        )
+    if mode == "per_turn" and (model.state.feed_mm_turn <= 0 or model.state.spindle_rpm <= 0):
+        what = Text("{name} has no feed: a feed per turn needs F and a spindle that turns", name=name)
+        raise ProgramError("no-feed", what, value=name, advice="write F and S above 0 before")
+    if mode == "inverse_time" and plan and not ("F" in plan.slots and values[plan.slots["F"]] > 0):
+        what = Text("in inverse time every {name} needs its own F above 0", name=name)
+        raise ProgramError("no-feed", what, value=name, advice="add F, or write G94 before")
+
+
+def _way_length(begin: tuple[float, ...], end: tuple[float, ...], arc: Arc | None) -> float:
+    """Return the length of a move: along X Y Z, else U V W, else A B C (degrees for mm)."""
+    if any(isnan(value) for value in (*begin, *end)):
+        raise unknown_position("F", "an inverse-time feed needs a known position")
+    way = [there - here for here, there in zip(begin, end, strict=True)]
+    if arc is not None:
+        return hypot(arc.radius * arc.sweep_rad, way[PLANE_AXES[arc.plane][2]])
+    groups = (way[:3], way[6:], way[3:6])
+    return next((sqrt(sum(part * part for part in group)) for group in groups if any(group)), 0.0)

@@ -40,11 +40,12 @@ from CNCStepper.gcode.interpreter.cutter_compensation.compensation_codes import 
 )
 from CNCStepper.gcode.interpreter.functions.coordinate_offsets import OFFSET_ACTS, emit_rotation, emit_work_offset
 from CNCStepper.gcode.interpreter.functions.outputs import OUTPUT_ACTS
+from CNCStepper.gcode.interpreter.functions.plasma import PLASMA_ACTS
 from CNCStepper.gcode.interpreter.functions.spindle import SPINDLE_ACTS, check_spindle
 from CNCStepper.gcode.interpreter.functions.tools import TOOL_ACTS
-from CNCStepper.gcode.interpreter.motion.lines_and_arcs import arc, straight
 from CNCStepper.gcode.interpreter.motion.probing import probe
 from CNCStepper.gcode.interpreter.motion.splines import SPLINE_ACTS, bezier, control_point
+from CNCStepper.gcode.interpreter.motion.straight_and_arc_moves import arc, straight
 from CNCStepper.gcode.interpreter.state import stand_alone_position
 from CNCStepper.gcode.interpreter.state.modal_state_stack import MODE_ACTS
 from CNCStepper.gcode.lathe.profile_cycles import run_profile
@@ -81,7 +82,8 @@ def feed(block: Block, code: Code) -> None:
     if units and block.dialect.feed_in_new_units:
         scale = MM_PER_INCH if units == "inch" else 1.0
     block.model.feed_number = f_word
-    block.model.change(**{"feed_mm_turn" if mode == "per_turn" else "feed_mm_min": f_word * scale})
+    told = f_word * scale * block.model.feed_share
+    block.model.change(**{"feed_mm_turn" if mode == "per_turn" else "feed_mm_min": told})
     block.lengths(SET_FEED, f_word * scale)
 
 
@@ -208,6 +210,7 @@ ACTS: dict[str, Callable[[Block, Code], None]] = {
     **TOOL_ACTS,
     **SPINDLE_ACTS,
     **OUTPUT_ACTS,
+    **PLASMA_ACTS,
     **COMPENSATION_ACTS,
     **SPLINE_ACTS,
     **MODE_ACTS,

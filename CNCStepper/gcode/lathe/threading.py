@@ -19,7 +19,7 @@ from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects.codes import MOTION_NAMES
 from CNCStepper.gcode.interpreter.block import Block
 from CNCStepper.gcode.interpreter.functions.spindle import check_spindle, need_turning
-from CNCStepper.gcode.interpreter.motion.moves import end_point, further_end
+from CNCStepper.gcode.interpreter.motion.end_points import end_point, further_end
 from CNCStepper.gcode.interpreter.state.model import Point, rpm_at
 from CNCStepper.toolpath import LINE, RAPID
 

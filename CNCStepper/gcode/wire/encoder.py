@@ -31,7 +31,15 @@ from CNCStepper.gcode.syntax.words import Comment, Word, is_percent_mark, split_
 from CNCStepper.gcode.wire.backlash_compensation import with_backlash_compensation
 from CNCStepper.gcode.wire.expansion import Block, expanded, is_expanded
 from CNCStepper.gcode.wire.line_runs import WireRun, wire_runs
-from CNCStepper.gcode.wire.wire_text import FirstMove, WireLines, WireText, check_wire_line, with_first_motion
+from CNCStepper.gcode.wire.wire_text import (
+    FirstFeed,
+    FirstMove,
+    WireLines,
+    WireText,
+    check_wire_line,
+    with_first_feed,
+    with_first_motion,
+)
 from CNCStepper.machine.backlash import Backlash
 from CNCStepper.state import Start
 
@@ -140,6 +148,7 @@ class WireEncoder:
         self._records = Records(language)
         self._begun = self._over = False  # a word or comment was met; nothing after it is sent any more
         self._first_move = FirstMove(language)
+        self._first_feed = FirstFeed(language)
         self._waiting = ""  # messages for the next line
         self.messages: dict[int, str] = {}
 
@@ -151,11 +160,18 @@ class WireEncoder:
         return self.join(self._lines(runs))
 
     def started(self, lines: WireLines, file_lines: np.ndarray) -> WireLines:
-        """Return lines that were encoded with the motion of the program's first move named, where it is among them."""
+        """Return lines that were encoded with what the first ones lack, where they are among them.
+
+        The program's first move names its motion, and its first cut a feed.
+        """
         index = self._first_move.without_motion(lines)
         if index is not None:
             lines = with_first_motion(lines, index, self._language)
             check_wire_line(lines[index], self._language, Place(self._file, int(file_lines[index])))
+        missing = self._first_feed.missing(lines)
+        if missing is not None:
+            lines = with_first_feed(lines, *missing)
+            check_wire_line(lines[missing[0]], self._language, Place(self._file, int(file_lines[missing[0]])))
         return lines
 
     def join(self, wires: Iterable[WireRun | Wire]) -> tuple[bytes, np.ndarray]:
@@ -252,7 +268,7 @@ def _words(code: str, piece: Piece) -> list[Word]:
 
 
 def _code(raw: str, language: Dialect) -> str:
-    """Return a line that computes or leads elsewhere as it stands, without its comments."""
+    """Return a line that computes or leads elsewhere as it is, without its comments."""
     return " ".join(split_line(raw, language.strict_comments).code.split())
 
 

@@ -12,7 +12,7 @@ import math
 from itertools import pairwise
 from typing import NamedTuple
 
-from CNCStepper.gcode.interpreter.motion.moves import FULL_TURN, sweep
+from CNCStepper.gcode.interpreter.motion.arcs import FULL_TURN, sweep
 from CNCStepper.geometry.quadrant_points import point_on_arc, turning_points
 from CNCStepper.machine.backlash import Backlash
 from CNCStepper.toolpath import ARC_CW, PLANE_AXES

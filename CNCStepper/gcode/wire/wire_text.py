@@ -7,6 +7,8 @@ The first move of what is sent names its motion: which one is in force at the co
 
 program   X10            proven as the rapid of a fresh controller
 sent      G0X10          after M2 of another program a bare X10 would be a cut (G1)
+
+The first cut of a program that has no F names the feed with which it was proven.
 """
 
 from __future__ import annotations
@@ -22,7 +24,9 @@ import numpy as np
 from CNCStepper.errors import Place, ProgramError, Text
 from CNCStepper.gcode.dialects import Dialect, dialect_named
 from CNCStepper.gcode.dialects.codes import ALL_AXES, MOTION_NAMES, NO_MOTION
-from CNCStepper.gcode.syntax.words import words_of
+from CNCStepper.gcode.syntax.words import Word, words_of
+from CNCStepper.toolpath import RAPID
+from CNCStepper.units import MM_PER_INCH
 
 AT_ONCE = 4096  # lines that are made at once
 
@@ -31,7 +35,7 @@ class WireLines(Sequence[str]):
     """Lines of plain ASCII, each made from the bytes when it is asked for; a sequence as a tuple of them is.
 
     data    G21\\nG0X1\\nM2\\n
-    ends       3    8  11      of each line, where its newline stands
+    ends       3    8  11      of each line, the place of its newline
     """
 
     def __init__(self, data: bytes):
@@ -76,7 +80,7 @@ class WireLines(Sequence[str]):
         return repr(tuple(self))
 
 
-REALTIME = frozenset(b"!?~\x18") | frozenset(range(0x80, 0x100))  # bytes that grbl acts upon wherever they stand
+REALTIME = frozenset(b"!?~\x18") | frozenset(range(0x80, 0x100))  # bytes that grbl acts upon anywhere
 
 
 @dataclass(frozen=True)
@@ -146,3 +150,45 @@ def with_first_motion(lines: WireLines, index: int, dialect: Dialect) -> WireLin
     begin = sum(len(line) + 1 for line in lines[:index])
     name = MOTION_NAMES[dialect.first_motion].encode("ascii")
     return WireLines(lines.data[:begin] + name + lines.data[begin:])
+
+
+class FirstFeed:
+    """Looks for the first cut of a program in lines that come piece by piece, as far as no F stands before it."""
+
+    def __init__(self, dialect: Dialect):
+        self._dialect = dialect
+        is_read_as_it_is = dialect.reads_files or "records" in dialect.front
+        self._is_known = not dialect.default_feed_mm_min or dialect.feed_is_setting or is_read_as_it_is
+        self._motion = dialect.first_motion
+        self._unit_mm = 1.0
+
+    def missing(self, lines: WireLines) -> tuple[int, str] | None:
+        """Return the index of the first line that cuts, and the F word that it needs; None where it needs none."""
+        for index, line in enumerate(() if self._is_known else lines):
+            words = words_of(line)
+            unit_mm = self._unit_mm
+            is_named = self._follow(words)
+            self._is_known = any(word.letter == "F" for word in words)
+            if self._is_known:
+                return None
+            moves = is_named or any(word.letter in ALL_AXES for word in words)
+            if moves and self._motion not in (RAPID, NO_MOTION):
+                self._is_known = True
+                in_unit_mm = self._unit_mm if self._dialect.feed_in_new_units else unit_mm
+                return index, f"F{self._dialect.default_feed_mm_min / in_unit_mm:.10g}"
+        return None
+
+    def _follow(self, words: list[Word]) -> bool:
+        """Note the modes that a line sets; return whether it names a motion, which asks for a feed without axes too."""
+        codes = [self._dialect.codes.get(word.name) for word in words if word.letter in "GM"]
+        for code in filter(None, codes):
+            self._motion = self._motion if code.motion is None else code.motion
+            if units := code.sets.get("units"):
+                self._unit_mm = MM_PER_INCH if units == "inch" else 1.0
+        return any(code is not None and code.motion is not None for code in codes)
+
+
+def with_first_feed(lines: WireLines, index: int, word: str) -> WireLines:
+    """Return the lines with an F word behind the line `index`."""
+    end = sum(len(line) + 1 for line in lines[: index + 1]) - 1
+    return WireLines(lines.data[:end] + word.encode("ascii") + lines.data[end:])

@@ -84,10 +84,11 @@ Lengths = TypeVar("Lengths", float, np.ndarray)
 
 @dataclass(frozen=True)
 class Grid:
-    """units: "mm" or "inch" of the text; decimals: digits after the point."""
+    """units: "mm" or "inch" of the text; decimals: digits after the point. trims: without trailing zeros."""
 
     units: str
     decimals: int
+    trims: bool = False
 
     @cached_property
     def unit_mm(self) -> float:
@@ -113,18 +114,25 @@ class Grid:
         return round(self.exact(length_mm))
 
     def text(self, count: int) -> str:
-        """Return a length as text with all its decimals; there is no -0."""
+        """Return a length as text with all its decimals, or without trailing zeros; there is no -0."""
         sign = "-" if count < 0 else ""
         whole, rest = divmod(abs(count), self.counts)
-        return f"{sign}{whole}.{rest:0{self.decimals}d}"
+        text = f"{sign}{whole}.{rest:0{self.decimals}d}"
+        return _trimmed(text) if self.trims else text
 
     def short(self, length_mm: float) -> str:
         """Return a length (a feed) as text without trailing zeros."""
-        return self.text(self.count(length_mm)).rstrip("0").rstrip(".")
+        return _trimmed(self.text(self.count(length_mm)))
+
+
+def _trimmed(number: str) -> str:
+    return number.rstrip("0").rstrip(".") if "." in number else number
 
 
 CENTRES = "IJK"
 MOST_FEED_ERROR = 0.005  # relative
+SAME_SHARE = 1e-6
+CUT_FEED = "F#<_hal[plasmac.cut-feed-rate]>"  # the feed of QtPlasmaC's material
 Counts = list[int | None]
 
 
@@ -147,10 +155,18 @@ class BlockEmitter:
         self._own_axes = [axis for axis in range(3) if AXES[axis] in dialect.letters]
         self._number = 0
         self._motion = ""
-        self._feed = f"F{grid.short(dialect.default_feed_mm_min)}" if dialect.default_feed_mm_min else ""
+        self._feed = f"F{grid.short(dialect.default_feed_mm_min)}" if dialect.feed_is_setting else ""
         self._plane = XY
         self._stale: set[int] = set()  # axes whose next word is written even where nothing changes
         self._cycle = ""
+        self._cut_feed_mm_min, self._share = 0.0, "Q0"
+        self._distance = "absolute"
+        self.distance = "absolute"  # of the moves to come
+
+    @property
+    def has_just_started(self) -> bool:
+        """Whether the last line has switched on what cuts."""
+        return bool(self.lines) and self.lines[-1].startswith("M3")
 
     @property
     def in_cycle(self) -> bool:
@@ -220,25 +236,33 @@ class BlockEmitter:
 
     def forget(self) -> None:
         """Let the next move write all its words, since the machine may have been moved."""
-        self._motion, self._feed, self._stale = "", "", set(self._own_axes)
+        self._motion, self._stale = "", set(self._own_axes)
+        if not self.dialect.feed_is_setting:  # else no person changes it on the way
+            self._feed = ""
 
     def begin_at(self, at: Counts) -> None:
         """Set the machine's position at the program's begin; the first move names its axes all the same."""
-        self.at, self._stale = list(at), {axis for axis in self._own_axes if at[axis] is not None}
+        is_known = self.dialect.starts_at_work_zero and not any(at)  # zero, or an axis that the language lacks
+        self.at = list(at)
+        self._stale = set() if is_known else {axis for axis in self._own_axes if at[axis] is not None}
 
     def move(self, kind: int, end: Counts, feed_mm_min: float = 0.0, nowhere: bool = False) -> None:
         """Write a straight move; where it leads nowhere only if `nowhere`."""
+        changes = self._distance_word(kind) if nowhere or self._axes(end) else ""
         axes = self._axes(end)
         if not axes and nowhere:
             axes = [self._axis(axis, count) for axis, count in enumerate(end) if count is not None][:1]
         if axes:
-            word = self._motion_word(kind)
+            self._bring_feed(kind, feed_mm_min)
+            word = changes or self._motion_word(kind)
             self.line(word, *axes, self._feed_word(kind, feed_mm_min, opens=bool(word)))
             self._arrive(end)
 
     def arc(self, kind: int, end: Counts, offset: tuple[int, int], plane: int, feed_mm_min: float, turns: int) -> None:
         """Write an arc with its centre at begin + `offset`; the words of its plane are written always."""
         self.select_plane(plane)
+        self._bring_feed(kind, feed_mm_min)
+        self._distance_word(kind)
         first, second, _ = PLANE_AXES[plane]
         self._stale |= {first, second}
         axes = self._axes(end)
@@ -283,7 +307,7 @@ class BlockEmitter:
             axis
             for axis, count in enumerate(end)
             if count is not None and (count != self.at[axis] or axis in self._stale)
-            if self.at[axis] is not None or axis in self._own_axes
+            if axis in self._own_axes or (self.at[axis] is not None and not self.dialect.plasma)
         ]
         if due and self.writing.whole_ends:
             due = sorted({*due, *self._own_axes})
@@ -296,11 +320,25 @@ class BlockEmitter:
             what = Text("{dialect} has no axis {letter}", dialect=self.dialect.title, letter=letter)
             value = f"{letter}{self.grid.text(count)}"
             raise ProgramError("axes", what, value=value, advice="lay the work in its axes")
-        return f"{letter}{self.grid.text(count)}"
+        origin = (self.at[axis] or 0) if self._distance == "incremental" else 0
+        return f"{letter}{self.grid.text(count - origin)}"
 
     def _name(self, kind: int) -> str:
+        if kind == LINE and self._distance == "incremental":
+            return "G91"
         code = self._codes[kind]
         return code.name if code else MOTION_NAMES[kind]
+
+    def _distance_word(self, kind: int) -> str:
+        """Bring G90 or G91 into force, where these are words for straight feeds; return the one that the move takes."""
+        if self.distance == self._distance:
+            return ""
+        self._distance = self.distance
+        self._motion = self._name(LINE)
+        if kind == LINE:
+            return self._motion
+        self.line(self._motion)
+        return ""
 
     def _motion_word(self, kind: int) -> str:
         name = self._name(kind)
@@ -311,7 +349,7 @@ class BlockEmitter:
 
     def _feed_word(self, kind: int, feed_mm_min: float, opens: bool = False) -> str:
         """Return F where it is not in force; `opens`: the block names its motion, which may need F."""
-        if kind == RAPID and not (self.writing.rapid_feed and feed_mm_min > 0):
+        if self._cut_feed_mm_min or (kind == RAPID and not (self.writing.rapid_feed and feed_mm_min > 0)):
             return ""
         word = self._feeds.get(feed_mm_min) or self._spelled_feed(feed_mm_min)
         code = self._codes[kind]
@@ -319,6 +357,31 @@ class BlockEmitter:
             return ""
         self._feed = word
         return word
+
+    def use_cut_feed(self, feed_mm_min: float) -> None:
+        """Let feeds be those of QtPlasmaC's material, which cuts with `feed_mm_min`; 0: F says them."""
+        self._cut_feed_mm_min, self._feed = feed_mm_min, ""
+        if feed_mm_min:
+            self._feed = CUT_FEED
+            self.line(CUT_FEED)
+
+    def share_feed(self, share: float) -> None:
+        """Write with which share of the feed in force the next moves run, where another one is."""
+        word = "Q0" if share >= 1.0 else f"Q{_trimmed(f'{100 * share:.3f}')}"
+        if word != self._share:
+            self._share = word
+            self.line("M67", "E3", word)
+
+    def _bring_feed(self, kind: int, feed_mm_min: float) -> None:
+        """Write feed and share of a move where the material has the feeds; one above its feed is said by F."""
+        if kind == RAPID or not self._cut_feed_mm_min:
+            return
+        share = feed_mm_min / self._cut_feed_mm_min
+        word = CUT_FEED if 0 < share <= 1 + SAME_SHARE else self._spelled_feed(feed_mm_min)
+        if word != self._feed:
+            self._feed = word
+            self.line(word)
+        self.share_feed(1.0 if share >= 1 - SAME_SHARE else share)
 
     def _spelled_feed(self, feed_mm_min: float) -> str:
         """Return a feed as a word; raises ProgramError for none, and for one that the digits cannot hold."""

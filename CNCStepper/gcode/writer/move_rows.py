@@ -12,7 +12,7 @@ import numpy as np
 from CNCStepper.errors import Place, ProgramError, Text
 from CNCStepper.gcode.dialects import Dialect
 from CNCStepper.gcode.dialects.codes import AXES
-from CNCStepper.gcode.interpreter.motion.moves import FULL_TURN
+from CNCStepper.gcode.interpreter.motion.arcs import FULL_TURN
 from CNCStepper.gcode.writer.block_emitter import BlockEmitter, Counts
 from CNCStepper.gcode.writer.rounded_arcs import Limits, Piece, TrueArc, rounded
 from CNCStepper.gcode.writer.write_options import WriteOptions

@@ -18,7 +18,7 @@ from functools import lru_cache
 from math import acos, ceil, cos, hypot, pi, sin
 
 from CNCStepper.gcode.dialects import ArcRule
-from CNCStepper.gcode.interpreter.motion.moves import FULL_TURN, Flat, sweep
+from CNCStepper.gcode.interpreter.motion.arcs import FULL_TURN, Flat, sweep
 
 Count = tuple[int, int]
 NEIGHBOURS = sorted(((i, j) for i in range(-2, 3) for j in range(-2, 3)), key=lambda ij: (hypot(*ij), ij))

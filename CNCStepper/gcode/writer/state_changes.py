@@ -42,8 +42,10 @@ class Switches:
         self._spindle = ("off", 0.0)
         self._coolant = (False, False)  # mist, flood
         self._owed_s = 0.0  # dwell that the spindle still needs
+        self.goes_on = False  # whether the next row cuts on
+        self._on_at = -1  # lines before the power was wanted, where it is on from the begin
         for number, description in options.tools.items():
-            page.own_comments.update(comment_lines(_tool_comment(number, description)))
+            page.own_comments.update(comment_lines(tool_comment(number, description)))
 
     @property
     def own_events(self) -> tuple[str, ...]:
@@ -51,6 +53,18 @@ class Switches:
         if self.options.tool_change != "m6":
             return "message", "pause"
         return ("message",) if self.options.tool_length == "touch_off" else ()
+
+    def begin(self) -> None:
+        """Write what stands behind the header."""
+
+    def material(self, text: str) -> None:
+        """Write a change of material, where the controller knows materials."""
+
+    def before_move(self, kind: int) -> None:
+        """Switch what must be so before a row of that kind."""
+
+    def before_end(self) -> None:
+        """Switch what the footer does not."""
 
     def follow(self, state: State) -> None:
         """Switch spindle, coolant and length offset as `state` has them."""
@@ -93,7 +107,7 @@ class Switches:
             self.all_off()
         self._ask(tool, description, message, first)
         if description:
-            self.page.comment(_tool_comment(tool, description), own=True)
+            self.page.comment(tool_comment(tool, description), own=True)
         if "T" in self.dialect.letters:
             self.page.line(f"T{tool}", "M6" if by_m6 else "")
         if self.own_lengths:
@@ -147,6 +161,8 @@ class Switches:
     def dwell(self, seconds: float) -> None:
         """Wait, at least as long as the spindle still needs."""
         seconds, self._owed_s = max(seconds, self._owed_s), 0.0
+        if self.dialect.power == "always" and len(self.page.lines) == self._on_at:  # the wire is hot already
+            return
         if self._has(("G4",), "dwell", "dwells"):
             self.page.line("G4", f"{self.dialect.dwell_letter}{_number(seconds / self.dialect.dwell_unit_s)}")
 
@@ -168,6 +184,9 @@ class Switches:
 
     def _turn_spindle(self, state: State) -> None:
         spindle, rpm = self._spindle
+        if self.dialect.power == "always":
+            self._check_once(state)
+            return
         if state.spindle == "off":
             if spindle != "off":
                 self.page.line("M5")
@@ -178,16 +197,32 @@ class Switches:
         if state.spindle != spindle:
             if not state.spindle_rpm:
                 self.page.notes.add("the spindle is switched on at S0, since no speed was said before")
-            self.page.line(SPINDLE_CODES[state.spindle], f"S{_number(state.spindle_rpm)}")
+            self.page.line(SPINDLE_CODES[state.spindle], self._speed_word(state))
             self._owed_s = self.options.spin_up_s
-        elif state.spindle_rpm != rpm:
+        elif state.spindle_rpm != rpm and self.dialect.power == "speed":
             self.page.line(*self._speed_words(state))
         self._spindle = (state.spindle, state.spindle_rpm)
+
+    def _check_once(self, state: State) -> None:
+        """Refuse to switch power on again where the language has no words for it and it is on from the begin."""
+        spindle, _ = self._spindle
+        if spindle == "ended" and state.spindle != "off":
+            what = Text("{dialect} cannot switch the power off between two cuts", dialect=self.dialect.title)
+            advice = "cut it in one way, or with a machine whose language has M3 and M5"
+            raise ProgramError("not-expressible", what, value=SPINDLE_CODES[state.spindle], advice=advice)
+        if spindle != "off":
+            self._spindle = ("ended" if state.spindle == "off" else spindle, 0.0)
+        else:
+            self._spindle, self._on_at = (state.spindle, 0.0), len(self.page.lines)
 
     def _speed_words(self, state: State) -> tuple[str, ...]:
         """Return S, behind its code where a line must begin with one."""
         code = () if self.dialect.repeats else (SPINDLE_CODES[state.spindle],)
-        return (*code, f"S{_number(state.spindle_rpm)}")
+        return (*code, self._speed_word(state))
+
+    def _speed_word(self, state: State) -> str:
+        """Return S; nothing where M3 is a switch."""
+        return f"S{_number(state.spindle_rpm)}" if self.dialect.power == "speed" else ""
 
     def _pour(self, mist: bool, flood: bool) -> None:
         if (mist or flood) and not self._has(("M7",) * mist + ("M8",) * flood, "coolant", "words for this coolant"):
@@ -222,7 +257,8 @@ def has_lengths(dialect: Dialect) -> bool:
     return "G43" in dialect.codes or "G43.1" in dialect.codes
 
 
-def _tool_comment(tool: int, description: str) -> str:
+def tool_comment(tool: int, description: str) -> str:
+    """Return what a program says of its tool."""
     return f"tool {tool}: {description}"
 
 

@@ -24,6 +24,7 @@ from CNCStepper.gcode.dialects import Dialect, dialect_named
 from CNCStepper.gcode.writer.block_emitter import BlockEmitter, Grid, ascii_text
 from CNCStepper.gcode.writer.canned_cycle_blocks import CycleWriter
 from CNCStepper.gcode.writer.move_rows import RowWriter
+from CNCStepper.gcode.writer.plasma_words import PlasmaSwitches
 from CNCStepper.gcode.writer.state_changes import Switches
 from CNCStepper.gcode.writer.write_options import Note, WriteOptions
 from CNCStepper.state import State
@@ -139,10 +140,10 @@ class _Writer:
         self.writing = writing
         self.states = toolpath.states
         self._first_cut = 0
-        self.page = BlockEmitter(dialect, writing, Grid(options.units, writing.decimals[options.units]))
+        self.page = BlockEmitter(dialect, writing, Grid(options.units, writing.decimals[options.units], writing.short))
         used = {self.states[index] for index in set(toolpath.table().state.tolist())}
         lengths = any(state.tool_length_mm for state in used)
-        self.switches = Switches(self.page, options, lengths)
+        self.switches = (PlasmaSwitches if dialect.plasma else Switches)(self.page, options, lengths)
         keeps_lengths = self.switches.own_lengths or options.tool_length == "touch_off"
         self.rows = RowWriter(toolpath, self.page, options, keeps_lengths)
         self.cycles = CycleWriter(toolpath, self.page, self.rows)
@@ -167,6 +168,7 @@ class _Writer:
                     self._happen(events[row], self.states[row_states[row]], row)
                 self._follow_plane(self.states[row_states[row]], row)
                 self._begin(begins[row])
+                self.switches.before_move(int(self.rows.table.kind[row]))
                 row = self._row(row, last)
                 self._progress(row / last)
         except ProgramError as error:
@@ -190,12 +192,14 @@ class _Writer:
 
     def _happen(self, events: list[Event], state: State, row: int) -> None:
         """Write the events before a row, and bring the machine into the row's state."""
+        self.switches.goes_on = self.rows.table.kind[row] != RAPID
         if state.tool not in (0, self.switches.tool):
             events = self._change_tool(events, state, row)
         for event in events:
             self.switches.run(self.states[event.state])
             self._event(event)
         self._offset(state, row)
+        self.page.distance = state.distance if self.writing.keeps_distance else "absolute"
         self.switches.follow(state)
         self.switches.settle()
         self.rows.lift_first()
@@ -247,6 +251,8 @@ class _Writer:
             self.switches.pause(event.kind == "optional_pause", event.text)
         elif event.kind == "output" and event.text.partition(" ")[0] in self.page.dialect.codes:
             self.page.line(event.text)
+        elif event.kind == "material":
+            self.switches.material(event.text)
         elif event.kind not in ("tool_select", "tool_change", "warning"):
             what = Text(
                 "{dialect} programs are written without '{event_kind}'",
@@ -263,6 +269,8 @@ class _Writer:
                 if event.kind != "end":
                     self._wait_or_comment(event)
         self.rows.lift()
+        self.switches.goes_on = False
+        self.switches.before_end()
         ends = [f"M{event.value:.0f}" for event in self.path.events if event.kind == "end"]
         for line in self.writing.footer:
             as_it_was = not self.options.retract and line == "M2" and ends[-1:] == ["M30"]
@@ -277,6 +285,7 @@ class _Writer:
             self.page.notes.add("rapids move at the feed in force: no F for them was given")
         for line in self.writing.header:
             self.page.line(*line.format(units=self.writing.units[self.options.units]).split())
+        self.switches.begin()
         if not self.options.retract and first < last:
             self.rows.begin(first)
         rows = self.path.table().state

@@ -9,6 +9,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Literal
 
+from CNCStepper.machine.cut_data import CutData
+
 
 @dataclass(frozen=True)
 class WriteOptions:
@@ -25,7 +27,8 @@ class WriteOptions:
     retract: Z goes to clearance first, before tool changes and at the end; without it the program holds the table's
     moves only. leave_out: what may be missing where the dialect lacks it: "spindle", "coolant", "dwell", "pause" and
     "tool" (it is refused otherwise). chord_mm: how far lines may be from an arc that the dialect lacks. rapid_mm_min:
-    the F of rapids where they heed it (0: the last one). An empty work_offset is the table's own.
+    the F of rapids where they heed it (0: the last one). An empty work_offset is the table's own. cut_data: the
+    material of a controller that knows such.
     """
 
     units: Literal["mm", "inch"] = "mm"
@@ -44,6 +47,7 @@ class WriteOptions:
     leave_out: tuple[str, ...] = ()
     chord_mm: float = 0.002
     rapid_mm_min: float = 0.0
+    cut_data: CutData | None = None
 
 
 @dataclass

@@ -22,7 +22,7 @@ import numpy as np
 
 from CNCStepper.errors import GeometryError
 from CNCStepper.geometry.curve import Curve, joined
-from CNCStepper.geometry.fitting.parametric_curves import fit_arcs
+from CNCStepper.geometry.fitting.curve_to_arcs import fit_arcs
 
 MOST_KEPT = 256  # quarters of parallel curves that are remembered
 

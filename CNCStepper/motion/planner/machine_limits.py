@@ -20,7 +20,7 @@ class Limits:
     look_ahead_blocks: how many blocks are planned ahead at most, any number.
     ramp: how speeds change: "trapezoid", "s_curve" (needs jerk_mm_s3) or "table" (needs waits_s, the times before the
     first, second ... step of a ramp). pull_in_s: the time from step to step at which motors start and stop at once, the
-    table's first when left out.
+    table's first when left out. rapid_mm_min: the speed of rapids along their way, None: as fast as the axes allow.
     """
 
     steps_per_mm: tuple[float, ...]
@@ -35,6 +35,7 @@ class Limits:
     jerk_mm_s3: tuple[float, ...] = ()
     waits_s: tuple[float, ...] = ()
     pull_in_s: float = 0.0
+    rapid_mm_min: float | None = None
 
     @classmethod
     def of(cls, machine: Machine) -> Limits:
@@ -52,6 +53,7 @@ class Limits:
             jerk_mm_s3=tuple(axis.jerk_mm_s3 or 0.0 for axis in axes),
             waits_s=waits.waits_s if waits else (),
             pull_in_s=waits.pull_in_s if waits else 0.0,
+            rapid_mm_min=machine.rapid_limit_mm_min,
         )
 
     @property

@@ -23,7 +23,7 @@ from CNCStepper.motion.planner.path_control_modes import path_modes, reaches
 from CNCStepper.motion.planner.standstills import Stops
 from CNCStepper.motion.planner.step_timeline import positions_at, step_table
 from CNCStepper.motion.planner.table_planning import Course, Rows, new_course, run_empty, run_rows, stand_still
-from CNCStepper.toolpath import LINE, Chunk, Toolpath, require_straight_axes
+from CNCStepper.toolpath import LINE, RAPID, Chunk, Toolpath, require_straight_axes
 from CNCStepper.units import S_PER_MIN
 
 SEGMENT_ROWS = 4096
@@ -295,6 +295,9 @@ class Run:
         exact, allowed_mm = path_modes(self.toolpath.states, np.append(self.stops.state, chunk.state))
         dwell = self.stops.before(chunk)
         speed = chunk.feed / S_PER_MIN
+        if self.limits.rapid_mm_min is not None:  # the language leaves their speed to the machine
+            speed = np.where(kind == RAPID, self.limits.rapid_mm_min / S_PER_MIN, speed)
+            kind = np.where(kind == RAPID, LINE, kind)
         reach, after = self._corners_of(chunk, dwell, allowed_mm[1:])
         columns = kind, chunk.end, chunk.centre, plane, turns, speed, dwell, np.zeros_like(dwell)
         return Rows(*columns, chunk.first, exact[:-1], reach, after)

@@ -15,9 +15,11 @@ from CNCStepper.errors import Text
 from CNCStepper.gcode.interpreter.state.model import Model
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.machine.tools.tool_shapes import BEAMS
+from CNCStepper.recovery.power_on import own_wait_s, pierce_height_mm
 from CNCStepper.recovery.restart.entry_point import EntryPoint
-from CNCStepper.recovery.restart.program import LEVEL_MM, Program
+from CNCStepper.recovery.restart.interrupted_program import Program
 from CNCStepper.state import State
+from CNCStepper.tolerances import SAME_MM
 
 
 @dataclass(frozen=True)
@@ -26,7 +28,8 @@ class Options:
 
     overlap_mm: how much of the way before the place is cut again. height_mm: to which the tool goes up first, above the
     stock's work zero; None is the highest at which the program's own rapids cross. spin_up_s: of the spindle. laser:
-    the spindle is a laser. tools: by number, or one for every number.
+    the spindle is a laser. tools: by number, or one for every number. run_up_mm: how far behind the place a torch
+    pierces again at least, in its own kerf. is_wire: the machine cuts with a hot wire alone.
     """
 
     overlap_mm: float = 0.0
@@ -34,6 +37,8 @@ class Options:
     spin_up_s: float = 0.0
     laser: bool = False
     tools: Mapping[int, Tool] | Tool | None = None
+    run_up_mm: float = 0.0
+    is_wire: bool = False
 
     def tool(self, number: int) -> Tool | None:
         """Return the tool with a number, None where it is not known."""
@@ -44,7 +49,13 @@ class Options:
     def is_beam(self, number: int) -> bool:
         """Whether a tool is a beam or a jet, which is on only where it cuts."""
         tool = self.tool(number)
-        return self.laser or (tool is not None and tool.shape in BEAMS)
+        is_known = tool is not None and tool.shape in BEAMS
+        return self.laser or self.is_wire or self.run_up_mm > 0 or is_known
+
+    def comes_from_edge(self, number: int) -> bool:
+        """Whether a tool is a wire, which comes into the sheet from its edge only."""
+        tool = self.tool(number)
+        return self.is_wire or (tool is not None and tool.shape == "wire")
 
 
 @dataclass(frozen=True)
@@ -53,7 +64,7 @@ class Approach:
 
     at_mm: the entrance. safe_mm: the height at which the tool goes there. plunge_mm_min: the feed downwards, 0 where
     nothing goes down. dwell_s: the wait once the spindle or the beam is on. is_beam: it is switched on only down there.
-    state: the modes there.
+    state: the modes there. pierce_mm: the height at which a beam is switched on, before it goes down to the cut.
     """
 
     at_mm: tuple[float, float, float]
@@ -62,10 +73,11 @@ class Approach:
     dwell_s: float
     is_beam: bool
     state: State
+    pierce_mm: float
 
 
 def approach_to(program: Program, entrance: EntryPoint, model: Model, options: Options) -> Approach:
-    """Return the way to an entrance; raises ProgramError where no safe height is known, or nothing says how fast."""
+    """Return the way to an entrance; raises ProgramError where no safe height or no feed is known."""
     row, state = entrance.row, model.state
     x, y, z = (program.at(row, entrance.share) if entrance.share else program.begins[row]).tolist()
     safe_mm = _safe_mm(program, row, state, z, options)
@@ -77,13 +89,14 @@ def approach_to(program: Program, entrance: EntryPoint, model: Model, options: O
         _dwell_s(program, row, state, options),
         options.is_beam(state.tool),
         state,
+        max(z, pierce_height_mm(program.path, row)) if options.is_beam(state.tool) else z,
     )
 
 
 def _safe_mm(program: Program, row: int, state: State, z_mm: float, options: Options) -> float:
     """Return the height in machine coordinates at which the tool goes over the work; NaN for a table without Z."""
-    if np.isnan(z_mm):
-        return z_mm
+    if np.isnan(z_mm) or not program.dialect.has_z:
+        return float("nan")
     own_mm = program.frame_mm[2] + state.tool_length_mm
     if options.height_mm is not None:
         safe_mm = own_mm + options.height_mm
@@ -94,7 +107,7 @@ def _safe_mm(program: Program, row: int, state: State, z_mm: float, options: Opt
         return safe_mm
     heights = program.table.end[:, 2] - program.lengths_mm
     ways = np.abs(program.table.end[:, :2] - program.begins[:, :2])
-    crossing = ~program.feeds & ~(ways <= LEVEL_MM).all(axis=1) & np.isfinite(heights)
+    crossing = ~program.feeds & ~(ways <= SAME_MM).all(axis=1) & np.isfinite(heights)
     if not crossing.any():
         what = "no rapid of the program says at what height the tool may cross the work"
         raise program.refusal("restart-height", what, row, advice="give the height")
@@ -108,7 +121,7 @@ def _plunge_mm_min(program: Program, row: int, state: State, options: Options) -
         return tool.plunge_mm_min
     table, ways = program.table, program.table.end[:, :3] - program.begins
     first = np.isnan(program.begins[:, 2]) & np.isfinite(table.end[:, 2])  # from a height that is not known
-    upright = program.feeds & ((ways[:, 2] < -LEVEL_MM) | first) & (np.abs(ways[:, :2]) <= LEVEL_MM).all(axis=1)
+    upright = program.feeds & ((ways[:, 2] < -SAME_MM) | first) & (np.abs(ways[:, :2]) <= SAME_MM).all(axis=1)
     numbers = np.array([one.tool for one in program.path.states], int)[table.state]
     plunges = np.flatnonzero(upright & (numbers == state.tool))
     if len(plunges):
@@ -120,10 +133,5 @@ def _dwell_s(program: Program, row: int, state: State, options: Options) -> floa
     """Return how long to wait once the spindle, or the beam, is on: as long as the program itself has, at least."""
     if not state.spindle_turns:
         return 0.0
-    own_s = 0.0
-    on = program.spindle_on
-    for event in program.path.events:
-        fresh = event.index == 0 or event.index >= len(on) or not on[event.index - 1]
-        if event.kind == "dwell" and event.index <= row and fresh and program.path.states[event.state].spindle_turns:
-            own_s = event.value
+    own_s = own_wait_s(program.path, row)
     return own_s if options.is_beam(state.tool) else max(own_s, options.spin_up_s)

@@ -15,8 +15,8 @@ import numpy as np
 
 from CNCStepper.control.session.status import error_to_json
 from CNCStepper.errors import CNCStepperError, Text
+from CNCStepper.recovery.restart.interrupted_program import Program
 from CNCStepper.recovery.restart.places import contours
-from CNCStepper.recovery.restart.program import Program
 from CNCStepper.recovery.restart.restart_program import Restart
 from CNCStepper.state import Start
 
@@ -125,8 +125,8 @@ def contours_as_data(lines: Sequence[str], dialect: str, start: Start | None, fi
     operations: [number, line, name] each. contours: [number, line, operation, where it begins, length in mm] each.
     more: how many contours were left out.
     """
+    from CNCStepper.recovery.restart.interrupted_program import read_program
     from CNCStepper.recovery.restart.places import contours
-    from CNCStepper.recovery.restart.program import read_program
 
     try:
         program = read_program("\n".join(lines) + "\n", dialect, start, file)

@@ -31,7 +31,8 @@ from CNCStepper.gcode.writer.block_emitter import comment_lines
 from CNCStepper.gcode.writer.state_changes import SPINDLE_CODES
 from CNCStepper.recovery.restart.approach import Approach
 from CNCStepper.recovery.restart.entry_point import EntryPoint
-from CNCStepper.recovery.restart.program import Program
+from CNCStepper.recovery.restart.interrupted_program import Program
+from CNCStepper.tolerances import SAME_MM
 from CNCStepper.toolpath import LINE, PLANE_AXES
 from CNCStepper.units import UNIT_MM
 
@@ -54,9 +55,9 @@ class EntryWriter:
         self.decimals = dialect_decimals(self.dialect, self.state.units) + MORE_DECIMALS
 
     def lines(self, marks: int = 0) -> list[str]:
-        """Return the lines, in their order; `marks`: how many lines are to stand before them."""
+        """Return the lines, in their order; `marks`: how many lines come before them."""
         switched = self._switched_on()
-        before, after = ([], switched) if self.approach.is_beam else (switched, [])
+        before, after = ([], self._pierced(switched)) if self.approach.is_beam else (switched, [])
         found = ["M5 M9", *self._modes(), *self._up(), *self._tool(), *self._over(), *self._outputs()]
         found += [*before, *self._down(), *after, *self._rest_of_move(), *self._modes_there()]
         found = [line for line in found if line]
@@ -136,7 +137,8 @@ class EntryWriter:
     def _switched_on(self) -> list[str]:
         """Return spindle or beam and coolant as they are at the place, and the wait for them."""
         state, dialect = self.state, self.dialect
-        speed = f"S{number_text(state.spindle_rpm, 3)}" if state.spindle_rpm else ""
+        has_speed = state.spindle_rpm and dialect.power == "speed"
+        speed = f"S{number_text(state.spindle_rpm, 3)}" if has_speed else ""
         on = SPINDLE_CODES.get(state.spindle, "")
         coolant = ["M7"] * state.mist + ["M8"] * state.flood
         wait_s = self.approach.dwell_s
@@ -144,10 +146,18 @@ class EntryWriter:
         return [" ".join(word for word in (on, speed) if word), *coolant, wait]
 
     def _down(self) -> list[str]:
-        z = self.approach.at_mm[2]
         if not self.approach.plunge_mm_min:
             return []
-        return [f"G1 Z{self._number(self._work(2, z))} F{self._feed(self.approach.plunge_mm_min)}"]
+        return [self._down_to(self.approach.pierce_mm)]
+
+    def _pierced(self, switched: list[str]) -> list[str]:
+        """Return the lines that switch a beam on, and those from its pierce height down to the cut."""
+        z = self.approach.at_mm[2]
+        return [*switched, self._down_to(z)] if self.approach.pierce_mm > z + SAME_MM else switched
+
+    def _down_to(self, z_mm: float) -> str:
+        feed = self.approach.plunge_mm_min or float(self.program.table.feed[self.entrance.row])
+        return f"G1 Z{self._number(self._work(2, z_mm))} F{self._feed(feed)}"
 
     def _rest_of_move(self) -> list[str]:
         """Return the rest of the move that is entered in its middle, in absolute coordinates."""
@@ -195,7 +205,8 @@ class EntryWriter:
 
     def _words(self, place: Sequence[float]) -> list[str]:
         """Return the words of a place, mm, for the axes along which it is known."""
-        return [f"{AXES[axis]}{self._number(value)}" for axis, value in enumerate(place) if not isnan(value)]
+        known = [(AXES[axis], value) for axis, value in enumerate(place) if not isnan(value)]
+        return [f"{letter}{self._number(value)}" for letter, value in known if letter in self.dialect.letters]
 
     def _number(self, length_mm: float) -> str:
         return number_text(length_mm / self.unit_mm, self.decimals)

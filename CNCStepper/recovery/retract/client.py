@@ -24,14 +24,14 @@ from CNCStepper.control.service.connection_session import ConnectionSession
 from CNCStepper.control.session.client import SessionClient
 from CNCStepper.control.session.job_phase import LEG_BEGINS
 from CNCStepper.control.session.status import SenderStatus
-from CNCStepper.control.stream.path_retract import read_held, write_leg
+from CNCStepper.control.stream.retract_handover import read_held, write_leg
 from CNCStepper.errors import CNCStepperError, LinkError, MachineRefusal, Text
 from CNCStepper.machine.profile import Machine
-from CNCStepper.recovery.retract.prove import HeldProgram, held_program
+from CNCStepper.recovery.retract.retract_legs import HeldProgram, held_program
 
 LOOK_EVERY_S = 0.05
 DOOR = "door"
-ANSWER_LIMIT_S = 60.0  # a long program is told in seconds
+ANSWER_LIMIT_S = 60.0  # a long program is found in seconds
 
 
 class RetractClient:

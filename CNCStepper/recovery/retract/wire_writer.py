@@ -18,6 +18,7 @@ Where nobody knows on which side the motors stand, as after a jog, they come to 
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
@@ -36,6 +37,7 @@ from CNCStepper.units import MM_PER_INCH
 AXES, CENTRES = "XYZ", "IJK"
 DECIMALS = 4  # of mm: finer than a step, and no more digits than 32-bit floats hold
 MODES = "G21G90G17G94"
+_HEIGHT = re.compile(r"Z-?[\d.]+")
 
 
 def head_lines(state: State, position_mm: Point) -> list[str]:
@@ -48,11 +50,12 @@ def head_lines(state: State, position_mm: Point) -> list[str]:
     return lines
 
 
-def output_lines(state: State, spin_up_s: float) -> list[str]:
-    """Return the lines that switch spindle, beam and coolant on as a state has them."""
+def output_lines(state: State, spin_up_s: float, power: str = "speed") -> list[str]:
+    """Return the lines that switch spindle, beam and coolant on as a state has them; power: as of the dialect."""
     lines = [name for name, on in (("M7", state.mist), ("M8", state.flood)) if on]
     if state.spindle_turns:
-        lines.append(f"{SPINDLE[state.spindle]}S{_number(state.spindle_rpm)}")
+        speed = f"S{_number(state.spindle_rpm)}" if power == "speed" else ""
+        lines.append(f"{SPINDLE[state.spindle]}{speed}")
         lines += [f"G4P{_number(spin_up_s)}"] * (spin_up_s > 0)
     return lines
 
@@ -60,6 +63,12 @@ def output_lines(state: State, spin_up_s: float) -> list[str]:
 def over_lines(ways: Iterable[tuple[Axes, float]], state: State) -> list[str]:
     """Return the lines that take a machine that was jogged away back, as `over` has their places and speeds."""
     return [f"G1{_point_words(place_mm, state)}F{_number(feed_mm_min)}" for place_mm, feed_mm_min in ways]
+
+
+def without_height(lines: Iterable[str]) -> list[str]:
+    """Return lines for a machine without Z: without its words, and without those that move nothing else."""
+    flat = [(line, _HEIGHT.sub("", line)) for line in lines]
+    return [short for line, short in flat if short == line or "X" in short or "Y" in short]
 
 
 def way_lines(moves: Iterable[tuple[Move, Part]], state: State) -> tuple[list[str], list[Part]]:
@@ -86,7 +95,7 @@ def modes_line(state: State, feed_mm_min: float) -> str:
 
 
 def _line(move: Move, state: State) -> str:
-    """Return the line of a move; the centre is told from the begin as it was rounded."""
+    """Return the line of a move; the centre counts from the begin as it was rounded."""
     feed = f"F{_number(move.feed_mm_min)}" if move.kind != RAPID else ""
     words = f"{MOTION_NAMES[move.kind]}{_point_words(move.end, state)}"
     if not move.is_arc:
@@ -111,7 +120,7 @@ def _number(value: float) -> str:
 def taken_up(moves: Iterable[tuple[Move, Part]], motors: Motors) -> Iterator[tuple[Move, Part]]:
     """Yield the motors' moves that lead the tool along some of its own, which `motors` follows.
 
-    motors.at_mm: where they stand before the first, anywhere in their gaps.
+    motors.at_mm: their position before the first, anywhere in their gaps.
     """
     for move, (row, first, last) in moves:
         share = first

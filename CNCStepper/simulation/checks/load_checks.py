@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The load on the tool along the path: flutes, holder, engagement angle and chip load against what the tool allows.
+"""The load on the tool along the path: engagement angle and chip load against what the tool allows.
 
 The tip's path of a whole program, kept on the disk until all of it is known, with what each segment belongs to.
 """
@@ -9,15 +9,16 @@ from __future__ import annotations
 import tempfile
 from collections.abc import Iterable, Iterator
 from itertools import tee
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from CNCStepper.errors import Text
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.simulation.check_context import CheckContext, PartCheck
+from CNCStepper.simulation.checks.holder_and_shank_checks import HolderAndShank, LargestExcess, names_heights
 from CNCStepper.simulation.cutter_solid import Tools, tool_numbered
-from CNCStepper.simulation.finding import Finding, Severity
+from CNCStepper.simulation.finding import Finding
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.simulation.tip_segments import Segments
 
@@ -73,7 +74,6 @@ def path_of_records(records: np.ndarray) -> Segments:
     return Segments(records["begin"], records["end"], np.arange(len(records)))
 
 
-DEPTH_ERROR_MM = 0.01
 ANGLE_ERROR_DEG = 15.0  # of the map in which the angle is measured
 CHIP_SHARE = 1.001
 
@@ -149,8 +149,7 @@ def _any_says_something(tools: Iterable[Tool]) -> bool:
 
 
 def _says_something(tool: Tool) -> bool:
-    holder = tool.length_mm and tool.holder_diameter_mm
-    return bool(tool.flute_length_mm or holder or tool.engagement_max_deg or tool.chip_load_max_mm)
+    return bool(names_heights(tool) or tool.engagement_max_deg or tool.chip_load_max_mm)
 
 
 class _Load:
@@ -158,10 +157,9 @@ class _Load:
 
     def __init__(self, tool: Tool):
         self._tool = tool
-        self._cut, self._wall = (_Most(tool.flute_length_mm, DEPTH_ERROR_MM) for _ in range(2))
-        self._holder = _Most(tool.length_mm, DEPTH_ERROR_MM)
-        self._angle = _Most(tool.engagement_max_deg, ANGLE_ERROR_DEG)
-        self._chip = _Most(tool.chip_load_max_mm, tool.chip_load_max_mm * (CHIP_SHARE - 1))
+        self._above_edges = HolderAndShank(tool)
+        self._angle = LargestExcess(tool.engagement_max_deg, ANGLE_ERROR_DEG)
+        self._chip = LargestExcess(tool.chip_load_max_mm, tool.chip_load_max_mm * (CHIP_SHARE - 1))
         self._first_line = 0  # of a feed
         self._is_measured = True  # the angle, which a map's cells may be too large for
 
@@ -171,10 +169,7 @@ class _Load:
         if not self._first_line and feed.any():
             self._first_line = int(of_place["line"][feed][0])
             self._is_measured = tool.radius_mm >= met.least_radius_mm
-        self._cut.add(met, of_place, feed, met.uncut_mm)
-        self._wall.add(met, of_place, feed, met.beside_mm)
-        if tool.holder_diameter_mm:
-            self._holder.add(met, of_place, mine, met.holder_mm)
+        self._above_edges.add(met, of_place, mine)
         self._angle.add(met, of_place, feed, met.angle_deg)
         chip = of_place["chip_mm"] * np.sin(np.radians(np.minimum(np.nan_to_num(met.angle_deg), 90)))
         self._chip.add(met, of_place, feed, chip)
@@ -182,17 +177,7 @@ class _Load:
     def findings(self, subject: CheckContext) -> Iterator[Finding]:
         """Yield what was more than the tool may meet."""
         tool = self._tool
-        text = Text("the {tool} tool cuts deeper than its flutes are long", tool=tool.words)
-        advice = "cut in more levels, or take a longer tool"
-        yield from self._cut.finding(subject, "error", "flute-length", text, advice, "mm")
-        if not self._cut.count:
-            text = Text("the shank of the {tool} tool rubs along the wall over its flutes", tool=tool.words)
-            yield from self._wall.finding(subject, "warning", "shank", text, advice, "mm")
-        text, advice = (
-            Text("the holder of the {tool} tool goes into stock", tool=tool.words),
-            "let the tool stick out farther",
-        )
-        yield from self._holder.finding(subject, "error", "holder", text, advice, "mm")
+        yield from self._above_edges.findings(subject)
         if (tool.engagement_max_deg or tool.chip_load_max_mm) and self._first_line and not self._is_measured:
             text = Text(
                 "the {tool} tool is too small against its path for its engagement to be measured", tool=tool.words
@@ -207,45 +192,6 @@ class _Load:
             "lower F, or turn the spindle faster",
         )
         yield from self._chip.finding(subject, "warning", "chip-load", text, advice, "mm")
-
-
-class _Most:
-    """The place where a value is largest, of those where it is above its limit by more than the measuring error.
-
-    limit: 0 where the tool does not say it. count: rows with such places.
-    """
-
-    def __init__(self, limit: float, error: float):
-        self._limit, self._error = limit, error
-        self._value, self._line = -np.inf, 0
-        self._place_mm: tuple[float, ...] = ()
-        self._last_row = -1
-        self.count = 0
-
-    def add(self, met: Engagement, of_place: np.ndarray, where: np.ndarray, value: np.ndarray) -> None:
-        """Take the values at further places, those with `where`."""
-        if not self._limit:
-            return
-        over = np.flatnonzero(where & (np.nan_to_num(value, nan=-np.inf) > self._limit + self._error))
-        if not len(over):
-            return
-        rows = np.unique(of_place["row"][over])
-        self.count += len(rows) - int(rows[0] == self._last_row)
-        self._last_row = int(rows[-1])
-        k = int(over[value[over].argmax()])
-        if value[k] > self._value:
-            self._value, self._line = float(value[k]), int(of_place["line"][k])
-            self._place_mm = tuple(met.place_mm[k].tolist())
-
-    def finding(
-        self, subject: CheckContext, severity: Severity, code: str, text: str, advice: str, unit: str
-    ) -> Iterator[Finding]:
-        """Yield the finding, where there is one."""
-        if self.count:
-            numbers: dict[str, Any] = {"value": self._value, "limit": self._limit, "unit": unit, "count": self.count}
-            yield subject.finding_at(
-                self._line, severity, code, text, advice=advice, place_mm=self._place_mm, **numbers
-            )
 
 
 def _thin_chips(subject: CheckContext, number: int, tool: Tool, mine: np.ndarray, stock: Stock) -> Iterator[Finding]:

@@ -10,7 +10,6 @@ from itertools import pairwise
 import numpy as np
 
 from CNCStepper.errors import Text
-from CNCStepper.machine.profile import AXIS_NAMES
 from CNCStepper.motion.planner.standstills import EventsAsOne
 from CNCStepper.simulation.arc_chords import extremes
 from CNCStepper.simulation.check_context import CheckContext, PartCheck
@@ -38,7 +37,7 @@ class Travel(PartCheck):
         low, high = extremes(subject.table, subject.toolpath.begins()[:, :3])
         self._parts += 1
         if subject.toolpath.start.zero_known:
-            for axis, (name, profile) in enumerate(zip(AXIS_NAMES, subject.machine.axes, strict=True)):
+            for axis, (name, profile) in enumerate(subject.machine.own_axes.items()):
                 bounds = profile.travel_min_mm, profile.travel_max_mm
                 yield from _beyond(subject, name, low[:, axis], high[:, axis], *bounds)
             return
@@ -51,7 +50,7 @@ class Travel(PartCheck):
                 advice="give the work zero to have the travel checked",
                 place_mm=None,
             )
-        for axis, name in enumerate(AXIS_NAMES):
+        for axis, name in enumerate(subject.machine.own_axes):
             self._extend(subject, axis, name, low[:, axis], high[:, axis])
 
     def _extend(self, subject: CheckContext, axis: int, name: str, low: np.ndarray, high: np.ndarray) -> None:
@@ -105,7 +104,7 @@ def _beyond(subject: CheckContext, name: str, low, high, min_mm: float, max_mm: 
 def rates(subject: CheckContext) -> Iterator[Finding]:
     """Yield each axis that a feed asks to go faster than it can; the controller will slow the move down."""
     fastest = _fastest_mm_min(subject)
-    for axis, (name, profile) in enumerate(zip(AXIS_NAMES, subject.machine.axes, strict=True)):
+    for axis, (name, profile) in enumerate(subject.machine.own_axes.items()):
         over = np.flatnonzero(fastest[:, axis] > profile.max_rate_mm_min * (1 + 1e-6))
         if len(over):
             yield subject.finding(

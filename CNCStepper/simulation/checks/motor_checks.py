@@ -8,7 +8,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from CNCStepper.errors import Text
-from CNCStepper.machine.profile import AXIS_NAMES, Motor
+from CNCStepper.machine.profile import Motor
 from CNCStepper.simulation.check_context import CheckContext
 from CNCStepper.simulation.finding import Finding
 from CNCStepper.toolpath import LINE, RAPID
@@ -22,7 +22,7 @@ def motors(subject: CheckContext) -> Iterator[Finding]:
     if not len(subject.toolpath) or not any(axis.motor for axis in subject.machine.axes):
         return
     speeds, accelerations = subject.speeds_mm_s, _accelerations(subject)
-    for axis, (name, profile) in enumerate(zip(AXIS_NAMES, subject.machine.axes, strict=True)):
+    for axis, (name, profile) in enumerate(subject.machine.own_axes.items()):
         if profile.motor is not None:
             yield from _lacking(subject, name, profile.motor, speeds[:, axis], accelerations[:, axis])
 

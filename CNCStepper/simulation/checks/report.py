@@ -70,15 +70,17 @@ def report(
     judgement: Judgement | None = None,
     part: HeightMap | None = None,
     tools: Tools | None = None,
+    pieces: Sequence[dict[str, Any]] = (),
 ) -> dict[str, Any]:
     """Return what is known of a program, as dicts, lists, texts, numbers and None; see `Figures`.
 
     times_s: end time of every row, float64[n]. whole_s: with what is waited behind the last one; None where nothing is.
-    part: the stock after the program.
+    part: the stock after the program. pieces: what is cut free of a sheet, as `SheetVerdict.told` has them.
     """
     figures = Figures(tools)
     figures.see(toolpath, times_s, [row for span in _operations(toolpath.spans) for row in (span.first, span.last)])
-    return figures.report(toolpath, whole_s=whole_s, file=file, findings=findings, judgement=judgement, part=part)
+    known: dict[str, Any] = {"findings": findings, "judgement": judgement, "part": part, "pieces": pieces}
+    return figures.report(toolpath, whole_s=whole_s, file=file, **known)
 
 
 class Figures:
@@ -122,6 +124,7 @@ class Figures:
         findings: Sequence[Finding] = (),
         judgement: Judgement | None = None,
         part: HeightMap | None = None,
+        pieces: Sequence[dict[str, Any]] = (),
     ) -> dict[str, Any]:
         """Return the report; of `toolpath` only the start and the spans are read.
 
@@ -147,6 +150,7 @@ class Figures:
             "rapids_in_stock": [finding.as_dict() for finding in findings if finding.code == "rapid-in-stock"],
             **_verdict(judgement),
             "removed_volume_mm3": None if part is None else _number(part.removed_volume_mm3),
+            "pieces": list(pieces),
             "findings": [finding.as_dict() for finding in findings],
         }
 

@@ -10,10 +10,12 @@ import numpy as np
 import shapely
 
 from CNCStepper.errors import Text
+from CNCStepper.machine.processes import MILLING, Process
 from CNCStepper.machine.tools.tool import Tool
+from CNCStepper.machine.tools.tool_profile import form_of
 from CNCStepper.machine.tools.tool_shapes import OWN_KEYS
 from CNCStepper.simulation.check_context import CheckContext
-from CNCStepper.simulation.cutter_solid import BEAM, Cutter, Tools, form_of, tool_numbered
+from CNCStepper.simulation.cutter_solid import BEAM, Cutter, Tools, tool_numbered
 from CNCStepper.simulation.exact.edge_tree import flat_edges
 from CNCStepper.simulation.exact.gouge import Worst
 from CNCStepper.simulation.exact.stock_contact import RUB_MM, Cuts, Remaining
@@ -169,19 +171,18 @@ class StillSpindle:
         self._still, self._reported = bool(still[-1]), int(stretch[-1]) in reported
 
 
-def verdict(subject: CheckContext, judgement: Judgement, line: LineOf | None = None) -> Iterator[Finding]:
+def verdict(
+    subject: CheckContext, judgement: Judgement, line: LineOf | None = None, process: Process = MILLING
+) -> Iterator[Finding]:
     """Yield the deepest gouge and the thickest material left where they exceed the removals' tolerances.
 
     line: gives the file's line of a row that was judged; those of `subject` where left out.
     """
     at = partial(_excess, subject, line or subject.line)
-    yield from at(
-        judgement.gouge,
-        judgement.gouge_tolerance_mm,
-        "gouge",
-        "the tool cuts into the wanted part",
-        "correct the path, the tool's diameter or the depth",
-    )
+    text, advice = "the tool cuts into the wanted part", "correct the path, the tool's diameter or the depth"
+    if process.is_thermal:
+        text, advice = "the kerf goes beyond the drawing", "correct the path, the lead-in or the kerf"
+    yield from at(judgement.gouge, judgement.gouge_tolerance_mm, "gouge", text, advice)
     for left in judgement.removals:
         islands = f", {len(left.islands)} island(s)" if left.islands else ""
         yield from at(

@@ -8,6 +8,8 @@ from collections.abc import Iterator
 import numpy as np
 import shapely
 
+from CNCStepper.machine.processes import MILLING, Process
+from CNCStepper.machine.profile import Machine
 from CNCStepper.simulation.check_context import CheckContext, PartCheck
 from CNCStepper.simulation.cutter_solid import BEAM, Tools, tool_numbered
 from CNCStepper.simulation.exact.edge_tree import flat_edges
@@ -40,31 +42,47 @@ def through(pieces: Segments, bottom_mm: float) -> Segments:
     return Segments(begin, end, pieces.row)
 
 
-class Beams(PartCheck):
-    """Finds the rapid that crosses the stock with the beam on, and a program whose beam is never on.
+def switches_itself_off(machine: Machine) -> bool:
+    """Return whether the controller switches the beam off on rapids by itself, as that of a laser does ($32=1)."""
+    return machine.spindle.laser
 
-    A laser's controller switches its beam off on rapids by itself.
+
+class Beams(PartCheck):
+    """Finds rapids that the process forbids, and a program whose beam is never on.
+
+    Of a beam whose process is not known the rapids over the stock are found on which it is on. A process without power
+    on rapids may have none on any of them; a wire may not cross the stock on one, for it would cut even when it is off.
     """
 
-    def __init__(self, stock: Stock, tools: Tools):
-        self._stock, self._tools = stock, tools
+    def __init__(self, stock: Stock, tools: Tools, process: Process = MILLING):
+        self._stock, self._tools, self._process = stock, tools, process
         self._ever_on = False  # on a feed over the stock
         self._dark: list[Finding] = []  # feeds over the stock with the beam off
 
     def __call__(self, subject: CheckContext) -> Iterator[Finding]:
         is_beam, on = beam_rows(subject.toolpath, self._tools)
         over = self._over_stock(subject)
-        burning = np.flatnonzero(on & ~subject.is_feed & over)
-        if len(burning) and not subject.machine.spindle.laser:
-            text, advice = "a rapid crosses the stock with the beam on", "switch it off with M5 before it"
-            row, code = int(burning[0]), "rapid-in-stock"
-            yield subject.finding(row, "error", code, text, advice=advice, count=len(burning), group="beam")
+        yield from self._rapids(subject, is_beam & ~subject.is_feed, on, over)
         feeds = np.flatnonzero(is_beam & subject.is_feed & over)
         self._ever_on |= bool(on[feeds].any())
         if len(feeds) and not self._ever_on:
             text, advice = "the beam is never on where it is to cut", "switch it on with M3 and S before it"
             row, code = int(feeds[0]), "spindle-off"
             self._dark.append(subject.finding(row, "error", code, text, advice=advice, count=len(feeds), group="beam"))
+
+    def _rapids(self, subject: CheckContext, rapid: np.ndarray, on: np.ndarray, over: np.ndarray) -> Iterator[Finding]:
+        """Yield one finding for the rapids that are forbidden; each argument is bool[n]."""
+        text, advice = "a rapid crosses the stock with the beam on", "switch it off with M5 before it"
+        wrong = rapid & on & over
+        if self._process.rapid == "unpowered":
+            text, wrong = "a rapid goes with the power on", rapid & on
+        elif self._process.rapid == "never":
+            text, advice = "a rapid crosses the sheet, which a wire cannot", "go round the sheet, or cut with G1"
+            wrong = rapid & over
+        rows = np.flatnonzero(wrong)
+        if len(rows) and (self._process.rapid == "never" or not switches_itself_off(subject.machine)):
+            row, code = int(rows[0]), "rapid-in-stock"
+            yield subject.finding(row, "error", code, text, advice=advice, count=len(rows), group="beam")
 
     def _over_stock(self, subject: CheckContext) -> np.ndarray:
         """Return which rows cross the stock seen from above, bool[n]."""

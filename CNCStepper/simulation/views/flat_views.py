@@ -10,6 +10,7 @@ from matplotlib.image import AxesImage
 from matplotlib.patches import Circle, Polygon, Rectangle
 
 from CNCStepper.simulation.removal.heightmap import HeightMap
+from CNCStepper.simulation.views.fallen_pieces import draw_fallen
 from CNCStepper.simulation.views.path_lines import FROM_ABOVE
 from CNCStepper.simulation.views.picture_style import COLOURS, GROUND, INK, MATERIAL_MAP, STOCK_COLOUR, TEXTS, draw_path
 from CNCStepper.simulation.views.scene import Scene
@@ -32,7 +33,8 @@ def draw_from_above(axes: Axes, scene: Scene) -> list[str]:
     axes.add_patch(
         Polygon(np.asarray(scene.part.stock.outline.exterior.coords), fc=STOCK_COLOUR, ec=INK, lw=1.0, zorder=1)
     )
-    names = draw_path(axes, scene.path(FROM_ABOVE), lambda points: points[:, :2], plunge_lines=False)
+    names = draw_fallen(axes, scene.fallen, scene.part.stock.top_mm, _from_above)
+    names += draw_path(axes, scene.path(FROM_ABOVE), _from_above, plunge_lines=False)
     return names + _tool_from_above(axes, scene) + _marks(axes, scene, FROM_ABOVE)
 
 
@@ -70,8 +72,13 @@ def draw_depth_map(axes: Axes, scene: Scene, heights: Normalize) -> tuple[AxesIm
     """Draw the depth map with the tool on it; return the image, for its scale, and the names of what there is."""
     image = draw_depths(axes, scene.part, heights)
     _names(axes, FROM_ABOVE)
-    names = _tool_from_above(axes, scene) + _marks(axes, scene, FROM_ABOVE)
+    names = draw_fallen(axes, scene.fallen, scene.part.stock.top_mm, _from_above)
+    names += _tool_from_above(axes, scene) + _marks(axes, scene, FROM_ABOVE)
     return image, names if _limits_cross(scene) else [name for name in names if name != "limits"]
+
+
+def _from_above(points: np.ndarray) -> np.ndarray:
+    return points[:, :2]
 
 
 def _limits_cross(scene: Scene) -> bool:

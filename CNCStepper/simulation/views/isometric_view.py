@@ -22,14 +22,15 @@ from matplotlib.patches import Polygon
 from matplotlib.ticker import MaxNLocator
 
 from CNCStepper.simulation.removal.heightmap import HeightMap
+from CNCStepper.simulation.views.fallen_pieces import draw_fallen
 from CNCStepper.simulation.views.picture_style import COLOURS, GREY, GROUND, MATERIAL_MAP, TEXTS, draw_path, number_text
 from CNCStepper.simulation.views.scene import Scene
+from CNCStepper.tolerances import NO_MATERIAL_MM
 
 LIGHT = np.array([-0.35, -0.5, 0.8]) / np.linalg.norm([-0.35, -0.5, 0.8])
 AMBIENT = 0.5
 MOST_CELLS = 420  # along a side; more would not be seen
 FRONT_SHADE, RIGHT_SHADE = 0.85, 0.66
-GONE_MM = 1e-6  # material that is thinner is none
 SMOOTHINGS = 3  # of the heights before they are shaded: a round wall in square cells would look striped
 
 
@@ -61,7 +62,7 @@ def surface(
 
 def _is_floor(z: np.ndarray, bottom_mm: float) -> np.ndarray:
     """Return the quads at whose four corners no material is left: there one looks through the part."""
-    return np.maximum.reduce([z[:-1, :-1], z[:-1, 1:], z[1:, :-1], z[1:, 1:]]) <= bottom_mm + GONE_MM
+    return np.maximum.reduce([z[:-1, :-1], z[:-1, 1:], z[1:, :-1], z[1:, 1:]]) <= bottom_mm + NO_MATERIAL_MM
 
 
 def _smoothed(z: np.ndarray) -> np.ndarray:
@@ -121,6 +122,11 @@ def draw_part(axes: Axes, part: HeightMap, heights: Normalize) -> None:
     axes.pcolormesh(u, v, colours, edgecolors="none", antialiased=False, rasterized=True)
 
 
+def draw_free(axes: Axes, scene: Scene) -> list[str]:
+    """Draw the pieces that have been cut free, hatched on their top faces; return the names of what there is."""
+    return draw_fallen(axes, scene.fallen, scene.part.stock.top_mm, _flat)
+
+
 def draw_axes(axes: Axes, frame_mm: np.ndarray) -> None:
     """Draw the three scales along the edges of a box, and show all of `bounds` without a frame."""
     low, high = frame_mm
@@ -153,6 +159,7 @@ def draw_scene(axes: Axes, scene: Scene, heights: Normalize) -> list[str]:
         )
         names.append("limits")
     draw_part(axes, scene.part, heights)
+    names += draw_free(axes, scene)
     names += draw_path(axes, scene.path((0, 1, 2)), _flat, plunge_lines=True)
     if scene.outlines and scene.tip_mm is not None:
         for outline, colour in zip(reversed(scene.outlines), ("shank", "cutter"), strict=True):

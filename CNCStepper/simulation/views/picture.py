@@ -11,6 +11,7 @@ from matplotlib.figure import Figure
 from CNCStepper.simulation.removal.heightmap import HeightMap
 from CNCStepper.simulation.removal.timeline import TimelinePosition
 from CNCStepper.simulation.views import isometric_view
+from CNCStepper.simulation.views.fallen_pieces import draw_fallen
 from CNCStepper.simulation.views.flat_views import draw_depths
 from CNCStepper.simulation.views.path_lines import DrawnPath
 from CNCStepper.simulation.views.picture_style import (
@@ -46,7 +47,7 @@ def save_picture(file: Path, scene: Scene, title: str = "", facts: list[str] | N
     figure = new_figure(WIDTH_INCH, HEAD_INCH + content + FOOT_INCH)
     head(figure, title, facts or [])
     _draw_isometric(figure, scene, isometric, _box(figure, LEFT, LEFT_WIDTH, sizes[0], content))
-    _draw_plan(figure, scene.part, path, plan, _box(figure, RIGHT, RIGHT_WIDTH, sizes[1], content))
+    _draw_plan(figure, scene, path, plan, _box(figure, RIGHT, RIGHT_WIDTH, sizes[1], content))
     save_figure(figure, file)
 
 
@@ -88,17 +89,19 @@ def _heading(figure: Figure, box: tuple[float, float, float, float], text: str) 
 def _draw_isometric(figure: Figure, scene: Scene, bounds: np.ndarray, box: tuple[float, float, float, float]) -> None:
     axes = figure.add_axes(box)
     isometric_view.draw_part(axes, scene.part, heights_scale(scene.part))
+    isometric_view.draw_free(axes, scene)
     isometric_view.draw_axes(axes, isometric_view.frame_of(scene.part))
     axes.set(xlim=bounds[:, 0], ylim=bounds[:, 1])
     _heading(figure, box, TEXTS["isometric"])
 
 
 def _draw_plan(
-    figure: Figure, part: HeightMap, path: DrawnPath, bounds: np.ndarray, box: tuple[float, float, float, float]
+    figure: Figure, scene: Scene, path: DrawnPath, bounds: np.ndarray, box: tuple[float, float, float, float]
 ) -> None:
     axes = figure.add_axes(box)
-    image = draw_depths(axes, part, heights_scale(part))
-    names = draw_path(axes, path, lambda points: points[:, :2], plunge_lines=False)
+    image = draw_depths(axes, scene.part, heights_scale(scene.part))
+    names = draw_fallen(axes, scene.fallen, scene.part.stock.top_mm, lambda points: points[:, :2])
+    names += draw_path(axes, path, lambda points: points[:, :2], plunge_lines=False)
     axes.plot(0, 0, "+", color=COLOURS["zero"], ms=14, mew=2.0, clip_on=False)
     axes.set(xlabel=TEXTS["axis"].format(name="X"), ylabel=TEXTS["axis"].format(name="Y"))
     axes.set(xlim=bounds[:, 0], ylim=bounds[:, 1])

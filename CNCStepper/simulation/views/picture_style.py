@@ -43,6 +43,7 @@ TEXTS = {
     "cutter": "tool",
     "limits": "limits of travel",
     "workpiece": "stock",
+    "fallen": "piece cut free",
     "tool": "tool {text}",
     "time": "time {text}",
     "moment": "at {text} of {whole}, line {line}",
@@ -64,6 +65,7 @@ COLOURS = {
     "shank": "#c3ccd4",
     "limits": "#b03030",
     "workpiece": STOCK_COLOUR,
+    "fallen": "#cfd6dc",
 }
 STYLES: dict[str, dict[str, Any]] = {
     "rapids": {"ls": "--"},
@@ -74,6 +76,7 @@ STYLES: dict[str, dict[str, Any]] = {
     "cutter": {"ls": "", "marker": "s"},
     "limits": {"ls": (0, (6, 3))},
     "workpiece": {"ls": "", "marker": "s", "mec": INK},
+    "fallen": {"ls": "", "marker": "s", "mec": INK},
 }
 
 

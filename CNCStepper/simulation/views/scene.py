@@ -3,18 +3,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+from shapely.geometry.base import BaseGeometry
 
 from CNCStepper.machine.profile import Machine
 from CNCStepper.simulation.cutter_solid import Tools, tool_numbered
+from CNCStepper.simulation.exact.free_pieces import FreePiece
 from CNCStepper.simulation.meshes.tool_outline import outlines_mm
 from CNCStepper.simulation.removal.heightmap import HeightMap
 from CNCStepper.simulation.removal.timeline import TimelinePosition
 from CNCStepper.simulation.tip_segments import frame_mm
 from CNCStepper.simulation.tip_track import TipTrack
+from CNCStepper.simulation.views.fallen_pieces import fallen_until
 from CNCStepper.simulation.views.path_lines import DrawnPath, Until, drawn_path
 from CNCStepper.toolpath import Toolpath
 
@@ -26,6 +30,7 @@ class Scene:
     until: how far the path is drawn, None before the first move. outlines: of cutter and shank, as
     `tool_outline.outlines_mm`, None where there is no tool to draw. limits_mm: low and high corner of the travel,
     float64[2, 3], None where the work zero is not known. tallest_mm: height of the longest cutter in the program.
+    fallen: the pieces of a sheet that have been cut free, polygons in work coordinates.
     """
 
     toolpath: Toolpath
@@ -34,6 +39,7 @@ class Scene:
     outlines: tuple[np.ndarray, np.ndarray] | None = None
     limits_mm: np.ndarray | None = None
     tallest_mm: float = 0.0
+    fallen: tuple[BaseGeometry, ...] = ()
 
     def path(self, seen: tuple[int, ...]) -> DrawnPath:
         """Return the path so far, for a view that shows these axes."""
@@ -68,10 +74,11 @@ def scene_at(
     tools: Tools,
     moment: TimelinePosition | None = None,
     machine: Machine | None = None,
+    pieces: Sequence[FreePiece] = (),
 ) -> Scene:
     """Return the scene of a moment, or of the program's end; `part` is the stock at that moment.
 
-    machine: its travel is the work surface, where the work zero is known.
+    machine: its travel is the work surface, where the work zero is known. pieces: what the program cuts free.
     """
     used = [tool_numbered(tools, state.tool) for state in toolpath.states]
     tallest_mm = max((outlines_mm(tool, part.stock.size_mm[2])[0][-1, 1] for tool in used if tool), default=0.0)
@@ -82,7 +89,8 @@ def scene_at(
     tip_mm = TipTrack.of(toolpath, ends_s).tip_mm(row, share)
     tool = tool_numbered(tools, toolpath.states[int(toolpath.table().state[row])].tool)
     outlines = outlines_mm(tool, part.stock.size_mm[2]) if tool else None
-    return Scene(toolpath, part, Until(row, share, tip_mm), outlines, limits_mm, tallest_mm)
+    until = Until(row, share, tip_mm)
+    return Scene(toolpath, part, until, outlines, limits_mm, tallest_mm, fallen_until(pieces, until))
 
 
 def limits_of(toolpath: Toolpath, machine: Machine) -> np.ndarray:

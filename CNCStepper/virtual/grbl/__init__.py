@@ -6,8 +6,8 @@ server ── ports (pty, TCP)
                                                                ├─ system ($) ── homing
                                                                └─ gcode: execute ─┬─ parser, checks
                                                                                   └─ canned_cycles, probe_cycle
-all of these change a board ─┬─ axes (planner and steps), probe, input_pins, spindle_control
+all of these change a board ─┬─ planner (axes and steps), probe, input_pins, spindle_control
                              ├─ overrides, suspend_state, tool_change, serial_buffer
-                             └─ eeprom, settings, firmware, error_codes
+                             └─ eeprom, settings, firmware, alarms_and_errors
 and report tells of it
 """

@@ -11,13 +11,13 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Generator
 
 from CNCStepper.machine.profile import Machine
-from CNCStepper.virtual.grbl.axes import Axes
-from CNCStepper.virtual.grbl.error_codes import ALARM_HARD_LIMIT, ALARM_SOFT_LIMIT
+from CNCStepper.virtual.grbl.alarms_and_errors import ALARM_HARD_LIMIT, ALARM_SOFT_LIMIT
 from CNCStepper.virtual.grbl.firmware import Firmware
 from CNCStepper.virtual.grbl.gcode.block import Parser
 from CNCStepper.virtual.grbl.input_pins import DOOR, InputPins
 from CNCStepper.virtual.grbl.occasional_fields import OccasionalFields
 from CNCStepper.virtual.grbl.overrides import Overrides
+from CNCStepper.virtual.grbl.planner import Axes
 from CNCStepper.virtual.grbl.probe import Probe
 from CNCStepper.virtual.grbl.serial_buffer import LineReader, RxRing
 from CNCStepper.virtual.grbl.settings import HARD_LIMITS, HOMING, SOFT_LIMITS, Eeprom, Settings

@@ -18,8 +18,7 @@ from math import inf
 from CNCStepper.errors import MachineRefusal
 from CNCStepper.machine.profile import Machine
 from CNCStepper.virtual.grbl import suspend, system
-from CNCStepper.virtual.grbl.board import MOMENT_S, Board, Waiting
-from CNCStepper.virtual.grbl.error_codes import (
+from CNCStepper.virtual.grbl.alarms_and_errors import (
     ALARM_HARD_LIMIT,
     ALARM_HOMING_NOT_FOUND,
     ALARM_HOMING_RESET,
@@ -27,6 +26,7 @@ from CNCStepper.virtual.grbl.error_codes import (
     ALARM_SOFT_LIMIT,
     refused,
 )
+from CNCStepper.virtual.grbl.board import MOMENT_S, Board, Waiting
 from CNCStepper.virtual.grbl.firmware import GRBL, Firmware
 from CNCStepper.virtual.grbl.gcode import execute
 from CNCStepper.virtual.grbl.input_pins import LIMITS, PIN_BYTES, PROBE

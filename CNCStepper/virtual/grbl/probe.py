@@ -5,8 +5,8 @@ from __future__ import annotations
 
 from math import floor
 
-from CNCStepper.virtual.grbl.axes import Axes
 from CNCStepper.virtual.grbl.gcode.block import Z
+from CNCStepper.virtual.grbl.planner import Axes
 
 
 class Probe:

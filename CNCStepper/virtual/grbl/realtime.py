@@ -7,8 +7,8 @@ import re
 from collections.abc import Callable
 
 from CNCStepper.virtual.grbl import report, suspend
+from CNCStepper.virtual.grbl.alarms_and_errors import ALARM_HOMING_DOOR
 from CNCStepper.virtual.grbl.board import Board
-from CNCStepper.virtual.grbl.error_codes import ALARM_HOMING_DOOR
 from CNCStepper.virtual.grbl.overrides import (
     FEED_CHANGES,
     FEED_NORMAL,

@@ -11,7 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from CNCStepper.machine.profile import AXIS_NAMES, Axis, Machine
-from CNCStepper.virtual.grbl.error_codes import refused
+from CNCStepper.virtual.grbl.alarms_and_errors import refused
 from CNCStepper.virtual.grbl.firmware import GRBL, Firmware
 from CNCStepper.virtual.grbl.gcode.block import FIRST_SYSTEM
 from CNCStepper.virtual.grbl.gcode.words import f32

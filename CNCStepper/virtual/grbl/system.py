@@ -6,8 +6,8 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from CNCStepper.virtual.grbl import homing, report, suspend
+from CNCStepper.virtual.grbl.alarms_and_errors import refused
 from CNCStepper.virtual.grbl.board import Board, Waiting
-from CNCStepper.virtual.grbl.error_codes import refused
 from CNCStepper.virtual.grbl.firmware import HELP
 from CNCStepper.virtual.grbl.gcode import execute
 from CNCStepper.virtual.grbl.gcode.words import read_number

@@ -140,9 +140,9 @@ def _answer(content: dict[str, Any]) -> Answer:
     if "error" in content:
         return error_from_json(content["error"])
     if "fits" in content:
-        from CNCStepper.job import spline_fitting
+        from CNCStepper.job import curve_fit_cache
 
-        spline_fitting.take(content)
+        curve_fit_cache.take(content)
         return Fits()
     if "texts" in content:
         return Programs(tuple((name, text) for name, text in content["texts"]), tuple(content["paths"]))

@@ -19,18 +19,20 @@ def register() -> tuple[list[str], list[str]]:
     import FreeCADGui
 
     from CNCStepper.workbench.commands import operations
-    from CNCStepper.workbench.commands.freehand import Freehand
+    from CNCStepper.workbench.commands.create_object import Freehand
     from CNCStepper.workbench.commands.job import ImportTools, NewJob
     from CNCStepper.workbench.commands.program import Controller, EditProgram, OpenProgram, Send, Simulate
     from CNCStepper.workbench.commands.reorder import COMMANDS as ORDERING
 
     drawing = (NewJob(), ImportTools(), Freehand())
     areas, lines_and_holes = _made(operations.AREAS), _made(operations.LINES_AND_HOLES)
+    sheets = _made(operations.SHEETS)
     machine = (EditProgram(), OpenProgram(), Simulate(), Send(), Controller())
     order = _made(ORDERING)
-    for command in (*drawing, *areas, *lines_and_holes, *order, *machine):
+    for command in (*drawing, *areas, *lines_and_holes, *sheets, *order, *machine):
         FreeCADGui.addCommand(command.name, command)
-    return _names(drawing, areas, lines_and_holes, machine), _names(drawing, areas, lines_and_holes, order, machine)
+    kinds = (drawing, areas, lines_and_holes, sheets)
+    return _names(*kinds, machine), _names(*kinds, order, machine)
 
 
 def _made(kinds: Iterable[type[Command]]) -> tuple[Command, ...]:

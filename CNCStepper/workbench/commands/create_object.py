@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the commands share that make an object: one undo step, and nothing left behind by a refusal.
+"""Commands that make an object, and what they share: one undo step, and nothing left behind by a refusal.
 
 Curved lines of the selected drawings are fitted beside the window before a new operation is made of them:
 
@@ -16,6 +16,7 @@ from typing import Any
 
 from CNCStepper.job import question_key
 from CNCStepper.job.deferred_fitting import Unfitted, only_looking
+from CNCStepper.machine.processes import MILLING
 from CNCStepper.workbench.calculation import result_cache
 from CNCStepper.workbench.document import targets
 from CNCStepper.workbench.document.selection import Pair, selected_drawings
@@ -23,7 +24,7 @@ from CNCStepper.workbench.features.operation import Operation as Feature
 from CNCStepper.workbench.services import missing_packages
 from CNCStepper.workbench.services.command import Command
 from CNCStepper.workbench.services.messages import guarded, note
-from CNCStepper.workbench.services.translation import tr
+from CNCStepper.workbench.services.translation import QT_TRANSLATE_NOOP, tr
 
 WHO = object()  # one asks at a time: a newer click takes the place of the one before
 
@@ -47,9 +48,15 @@ def create(document: Any, title: str, make: Callable[[], Any]) -> None:
 
 
 def tool_for(job: Any) -> Any:
-    """Return the tool with which a new operation of the job begins: a selected one, the last, or a new one."""
+    """Return the tool with which a new operation of the job begins: a selected one, the last, or a new one.
+
+    A process with a cut chart has a tool of its own, which the chart describes.
+    """
     from CNCStepper.workbench import api
 
+    if job.Process != MILLING.name:
+        selected = [obj for obj in targets.selected() if obj in job.Tools]
+        return next(iter(selected), None) or labelled(api.chart_tool(job), tr("Tool"))
     return targets.tool(job) or labelled(api.add_tool(job), tr("Tool"))
 
 
@@ -80,7 +87,14 @@ class Operation(Command):
     def why_not(self) -> str:
         """Return why no operation can be added."""
         lacks_drawing = tr(self.no_drawing) if self.no_drawing and targets.drawing() is None else ""
-        return missing_packages.why_not() or targets.why_no_panel() or targets.why_no_job() or lacks_drawing
+        no_job = missing_packages.why_not() or targets.why_no_panel() or targets.why_no_job()
+        return no_job or targets.why_not_by_process(self.by()) or lacks_drawing
+
+    def by(self) -> tuple[str, ...]:
+        """Return the processes that cut such an operation."""
+        from CNCStepper.workbench.features.catalogue import operation_class
+
+        return operation_class(self.cycle).BY
 
     def run(self) -> None:
         """Add the operation and open its panel, when the lines of its drawings are fitted."""
@@ -111,6 +125,24 @@ class Operation(Command):
     def values(self, job: Any, tool: Any, is_drawn: bool) -> dict[str, Any]:
         """Return the values with which the operation begins, by key."""
         raise NotImplementedError
+
+
+class Freehand(Command):
+    """Starts drawing a line in the 3D view."""
+
+    name = "CNCStepper_Freehand"
+    menu_text = QT_TRANSLATE_NOOP("CNCStepper_Freehand", "Freehand")
+    tooltip = QT_TRANSLATE_NOOP("CNCStepper_Freehand", "Draws a line with the mouse: press, move, release")
+
+    def why_not(self) -> str:
+        """Return why there is nothing to draw on."""
+        return missing_packages.why_not() or targets.why_no_panel() or targets.why_no_view()
+
+    def run(self) -> None:
+        """Let the mouse draw."""
+        from CNCStepper.workbench import freehand
+
+        freehand.start()
 
 
 def when_fitted(kind: type[Feature], job: Any, pairs: Sequence[Pair], go_on: Callable[[], None]) -> None:

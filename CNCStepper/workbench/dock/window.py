@@ -12,7 +12,7 @@ from CNCStepper.control.service.connection_client import running_services
 from CNCStepper.state import Start
 from CNCStepper.workbench import packages
 from CNCStepper.workbench.dock.connection import Link
-from CNCStepper.workbench.dock.panel import Panel
+from CNCStepper.workbench.dock.controller_panel import Panel
 from CNCStepper.workbench.proving import latest_proof
 from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.services.translation import tr

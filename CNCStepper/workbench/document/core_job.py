@@ -16,6 +16,7 @@ from CNCStepper.machine.profile import validated
 from CNCStepper.toolpath import Toolpath
 from CNCStepper.workbench.calculation import result_cache
 from CNCStepper.workbench.document.clamps import clamps_content
+from CNCStepper.workbench.document.cut_chart_of_job import cut_data_of
 from CNCStepper.workbench.document.machine_of_job import machine_of
 from CNCStepper.workbench.document.operation_order import active_operations
 from CNCStepper.workbench.document.stock_of_job import stock_content
@@ -92,6 +93,7 @@ def proven_with(program: Any) -> Job:
 def _model(obj: Any, operations: Sequence[Any], tools: Sequence[Any]) -> Job:
     content = {key: value for key, value in values(obj).items() if key in Job.model_fields}
     content["stock"], content["clamp"] = stock_content(obj), clamps_content(obj)
+    content["cut_data"] = cut_data_of(obj)
     content["operation"] = tuple(each.Proxy.cycle(each, tuple(obj.WorkOrigin)) for each in operations)
     content["tool"] = tuple(map(model_of, tools))
     return validated(Job, content, obj.Label)
@@ -121,7 +123,9 @@ def _bare(obj: Any) -> Job:
         stock=validated(StockForm, stock_content(obj), obj.Label),
         tool=(),
         operation=(),
+        process=obj.Process,
         material=obj.Material,
+        cut_data=cut_data_of(obj),
     )
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The machine that a job object names, and the feeds and speeds that its material gives the tools."""
+"""The machine that a job object names, and what of its tools is out of the range of its material."""
 
 from __future__ import annotations
 
@@ -9,8 +9,9 @@ from typing import Any
 
 from CNCStepper.errors import Text
 from CNCStepper.job.deferred_fitting import once
-from CNCStepper.machine.feeds_and_speeds import remarks_on, with_feeds
+from CNCStepper.machine.feeds_and_speeds import remarks_on
 from CNCStepper.machine.materials import material
+from CNCStepper.machine.processes import MILLING
 from CNCStepper.machine.profile import Machine, load_machine, profile_names
 from CNCStepper.machine.tools.tool import Tool
 
@@ -21,10 +22,14 @@ def machine_of(obj: Any) -> Machine:
 
 
 def _machine_named(obj: Any) -> Machine:
-    name = obj.Machine
+    return machine_named(obj.Machine, obj)
+
+
+def machine_named(name: str, obj: Any) -> Machine:
+    """Return the machine of a name as a job object would have it; raises JobError where there is none."""
     if name not in profile_names() and obj.Document.FileName:
         name = str(Path(obj.Document.FileName).parent / name)
-    return _machine(name, obj.Dialect, _stamp(name))
+    return _machine(name, obj.Dialect, file_stamp(name))
 
 
 @functools.lru_cache(maxsize=16)
@@ -33,8 +38,8 @@ def _machine(name: str, dialect: str, stamp: tuple[int, ...]) -> Machine:
     return machine.model_copy(update={"controller": dialect}) if dialect else machine
 
 
-def _stamp(name: str) -> tuple[int, ...]:
-    """Return what changes with the content of a profile's file, () where there is none."""
+def file_stamp(name: str) -> tuple[int, ...]:
+    """Return what changes with the content of a file, () where there is none."""
     try:
         found = Path(name).stat()
     except (OSError, ValueError):
@@ -42,17 +47,10 @@ def _stamp(name: str) -> tuple[int, ...]:
     return found.st_mtime_ns, found.st_ctime_ns, found.st_size, found.st_ino
 
 
-def fed(tool: Tool, job: Any) -> Tool:
-    """Return a tool with the feeds and the speed that it has none of itself; raises JobError.
-
-    job: the object of its job, None where it has none; without a material the tool stays as it is.
-    """
-    return with_feeds(tool, material(job.Material), machine_of(job)) if job is not None and job.Material else tool
-
-
 def remarks(tool: Tool, job: Any) -> tuple[str, ...]:
     """Return what of a tool's feeds and speed is out of the range of the job's material, as sentences."""
-    found = remarks_on(tool, material(job.Material), machine_of(job)) if job.Material else ()
+    is_milled = job.Material and job.Process == MILLING.name
+    found = remarks_on(tool, material(job.Material), machine_of(job)) if is_milled else ()
     return tuple(
         Text("{remark}; {advice}", remark=remark.text, advice=remark.advice)
         for remark in found

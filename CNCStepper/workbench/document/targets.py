@@ -10,6 +10,7 @@ from typing import Any
 
 from CNCStepper.workbench.document.selection import members
 from CNCStepper.workbench.features.base import JOB, named, problem_of, proxy_type
+from CNCStepper.workbench.services.choice_labels import words_of
 from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.translation import tr
 
@@ -59,6 +60,16 @@ def why_no_job() -> str:
     if jobs():
         return tr("Select the job in the tree: this document has several")
     return tr("Make a job first, with New job")
+
+
+def why_not_by_process(by: tuple[str, ...]) -> str:
+    """Return why the meant job has none of some operations: those processes cut them, "" where its own does."""
+    present = job()
+    if present is None or present.Process in by:
+        return ""
+    return tr("This is cut by: {0}. The job's process is: {1}").format(
+        ", ".join(map(words_of, by)), words_of(present.Process)
+    )
 
 
 def why_no_program(job: Any) -> str:

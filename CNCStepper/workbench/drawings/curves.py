@@ -15,7 +15,7 @@ import numpy as np
 
 from CNCStepper.errors import GeometryError
 from CNCStepper.geometry.curve import Curve
-from CNCStepper.job.spline_fitting import Ellipse, Line, Spline, fit_of
+from CNCStepper.job.curve_fit_cache import Ellipse, Line, Spline, fit_of
 from CNCStepper.workbench.drawings.shapes import edges_of, sorted_chains
 
 SHORTEST_MM = 1e-7  # FreeCAD's own measure of "the same point"

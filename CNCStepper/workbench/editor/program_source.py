@@ -55,7 +55,7 @@ class FileSource:
 
     def language(self, machine: Any) -> Language:
         """Return the dialect and settings of its job."""
-        return Language(machine.controller, str(self.path or ""), machine)
+        return Language(machine.language(), str(self.path or ""), machine)
 
     def save(self, text: str) -> FileSource:
         """Write the text into the file, whole or not at all; returns the source of what is saved now."""
@@ -127,7 +127,7 @@ class ObjectSource:
 
         own = machine_of(job_behind(self.obj))
         start = proven_with(self.obj).started(None, own) if own.tool_length == "table" else None
-        return Language(own.controller, "", own, start)
+        return Language(own.language(), "", own, start)
 
     def save(self, text: str) -> ObjectSource:
         """Keep the text in the document, in one undo step; returns the source of what is kept.

@@ -14,7 +14,9 @@ from CNCStepper.workbench.features.face import Face
 from CNCStepper.workbench.features.operation import Operation
 from CNCStepper.workbench.features.pocket import Pocket
 from CNCStepper.workbench.features.rectangular_pocket import RectangularPocket
+from CNCStepper.workbench.features.sheet_cut import SheetCut
 from CNCStepper.workbench.features.thread import Thread
+from CNCStepper.workbench.features.wire_cut import WireCut
 
 KINDS: tuple[type[Operation], ...] = (
     Face,
@@ -27,6 +29,8 @@ KINDS: tuple[type[Operation], ...] = (
     Bore,
     Thread,
     Engrave,
+    SheetCut,
+    WireCut,
 )
 OPERATIONS = {kind.CYCLE: kind for kind in KINDS}
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from CNCStepper.errors import JobError
+from CNCStepper.errors import CNCStepperError, JobError
+from CNCStepper.machine.processes import MILLING, PROCESSES
 from CNCStepper.state import WORK_SYSTEMS
 from CNCStepper.workbench import packages
 from CNCStepper.workbench.document import clamps, program_file
@@ -18,6 +19,7 @@ from CNCStepper.workbench.features.base import (
     DISTANCE,
     ENUMERATION,
     HIDDEN,
+    IDENTITY,
     INTEGER,
     POINTS,
     POSITION,
@@ -28,6 +30,7 @@ from CNCStepper.workbench.features.base import (
     require_parts,
     values,
 )
+from CNCStepper.workbench.features.cut_values import CHART, CUT_KEYS, CUT_VALUES, HEIGHT_KEYS
 from CNCStepper.workbench.services.translation import later
 
 MACHINE, STOCK, HEIGHTS, PROGRAM = later("Machine"), later("Stock"), later("Heights"), later("Program")
@@ -35,10 +38,14 @@ JOB_GROUP = later("Job")
 LINKS = "App::PropertyLinkList"
 SOLIDS = CONTAINERS  # a clamp may lie inside a part, the job outside
 ORIGINS = ("top-centre", "top-left-front")
-HEIGHT_KEYS = ("clearance_mm", "retract_mm")
-FED_BY = {"Machine", "Material"}  # what the tools' feeds depend on
+
+
+FROM_CHART = {"Consumable", "Chart", "StockSize", *(each.name for each in CUT_VALUES)}  # and what else with a chart
+FED_BY = {"Machine", "Material", "Process"}  # what the tools' feeds depend on, whatever the process
 STOCK_SHAPE = {"StockForm", "StockSize", "StockOrigin"}
-SETUP = {"Clearance", "Retract", "WorkOrigin", "Operations", *STOCK_SHAPE}  # what an operation's figures depend on
+SETUP = {"Process", "Clearance", "Retract", "WorkOrigin", "Operations", *STOCK_SHAPE}  # the same of operations
+NOT_OF_MILLING = {"consumable", "chart", *CUT_KEYS}
+OF_SOME = {"coolant", *HEIGHT_KEYS, *NOT_OF_MILLING}  # keys that not every process or machine has
 
 
 class Job(Feature):
@@ -47,12 +54,15 @@ class Job(Feature):
     def add_properties(self, obj: Any) -> None:
         """Add what `obj` lacks, and see that its program follows every undo."""
         super().add_properties(obj)
+        self.show_what_counts(obj)
         follow()
 
     Type = "CNCStepper_Job"
     PROPERTIES = (
         Property("machine", "Machine", TEXT, MACHINE, later("Profile"),
                  later("A shipped profile's name, or a profile's file"), "table-a"),
+        Property("process", "Process", ENUMERATION, MACHINE, later("Process"),
+                 later("How it is cut; the machine must be able to"), MILLING.name, choices=tuple(PROCESSES)),
         Property("dialect", "Dialect", TEXT, PROGRAM, later("Dialect"),
                  later("The program's dialect; empty: the machine's own"), ""),
         Property("units", "Units", ENUMERATION, PROGRAM, later("Units"), later("Of the written program"),
@@ -63,6 +73,11 @@ class Job(Feature):
                  later("What is switched on while cutting"), "none", choices=("none", "mist", "flood")),
         Property("material", "Material", TEXT, STOCK, later("Material"),
                  later("Tools without feeds or speed take theirs from its table"), ""),
+        Property("consumable", "Consumable", TEXT, CHART, later("Consumable"),
+                 later("Nozzle, lens, wire or blade; empty: the first of the chart for this thickness"), ""),
+        Property("chart", "Chart", TEXT, CHART, later("Chart"),
+                 later("The file of a cut chart of your own; empty: the chart that ships"), ""),
+        *CUT_VALUES,
         Property("stock_form", "StockForm", ENUMERATION, STOCK, later("Form"),
                  later("What the raw material looks like"), "box", choices=FORMS),
         Property("stock_size_mm", "StockSize", POSITION, STOCK, later("Size"),
@@ -106,6 +121,7 @@ class Job(Feature):
         machine_of(obj)
         stock_of(obj)
         stock_content(obj)
+        machine_of(obj).process(obj.Process)
         require_within_reach(obj, {key: value for key, value in values(obj).items() if key in HEIGHT_KEYS})
 
     def question(self, obj: Any) -> dict[str, Any] | None:
@@ -142,13 +158,32 @@ class Job(Feature):
             if proxy_type(preview) == "CNCStepper_Preview":
                 preview.Proxy.clear(preview)
 
+    def show_what_counts(self, obj: Any) -> None:
+        """Hide the properties that the job's process or machine does not have."""
+        if obj.Process == MILLING.name:
+            hidden = NOT_OF_MILLING
+        else:
+            try:
+                packages.require()
+                from CNCStepper.workbench.document.cut_chart_of_job import keys_that_count
+
+                hidden = OF_SOME - keys_that_count(obj)
+            except CNCStepperError:  # what is wrong with the machine is said at the job
+                return
+        for entry in self.PROPERTIES:
+            if entry.key in OF_SOME:
+                obj.setEditorMode(entry.name, HIDDEN if entry.key in hidden else 0)
+
     def onChanged(self, obj: Any, name: str) -> None:
         """Stand on what the clamps move with, and let operations be figured again when what they need changes."""
         if "Restore" in obj.State:
             return
         if name == "Clamps" and "ClampContainers" in obj.PropertiesList:
             obj.ClampContainers = clamps.containers(obj.Clamps)
-        if name in FED_BY and "Tools" in obj.PropertiesList:
+        if name in ("Process", "Machine") and IDENTITY.name in obj.PropertiesList:
+            self.show_what_counts(obj)
+        is_feeding = name in FED_BY or (name in FROM_CHART and obj.Process != MILLING.name)
+        if is_feeding and "Tools" in obj.PropertiesList:
             for tool in obj.Tools:
                 tool.touch()
         if name in SETUP and "Operations" in obj.PropertiesList:

@@ -10,6 +10,7 @@ from typing import Any
 
 from CNCStepper.errors import CNCStepperError, CycleError, Text
 from CNCStepper.job.question_key import Content
+from CNCStepper.machine.processes import MILLING
 from CNCStepper.workbench import packages
 from CNCStepper.workbench.document.input_limits import require_within_reach
 from CNCStepper.workbench.drawings.shapes import DrawingSnapshot, all_same, containers_of, edges_of, require_closed
@@ -103,7 +104,7 @@ class Operation(Feature):
     TABLES: keys of tables within the cycle's own; "tabs_count" is then "count" in the table "tabs". OWN: keys that
     are none of the cycle's. SHAPE: keys whose values the drawing gives, where there is one, of which it follows no
     more. CLOSED: whether all lines must close. PICKS_LINES: whether a click on a single line of a drawing means that
-    line alone. NO_DRAWING: what it is to have no drawing.
+    line alone. NO_DRAWING: what it is to have no drawing. BY: the processes that cut it.
     """
 
     CYCLE = ""
@@ -113,6 +114,7 @@ class Operation(Feature):
     CLOSED = False
     PICKS_LINES = False
     NO_DRAWING = later("none yet")
+    BY: tuple[str, ...] = (MILLING.name,)
     WHY_FIXED = later("The drawing gives this value")
     removed_label = ""
     last_cut: Any = None  # a CycleCache
@@ -159,7 +161,7 @@ class Operation(Feature):
 
     def show_what_counts(self, obj: Any) -> None:
         """Hide the properties that do not count, and let only those be typed that no drawing gives."""
-        found = values(obj)
+        found = self.known(obj)
         for entry in self.PROPERTIES:
             if entry.only or entry.key in self.SHAPE:
                 is_drawn = entry.key in self.SHAPE and bool(drawings_of(obj))
@@ -167,7 +169,11 @@ class Operation(Feature):
 
     def cycle_values(self, obj: Any, origin_mm: tuple[float, ...]) -> dict[str, Any]:
         """Return the cycle's parameters; `origin_mm` is where the work zero lies in the document."""
-        return self.given(values(obj))
+        return self.given(self.known(obj))
+
+    def known(self, obj: Any) -> dict[str, Any]:
+        """Return the object's values by key, and what else decides which of them count."""
+        return values(obj)
 
     def cycle(self, obj: Any, origin_mm: tuple[float, ...]) -> Any:
         """Return the checked cycle of `obj` in work coordinates; raises CycleError, GeometryError or JobError."""
@@ -195,7 +201,7 @@ class Operation(Feature):
         self.drawn = drawn
 
     def _measures(self, obj: Any) -> dict[str, Any]:
-        found = values(obj)
+        found = self.known(obj)
         measured = [entry for entry in self.PROPERTIES if entry.type in (*NUMBERS, POSITION) and entry.key in found]
         return {entry.key: found[entry.key] for entry in measured if self.counts(entry, found)}
 
@@ -254,7 +260,8 @@ class Operation(Feature):
     @functools.cached_property
     def _choosers(self) -> set[str]:
         """The names of the properties whose values say which others count."""
-        return {"Drawings", *(entry_of(self, entry.only[0]).name for entry in self.PROPERTIES if entry.only)}
+        chosen_by = {entry.only[0] for entry in self.PROPERTIES if entry.only}
+        return {"Drawings", *(entry.name for entry in self.PROPERTIES if entry.key in chosen_by)}
 
     def onBeforeChange(self, obj: Any, name: str) -> None:
         """Note which drawing is being deleted; FreeCAD calls this before every change."""
@@ -268,7 +275,8 @@ class Operation(Feature):
         if job is None:
             return {}
         from CNCStepper.workbench.document.core_job import setup_of
-        from CNCStepper.workbench.document.machine_of_job import fed, remarks
+        from CNCStepper.workbench.document.cut_chart_of_job import fed
+        from CNCStepper.workbench.document.machine_of_job import remarks
         from CNCStepper.workbench.features.tool import model_of
 
         answer = self._known(job, obj, cycle) or self.cut_once(cycle, setup_of(job, obj, cycle)).answer
@@ -279,10 +287,22 @@ class Operation(Feature):
         """Return the job of `obj`, None where it has none, and the cycle, whose shape follows the drawing."""
         jobs = jobs_of(obj)
         origin_mm = tuple(jobs[0].WorkOrigin) if jobs else (0.0, 0.0, 0.0)
+        if jobs:
+            self.require_process(obj, jobs[0])
         self.follow(obj, origin_mm)
         job, kept = (jobs[0] if jobs else None), self._keep(obj, origin_mm)
         require_within_reach(job, kept.measures, kept.most)
         return job, kept.cycle
+
+    def require_process(self, obj: Any, job: Any) -> None:
+        """Raise CycleError where the process of its job does not cut such an operation."""
+        if job.Process not in self.BY:
+            raise CycleError(
+                "operation-process",
+                Text("{obj} is not cut by {process}", obj=obj.Label, process=job.Process),
+                limit=", ".join(self.BY),
+                advice="choose another process in the job, or delete the operation",
+            )
 
     def _known(self, job: Any, obj: Any, cycle: Any) -> Any:
         """Return what the cut process has answered about this cut, None where it was not asked."""

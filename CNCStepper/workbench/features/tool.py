@@ -6,20 +6,25 @@ from __future__ import annotations
 from typing import Any
 
 from CNCStepper.job.question_key import Content
+from CNCStepper.machine.processes import PROCESSES
 from CNCStepper.machine.tools.tool_shapes import SHAPES, foreign_keys
 from CNCStepper.workbench import packages
 from CNCStepper.workbench.features.base import (
     ANGLE,
+    BOOL,
     DISTANCE,
     ENUMERATION,
     FLOAT,
+    HIDDEN,
     INTEGER,
     JOB,
     SPEED,
     Feature,
     Property,
     proxy_type,
+    set_value,
     show,
+    value_of,
     values,
 )
 from CNCStepper.workbench.services.translation import later
@@ -37,6 +42,8 @@ class Tool(Feature):
         Property("number", "Number", INTEGER, TOOL, later("Number"), later("The T word of the program"), 1),
         Property("shape", "ToolShape", ENUMERATION, TOOL, later("Shape"), later("The form of the cutter"), "flat",
                  choices=SHAPES),
+        Property("from_chart", "FromChart", BOOL, TOOL, later("From chart"),
+                 later("Whether form, kerf and feeds are those of the job's cut chart"), False),
         Property("diameter_mm", "Diameter", DISTANCE, TOOL, later("Diameter"), later("The diameter of the cutter"),
                  6.0),
         Property("feed_mm_min", "Feed", SPEED, CUTTING, later("Feed"),
@@ -100,16 +107,17 @@ class Tool(Feature):
 
     model: Any = None  # until the object changes
     content: Content | None = None  # the model as plain data
+    chart_keys: dict[str, Any] | None = None  # of the chart's row that the model was made from
 
     def onChanged(self, obj: Any, name: str) -> None:
         """Let only those values be typed that the shape has; FreeCAD calls this at every change."""
         self.model = self.content = None
-        if name == "ToolShape":
+        if name in ("ToolShape", "FromChart") and "EngagementMax" in obj.PropertiesList:
             _fix_foreign(obj)
 
     def given(self, found: dict[str, Any]) -> dict[str, Any]:
         """Return the values that are given: no 0 that means "not given", and nothing of other shapes."""
-        foreign = foreign_keys(found["shape"])
+        foreign = {"from_chart", *foreign_keys(found["shape"])}
         return {key: value for key, value in found.items() if key not in foreign and (value or key not in OPTIONAL)}
 
     def check(self, obj: Any) -> None:
@@ -119,21 +127,61 @@ class Tool(Feature):
     def make(self, obj: Any) -> None:
         """Show feeds and speed as the program has them, which the material of the tool's job may give."""
         tool = model_of(obj)
-        from CNCStepper.workbench.document.machine_of_job import fed
+        _fix_foreign(obj)
+        if is_from_chart(obj):
+            _show_chart(obj, tool)
+        from CNCStepper.workbench.document.cut_chart_of_job import fed
 
-        tool = fed(tool, next((other for other in obj.InList if proxy_type(other) == JOB), None))
+        tool = fed(tool, job_with(obj))
         keys = [entry.key for entry in self.PROPERTIES if entry.output]
         show(obj, {key: getattr(tool, key.removeprefix("used_")) for key in keys})
 
 
+CHART_KEYS = ("shape", "diameter_mm", "feed_mm_min", "plunge_mm_min", "spindle_rpm")  # what a cut chart says of a tool
+FORM_KEYS = {entry.key for entry in Tool.PROPERTIES if entry.group == FORM}
+BY_CHART = later("The cut chart gives this value; change it in the job")
 OPTIONAL = {entry.key for entry in Tool.PROPERTIES if entry.group in (FORM, LIMITS)}
 
 
 def _fix_foreign(obj: Any) -> None:
-    foreign = foreign_keys(obj.ToolShape)
+    foreign, by_chart = foreign_keys(obj.ToolShape), is_from_chart(obj)
+    obj.Proxy.WHY_FIXED = BY_CHART if by_chart else Tool.WHY_FIXED
+    fixed = {*foreign, *FORM_KEYS} if by_chart else foreign
     for entry in Tool.PROPERTIES:
-        if entry.group == FORM and entry.name in obj.PropertiesList:
-            obj.setEditorMode(entry.name, 1 if entry.key in foreign else 0)
+        if entry.name in obj.PropertiesList and (entry.group == FORM or entry.key in CHART_KEYS):
+            obj.setEditorMode(entry.name, int(entry.key in fixed or (by_chart and entry.key in CHART_KEYS)))
+    obj.setEditorMode("FromChart", 0 if _charted_job(obj) is not None else HIDDEN)
+
+
+def job_with(obj: Any) -> Any:
+    """Return the job that a tool object belongs to, None for none."""
+    return next((other for other in obj.InList if proxy_type(other) == JOB), None)
+
+
+def is_from_chart(obj: Any) -> bool:
+    """Return whether the cut chart of its job describes a tool object; milling has none."""
+    return bool(obj.FromChart) and _charted_job(obj) is not None
+
+
+def _charted_job(obj: Any) -> Any:
+    job = job_with(obj)
+    return job if job is not None and PROCESSES[job.Process].uses_chart else None
+
+
+def _show_chart(obj: Any, tool: Any) -> None:
+    """Show in the object's properties what the chart says."""
+    for entry in Tool.PROPERTIES:
+        if entry.key in CHART_KEYS and value_of(obj, entry) != getattr(tool, entry.key):
+            set_value(obj, entry, getattr(tool, entry.key))
+
+
+def _chart_keys(obj: Any) -> dict[str, Any] | None:
+    """Return what the chart says of a tool object, None where it does not; raises JobError."""
+    if not is_from_chart(obj):
+        return None
+    from CNCStepper.workbench.document.cut_chart_of_job import chart_tool_keys
+
+    return chart_tool_keys(job_with(obj))
 
 
 def model_of(obj: Any) -> Any:
@@ -142,8 +190,10 @@ def model_of(obj: Any) -> Any:
     from CNCStepper.machine.profile import validated
     from CNCStepper.machine.tools.tool import Tool as Model
 
-    if obj.Proxy.model is None:
-        obj.Proxy.model = validated(Model, obj.Proxy.given(values(obj)), obj.Label)
+    proxy, chart = obj.Proxy, _chart_keys(obj)
+    if proxy.model is None or proxy.chart_keys != chart:
+        given = proxy.given(values(obj)) if chart is None else {"number": obj.Number, **chart}
+        proxy.model, proxy.content, proxy.chart_keys = validated(Model, given, obj.Label), None, chart
     return obj.Proxy.model
 
 

@@ -6,6 +6,7 @@ from __future__ import annotations
 from typing import Any
 
 from CNCStepper.cycles.parameter import FINISH, LEADS, PATH, TABS
+from CNCStepper.cycles.sheet_cutting.sheet_parameters import RULES
 from CNCStepper.workbench.features.base import JOB, proxy_type
 from CNCStepper.workbench.features.operation import Operation
 from CNCStepper.workbench.features.tool import FORM, LIMITS
@@ -16,7 +17,7 @@ from CNCStepper.workbench.panels.task_panel import Panel
 from CNCStepper.workbench.panels.tool_field import ToolField
 
 KINDS = {"tool": ToolField, "pattern_points_mm": PointsField}
-RARE = (FINISH, PATH, TABS, LEADS)  # groups of operations
+RARE = (FINISH, PATH, TABS, LEADS, RULES)  # groups of operations
 FREEHAND = "CNCStepper_Freehand"
 HIDDEN = {FREEHAND: ("points_mm",)}
 

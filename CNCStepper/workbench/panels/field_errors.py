@@ -21,6 +21,13 @@ LIMITS = {
     "less_than": ("lt", later("must be below {0}")),
     "less_than_equal": ("le", later("must be at most {0}")),
 }
+BY_CODE = {  # of errors that speak of several keys
+    "chart-material": "material",
+    "chart-thickness": "stock_size_mm",
+    "chart-consumable": "consumable",
+    "chart-feed": "feed_mm_min",
+    "process-machine": "process",
+}
 NOT_BETWEEN = later("must be 0, or at least {0}")
 SENTENCES = {
     "depth": later("goes far beyond the stock; at most {0}"),
@@ -91,6 +98,9 @@ def _out_of_bounds(key: str, value: float, bounds: Any, shown: Callable[[str, fl
 
 def key_of(error: CNCStepperError, keys: Iterable[str]) -> str:
     """Return the one key that a sentence of the core speaks of first ("stepover_mm (ae) is larger than the tool")."""
+    keys = list(keys)
+    if BY_CODE.get(error.code) in keys:
+        return BY_CODE[error.code]
     places = {key: match.start() for key in keys if (match := _word(key).search(error.what))}
     return min(places, key=places.__getitem__) if places else ""
 

@@ -16,9 +16,9 @@ from CNCStepper.workbench.features.base import (
     Property,
     value_of,
 )
-from CNCStepper.workbench.panels.choice_labels import words_of
 from CNCStepper.workbench.panels.number_input import Refused
 from CNCStepper.workbench.panels.unit_values import measure_of, text_of, value_of_text, whole_of_text
+from CNCStepper.workbench.services.choice_labels import words_of
 from CNCStepper.workbench.services.translation import tr
 
 NAME = "CNCStepper_Panel"
@@ -302,7 +302,7 @@ class ChoiceField(Field):
 
     def choices(self) -> list[tuple[Any, str]]:
         """Return the values and their words, in order."""
-        return [(choice, words_of(choice)) for choice in self.entry.choices]
+        return [(choice, words_of(choice, self.entry.key)) for choice in self.entry.choices]
 
     def fill(self, box: Any) -> None:
         """Put the choices into the box."""

@@ -59,6 +59,7 @@ class Form(QtGui.QWidget):
         self.fields: dict[str, Field] = {}
         self.results: dict[str, Any] = {}
         self.boxes: dict[str, Box] = {}
+        self._always: set[str] = set()  # groups that have more than fields
         self._column = QtGui.QVBoxLayout(self)
         self._column.setContentsMargins(0, 0, 0, 0)
         for entry in obj.Proxy.PROPERTIES:
@@ -87,9 +88,17 @@ class Form(QtGui.QWidget):
         """Show the object's values and results."""
         for field in self.fields.values():
             field.refresh()
+        self._hide_empty_boxes()
         for key, label in self.results.items():
             entry = next(entry for entry in self.obj.Proxy.PROPERTIES if entry.key == key)
             label.setText(text_of(value_of(self.obj, entry), entry))
+
+    def _hide_empty_boxes(self) -> None:
+        """Let a group be seen only while one of its fields counts; what else stands in it is seen with them."""
+        for title, box in self.boxes.items():
+            counting = [field.counts() for field in self.fields.values() if field.entry.group == title]
+            if counting and not (title in self._always or box.isHidden() == (not any(counting))):
+                box.setVisible(any(counting))
 
     def mark(self, key: str, sentence: str) -> None:
         """Say below a field what is wrong; its group is opened."""
@@ -141,6 +150,7 @@ class Form(QtGui.QWidget):
             widget.setToolTip(tr(entry.text))
         value.setContentsMargins(0, GAP_PX, 0, GAP_PX)
         self.results[entry.key] = value
+        self._always.add(entry.group)
         _layout(self.box(entry.group)).addRow(label, value)
 
 

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
 from PySide import QtGui
@@ -11,86 +10,26 @@ from PySide import QtGui
 from CNCStepper.workbench.document.default_values import stock_of_drawing, stock_of_solid
 from CNCStepper.workbench.document.stock_of_job import CYLINDER
 from CNCStepper.workbench.drawings.shapes import box_round, round_box
-from CNCStepper.workbench.features.base import value_of
+from CNCStepper.workbench.features.cut_values import CHART
 from CNCStepper.workbench.features.job import HEIGHTS, MACHINE, PROGRAM, STOCK
 from CNCStepper.workbench.features.operation import drawings_of
 from CNCStepper.workbench.features.tool import FORM, LIMITS
 from CNCStepper.workbench.panels.axis_calculator import AxisSheet
-from CNCStepper.workbench.panels.choice_labels import words_of
 from CNCStepper.workbench.panels.fields import NAME, ChoiceField, VectorField
 from CNCStepper.workbench.panels.form import MARGINS, Box
 from CNCStepper.workbench.panels.job_lists import ClampList, OperationList, ToolList
 from CNCStepper.workbench.panels.object_form import Editor
+from CNCStepper.workbench.panels.process_fields import PROCESS_KINDS, ChartNote, MachineField, tool_hidden
 from CNCStepper.workbench.panels.task_panel import Panel
+from CNCStepper.workbench.panels.tool_field import ShapeField
+from CNCStepper.workbench.services.choice_labels import words_of
 from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.services.translation import later, tr
 
-FROM_FILE = object()  # the choice that asks for a file
 FOLDED = (PROGRAM, HEIGHTS)
 HIDDEN = ("operations", "tools", "clamps")
 CLAMPS, OPERATIONS, TOOLS = later("Clamps"), later("Operations"), later("Tools")
 AXIS = later("Axis arithmetic")
-
-
-class MachineField(ChoiceField):
-    """A profile that ships with us, or a profile's file."""
-
-    def choices(self) -> list[tuple[Any, str]]:
-        """Return the shipped profiles by their names, and the choice that asks for a file."""
-        from CNCStepper.machine.profile import load_machine, profile_names
-
-        shipped = [(name, f"{load_machine(name).name} ({name})") for name in profile_names()]
-        return [*shipped, (FROM_FILE, tr("A profile's file…"))]
-
-    def touched(self) -> None:
-        """Take the chosen profile, or ask for its file."""
-        if self.read() is FROM_FILE:
-            self.write()
-            self.ask()
-        else:
-            super().touched()
-
-    def ask(self) -> None:
-        """Ask for a profile's file, and return at once."""
-        dialog = QtGui.QFileDialog(self.widget, tr("A machine's profile"), self._folder(), tr("Profiles (*.toml)"))
-        dialog.setObjectName(f"{NAME}_machine_file")
-        dialog.setFileMode(QtGui.QFileDialog.FileMode.ExistingFile)
-        dialog.fileSelected.connect(guarded(self.take))
-        dialog.finished.connect(lambda _: dialog.deleteLater())
-        dialog.open()
-
-    def take(self, path: str) -> None:
-        """Choose a profile's file; one beside the document is named from there, so that both can move."""
-        folder = self._folder()
-        inside = folder and Path(path).is_relative_to(folder)
-        name = Path(path).relative_to(folder).as_posix() if inside else path
-        self._offer(name)
-        self.editors[0].setCurrentIndex(self.values.index(name))
-        super().touched()
-
-    def write(self) -> None:
-        """Show the job's machine, whether there is such a profile or not."""
-        self._offer(value_of(self.obj, self.entry))
-        super().write()
-
-    def _offer(self, name: str) -> None:
-        if name not in self.values:
-            self.values.append(name)
-            self.editors[0].addItem(name)
-
-    def _folder(self) -> str:
-        file = self.obj.Document.FileName
-        return str(Path(file).parent) if file else ""
-
-
-class MaterialField(ChoiceField):
-    """A material of the table, or none."""
-
-    def choices(self) -> list[tuple[Any, str]]:
-        """Return none, and the materials by their names."""
-        from CNCStepper.machine.materials import material_names
-
-        return [("", tr("not given")), *((name, words_of(name)) for name in material_names())]
 
 
 class DialectField(ChoiceField):
@@ -115,7 +54,12 @@ class StockSizeField(VectorField):
         super().refresh()
 
 
-KINDS = {"machine": MachineField, "dialect": DialectField, "material": MaterialField, "stock_size_mm": StockSizeField}
+KINDS = {
+    **PROCESS_KINDS,
+    "machine": MachineField,
+    "dialect": DialectField,
+    "stock_size_mm": StockSizeField,
+}
 
 
 class JobPanel(Panel):
@@ -123,9 +67,13 @@ class JobPanel(Panel):
 
     def __init__(self, job: Any):
         self.job = job
+        self.process = job.Process  # for which the tool's editor was made
         self.editor = Editor(job, KINDS, FOLDED, HIDDEN)
         super().__init__(job, self.editor)
         self._add_stock_button()
+        self.chart_note = ChartNote(job, self.editor)
+        self.editor.form.add_widget(CHART, self.chart_note)
+        self.editor.applied.connect(guarded(self.follow_process))
         self._add_axis_sheet()
         self.clamps = ClampList(job, self.editor)
         self.operations = OperationList(job, self.editor)
@@ -163,6 +111,19 @@ class JobPanel(Panel):
             editor.deleteLater()
         self.editors[1:] = [self._tool_editor(tool)] if tool is not None else []
 
+    def follow_process(self) -> None:
+        """Show what the chart says, and the marked tool anew where the process was changed."""
+        self.chart_note.refresh()
+        if self.job.Process != self.process:
+            self.process = self.job.Process
+            self.tools.refresh()
+            for editor in self.editors[1:]:
+                editor.stop()
+                editor.setParent(None)
+                editor.deleteLater()
+            self.editors[1:] = []
+            self.show_tool()
+
     def fit_stock(self) -> None:
         """Put the stock around what is selected, or around all drawings of the operations."""
         import FreeCADGui
@@ -195,7 +156,7 @@ class JobPanel(Panel):
         self.editor.applied.connect(guarded(self.axis.follow))
 
     def _tool_editor(self, tool: Any) -> Editor:
-        editor = Editor(tool, {}, (FORM, LIMITS), parent=self.tools)
+        editor = Editor(tool, {"shape": ShapeField}, (FORM, LIMITS), tool_hidden(self.job), self.tools)
         editor.applied.connect(guarded(self._tool_changed))
         self.tools.layout().addWidget(editor)
         return editor

@@ -26,6 +26,7 @@ from CNCStepper.workbench.services.translation import later
 
 IMPERIAL, CENTIMETRES = (2, 3, 5, 7), (4,)  # numbers of FreeCAD's schemas
 MM_PER_CM = 10.0
+PLAIN_UNITS = {"_rpm": "rpm", "_s": "s", "_percent": "%", "amperes": "A"}  # FreeCAD converts none of them
 
 
 @dataclass(frozen=True)
@@ -53,7 +54,7 @@ def measure_of(entry: Property) -> Measure:
         return Measure(unit, factor, "Velocity", S_PER_MIN)
     if entry.type == ANGLE:
         return Measure("°", 1.0, "Angle")
-    return Measure("rpm" if entry.key.endswith("_rpm") else "")
+    return Measure(next((unit for end, unit in PLAIN_UNITS.items() if entry.key.endswith(end)), ""))
 
 
 def schema() -> int:
@@ -84,8 +85,8 @@ def value_of_text(text: str, entry: Property, obj: Any) -> float:
     """
     measure = measure_of(entry)
     tidy = tidied(text)
-    if measure.unit == "rpm":
-        tidy = re.sub(r"\s*rpm$", "", tidy, flags=re.IGNORECASE)
+    if measure.unit in PLAIN_UNITS.values():
+        tidy = re.sub(rf"\s*{measure.unit}$", "", tidy, flags=re.IGNORECASE)
     value = _converted(_quantity(tidy, text, obj), measure, text)
     if not math.isfinite(value) or abs(value) > LARGEST:
         raise Refused(later("'{0}' is too large"), shortened(text))

@@ -13,7 +13,7 @@ import traceback
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from CNCStepper.errors import CNCStepperError
+from CNCStepper.errors import CNCStepperError, Text
 from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.translation import tr
 
@@ -131,7 +131,8 @@ def _answer(box: Any, prefix: str, answers: Answers, default: str) -> str:
 def sentence(problem: CNCStepperError) -> str:
     """Return an error's text, with its place, value and limit, without its advice and code."""
     limit = problem.limit and tr("limit {0}").format(translated(problem.limit))
-    numbers = [part for part in (problem.value, limit) if part]
+    value = translated(problem.value) if isinstance(problem.value, Text) else problem.value
+    numbers = [part for part in (value, limit) if part]
     place = f"{problem.place}: " if problem.place else ""
     return f"{place}{translated(problem.what)}" + (f" ({', '.join(numbers)})" if numbers else "")
 

@@ -31,8 +31,7 @@ class ResendsAfterError(Grbl):
     def _answered(self, answer: Answer) -> Received:
         if not answer.error or not self.unanswered or self.unanswered[0].index < 0:
             return super()._answered(answer)
-        sent = self.unanswered.popleft()
-        self._bytes_under_way -= len(sent.text) + 1
+        sent = self.counting.answered()
         self.send(sent.text, sent.index)
         self.flush()
         return Feedback("MSG", "sent again")

@@ -16,7 +16,7 @@ import numpy as np
 from CNCStepper.control.service.sender import Sender
 from CNCStepper.control.session.command import Command
 from CNCStepper.control.session.status import Outcome
-from CNCStepper.control.stream.path_retract import read_held, write_leg
+from CNCStepper.control.stream.retract_handover import read_held, write_leg
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.wire.backlash_compensation import backlash_of
@@ -25,7 +25,7 @@ from CNCStepper.job.certify import send_job
 from CNCStepper.machine.profile import Machine, load_machine
 from CNCStepper.motion.planner.arc_segments import arc_points
 from CNCStepper.recovery.retract.path import Place, RetractPath
-from CNCStepper.recovery.retract.prove import HeldProgram, held_program
+from CNCStepper.recovery.retract.retract_legs import HeldProgram, held_program
 from CNCStepper.state import Start
 from CNCStepper.toolpath import ARC_CW, Toolpath
 from helpers.control.service_bench import Person, Table

@@ -23,7 +23,7 @@ from CNCStepper.control.service.sender import Sender
 from CNCStepper.control.session.client import SessionClient
 from CNCStepper.control.session.command import Command
 from CNCStepper.control.session.status import FAILED, REFUSED, STOPPED, Outcome
-from CNCStepper.control.stream.path_retract import write_leg
+from CNCStepper.control.stream.retract_handover import write_leg
 from CNCStepper.errors import LinkError
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.recovery.retract.client import RetractClient

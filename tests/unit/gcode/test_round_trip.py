@@ -26,7 +26,12 @@ from helpers.gcode.rs274_runs import run_rs274, same_call
 COLUMNS = ("kind", "end", "plane", "turns", "feed")
 PHYSICAL = ("tool", "spindle", "spindle_rpm", "mist", "flood", "work_system", "offset_mm")
 TOLD = ("dwell", "comment", "pause")
-LANGUAGES = [*dialect_names(), "mach:dwell=ms", "mini-lathe:g20=diameter,g70=inch"]
+TORCHES = ("qtplasmac",)  # whose tables are those of a torch: `test_qtplasmac.py`
+LANGUAGES = [
+    *(name for name in dialect_names() if name not in TORCHES),
+    "mach:dwell=ms",
+    "mini-lathe:g20=diameter,g70=inch",
+]
 SEEDS = range(60)
 
 

@@ -16,7 +16,7 @@ import pytest
 
 from CNCStepper.gcode.wire.backlash_compensation import backlash_of
 from CNCStepper.recovery.retract.path import Place
-from CNCStepper.recovery.retract.prove import HeldProgram
+from CNCStepper.recovery.retract.retract_legs import HeldProgram
 from helpers.control.retract_bench import (
     CORNERS_MM,
     ROUNDING_MM,

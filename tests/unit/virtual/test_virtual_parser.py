@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from CNCStepper.errors import MachineRefusal
-from CNCStepper.virtual.grbl.error_codes import ERRORS
+from CNCStepper.virtual.grbl.alarms_and_errors import ERRORS
 from CNCStepper.virtual.grbl.gcode.block import Modal, Parser
 from CNCStepper.virtual.grbl.gcode.checks import complete
 from CNCStepper.virtual.grbl.gcode.parser import read_block

@@ -9,7 +9,8 @@ import pytest
 
 from CNCStepper.errors import JobError
 from CNCStepper.machine.tools.tool import Tool
-from CNCStepper.workbench.document.machine_of_job import fed, remarks
+from CNCStepper.workbench.document.cut_chart_of_job import fed
+from CNCStepper.workbench.document.machine_of_job import remarks
 
 JOB = SimpleNamespace(Material="fr4", Machine="table-a", Dialect="")
 

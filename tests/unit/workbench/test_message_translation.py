@@ -58,6 +58,11 @@ def test_the_limit_and_the_advice_are_translated_and_the_value_stays() -> None:
     assert messages.sentence(error) == "uma escala deve ser maior que 0 (at most 3, limite no máximo 3)"
 
 
+def test_a_value_that_is_a_text_is_translated() -> None:
+    error = ProgramError("x", "a scale must be above 0", value=LIMIT)
+    assert messages.sentence(error) == "uma escala deve ser maior que 0 (no máximo 3)"
+
+
 def test_each_advice_is_translated() -> None:
     error = ProgramError(
         "x", "the comment is not closed", advice=joined("; ", ["close it with )", "take out R", "rs274 says no"])

@@ -1,11 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The protocol driver of grbl 1.1: what is written, what is answered, and how much may be under way.
 
-Character counting: the controller keeps `window` bytes of lines that it has not read. Every line
-sent is remembered with its length until its answer comes; answers come in the order of the lines.
-
-    unanswered   | G1X10 | G1X20Y5 | G1X30 |            sum of (length + 1) <= window
-                   ^ the next answer is for this one
+How many lines may be under way says `character_counting.py`.
 
 Of these at most the link's `queue_bytes` wait in this computer; the others are kept here until there is room.
 
@@ -22,6 +18,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from CNCStepper.control.protocol.grbl import report as grbl_report
+from CNCStepper.control.protocol.grbl.character_counting import CharacterCounting, Sent
 from CNCStepper.control.protocol.grbl.firmware import GRBL, Firmware, firmware_of_greeting, firmware_of_tag
 from CNCStepper.control.protocol.grbl.motion_interlock import MotionInterlock
 from CNCStepper.control.protocol.grbl.report import (
@@ -72,20 +69,11 @@ class FloodLimit:
 
 
 HOLD, RESUME, RESET, STATUS, JOG_CANCEL = b"!", b"~", b"\x18", b"?", b"\x85"
-WINDOW_BYTES = 127  # of grbl's 128 one stays free; larger buffers say so themselves ($I, Bf)
 LONGEST_REST_S = 0.01
 PLANNER_BLOCKS = 32  # of one that does not say it
 NOISE_LIMIT_BYTES = 4096  # without a line end
 MOST_ECHOES = 200  # that are waited for: no buffer holds more lines
 REPORT_INCHES = 13  # the setting that switches reports to inches
-
-
-@dataclass(slots=True)
-class Sent:
-    """A line under way; index: its place in the job from 0, or -1."""
-
-    text: str
-    index: int
 
 
 @dataclass(slots=True)
@@ -104,7 +92,7 @@ class Grbl:
 
     listen: called after every `receive` with what came, on the same thread.
     interlock: asked before whatever may move the machine is written; the one of the default lets nothing pass.
-    firmware: what answers there, grbl until it is known better; window: of its receive buffer one byte stays free.
+    firmware: what answers there, grbl until it is known better.
     status: the last answer to `?`. status_asked_s: when it was asked for, by `clock`; a status may
     have been on its way before whatever was written later. mpos_mm, wpos_mm: None until reported, and
     until the controller has said whether it reports in mm or in inches.
@@ -123,9 +111,8 @@ class Grbl:
         self.link = link
         self.clock = clock
         self.firmware: Firmware = GRBL
-        self.window = WINDOW_BYTES
+        self.counting = CharacterCounting()
         self.planner_blocks = PLANNER_BLOCKS
-        self.unanswered: deque[Sent] = deque()
         self.status: Status | None = None
         self.status_asked_s = float("-inf")
         self.settings: dict[int, float] = {}
@@ -138,21 +125,28 @@ class Grbl:
         self._echoes = 0  # lines written that a firmware built with REPORT_ECHO_LINE_RECEIVED has yet to repeat
         self._damaged_s: float | None = None  # when the first status came damaged of which no whole one followed
         self._interlock = interlock or MotionInterlock()
-        self._bytes_under_way = 0
-        self._to_write = bytearray()
         self._tail = b""
         self._asked_s: float | None = None
         self._spoken = False
-        self._free_bytes = 0  # with nothing under way: what the controller says of its whole buffer
         self._mpos: Vector | None = None
         self._wpos: Vector | None = None
         self._wco: Vector | None = None
+
+    @property
+    def unanswered(self) -> deque[Sent]:
+        """The lines that were sent and not answered, in their order."""
+        return self.counting.unanswered
+
+    @property
+    def window(self) -> int:
+        """The bytes of lines that may be under way."""
+        return self.counting.window
 
     # --- writing -------------------------------------------------------------------------------
 
     def fits(self, text: str) -> bool:
         """Return whether the receive buffer has room for one more line."""
-        return self._bytes_under_way + len(text) + 1 <= self.window
+        return self.counting.fits(text)
 
     def send(self, text: str, index: int = -1) -> None:
         """Count a line and queue it for `flush`; the caller has asked `fits`.
@@ -161,16 +155,15 @@ class Grbl:
         """
         self._interlock.check_line(text)
         self._spoken = True
-        self.unanswered.append(Sent(text, index))
-        self._bytes_under_way += len(text) + 1
-        self._to_write += text.encode("ascii") + b"\n"
+        self.counting.add(text, index)
         self._echoes = min(self._echoes + 1, MOST_ECHOES)
 
     def flush(self) -> None:
         """Write of the queued lines what may wait before the line; `receive` writes the rest in time."""
-        if self._to_write and (room := self.link.queue_bytes - self._waiting_bytes()) > 0:
-            self.link.write(bytes(self._to_write[:room]))
-            del self._to_write[:room]
+        to_write = self.counting.to_write
+        if to_write and (room := self.link.queue_bytes - self._waiting_bytes()) > 0:
+            self.link.write(bytes(to_write[:room]))
+            del to_write[:room]
 
     def realtime(self, byte: bytes) -> None:
         """Write a real-time byte now, before anything queued.
@@ -243,17 +236,17 @@ class Grbl:
 
     def _waiting_bytes(self) -> int:
         """Return how many bytes wait before the line; what was answered does not."""
-        return min(self.link.waiting_bytes(), self._bytes_under_way - len(self._to_write))
+        return min(self.link.waiting_bytes(), self.counting.written())
 
     def _read(self, wait_s: float) -> bytes:
         """Return what came, and write what is queued as the line takes it."""
         end_s = self.clock() + wait_s
-        if self._bytes_under_way > self._rest_bytes():
+        if self.counting.bytes_under_way > self._rest_bytes():
             if not self._rested(min(self.link.leaving_s(self._rest_bytes()), LONGEST_REST_S, wait_s)):
                 return b""
             if data := self.link.read(0.0):
                 return data
-        while self._to_write and (left_s := end_s - self.clock()) > 0:
+        while self.counting.to_write and (left_s := end_s - self.clock()) > 0:
             if (data := self.link.read(min(self._filled_s(), left_s))) or self.link.woken:
                 return data
         return self.link.read(max(end_s - self.clock(), 0.0))
@@ -262,7 +255,7 @@ class Grbl:
         """Let answers gather, so that they are taken together; return False when `wake` was called."""
         end_s = self.clock() + wait_s
         while (left_s := end_s - self.clock()) > 0:
-            self.link.rest(min(self._filled_s(), left_s) if self._to_write else left_s)
+            self.link.rest(min(self._filled_s(), left_s) if self.counting.to_write else left_s)
             if self.link.woken:
                 return False
         return True
@@ -271,7 +264,7 @@ class Grbl:
         """Fill the queue before the line; return when it must be filled again."""
         self.flush()
         most = self.link.queue_bytes
-        unread = self._bytes_under_way - len(self._to_write) - most
+        unread = self.counting.written() - most
         return self.link.leaving_s(most if 2 * unread > self.window else self.link.filling_bytes)
 
     def _rest_bytes(self) -> int:
@@ -339,8 +332,7 @@ class Grbl:
                 Text("{link} answered '{answer}' to no line", link=self.link.name, answer=answer.text),
                 advice="close other programs on this port and check the cable; then set the zero again",
             )
-        sent = self.unanswered.popleft()
-        self._bytes_under_way -= len(sent.text) + 1
+        sent = self.counting.answered()
         error = self.firmware.error_number(answer.text) if answer.error < 0 else answer.error
         return Answered(sent, error)
 
@@ -355,22 +347,17 @@ class Grbl:
         self.outputs = self.outputs if status.outputs is None else status.outputs
         if status.buffer:
             self.planner_blocks = max(self.planner_blocks, status.buffer[0])
-        if status.buffer and not self.unanswered:
-            self._free_bytes = status.buffer[1]
-            widest = 0 if self.firmware.small_receive else self.window
-            self.window = max(widest, self._free_bytes - 1)
+            self.counting.see_free_bytes(status.buffer[1], keeps_window=not self.firmware.small_receive)
 
     def _take_options(self, text: str) -> None:
         """Take the sizes of planner and receive buffer from `[OPT:letters,blocks,bytes]`."""
         blocks, size = sizes(text)
         self.planner_blocks = blocks or self.planner_blocks
-        if size > 1:
-            self.window = max(size, self._free_bytes) - 1
+        self.counting.see_size(size)
 
     def _forget_lines(self) -> None:
-        self.unanswered.clear()
-        self._to_write.clear()
-        self._bytes_under_way = self._questions = 0
+        self.counting.forget()
+        self._questions = 0
         self._asked_s = None
 
     def _length_mm(self, length: float) -> float:

@@ -13,10 +13,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from CNCStepper.control.protocol.grbl.codes import HOME_AGAIN, Code, lost
-from CNCStepper.control.protocol.grbl.codes_fluidnc import FLUIDNC_ALARMS, FLUIDNC_ERROR_NAMES, FLUIDNC_ERRORS
-from CNCStepper.control.protocol.grbl.codes_grbl import GRBL_ALARMS, GRBL_ERRORS
-from CNCStepper.control.protocol.grbl.codes_grblhal import GRBLHAL_ALARMS, GRBLHAL_ERRORS
+from CNCStepper.control.protocol.grbl.alarms_and_errors import GRBL_ALARMS, GRBL_ERRORS, HOME_AGAIN, Code, lost
+from CNCStepper.control.protocol.grbl.alarms_and_errors_fluidnc import (
+    FLUIDNC_ALARMS,
+    FLUIDNC_ERROR_NAMES,
+    FLUIDNC_ERRORS,
+)
+from CNCStepper.control.protocol.grbl.alarms_and_errors_grblhal import GRBLHAL_ALARMS, GRBLHAL_ERRORS
 from CNCStepper.errors import Text
 
 TOOL = "Tool"  # the state in which grblHAL waits for a person at its M6

@@ -96,8 +96,10 @@ def check_zero(confirmed: bool) -> None:
 
 def expected_settings(machine: Machine) -> dict[int, float]:
     """Return the settings that a machine's profile fixes: steps/mm, mm/min, mm/s2, top spindle speed, laser mode."""
-    wanted: dict[int, float] = {MAX_RPM: machine.spindle.max_rpm, LASER_MODE: float(machine.spindle.laser)}
-    for number, axis in enumerate(machine.axes):
+    wanted: dict[int, float] = {LASER_MODE: float(machine.spindle.laser)}
+    if machine.has_spindle:
+        wanted[MAX_RPM] = machine.spindle.max_rpm
+    for number, axis in enumerate(machine.own_axes.values()):
         wanted[STEPS_PER_MM + number] = axis.steps_per_mm
         wanted[MAX_RATE + number] = axis.max_rate_mm_min
         wanted[ACCELERATION + number] = axis.acceleration_mm_s2

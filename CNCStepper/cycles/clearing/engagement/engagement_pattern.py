@@ -15,9 +15,9 @@ from __future__ import annotations
 from contextlib import suppress
 from dataclasses import dataclass, replace
 
+from CNCStepper.cycles.clearing.engagement.adaptive_clearing import Plan, narrow
 from CNCStepper.cycles.clearing.engagement.clearing_map import inset_mm
 from CNCStepper.cycles.clearing.engagement.cut_length import Length, parallels_mm, require_short
-from CNCStepper.cycles.clearing.engagement.plan import Plan, narrow
 from CNCStepper.cycles.clearing.pattern import Area, Opening, Run
 from CNCStepper.errors import CycleError
 from CNCStepper.geometry.region import Region

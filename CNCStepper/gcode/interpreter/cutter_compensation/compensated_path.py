@@ -33,7 +33,7 @@ from CNCStepper.gcode.interpreter.cutter_compensation.move_queue import (
     set_endpoint,
     turned,
 )
-from CNCStepper.gcode.interpreter.motion.moves import Arc
+from CNCStepper.gcode.interpreter.motion.arcs import Arc
 from CNCStepper.gcode.interpreter.state import stand_alone_position
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, PLANE_AXES, PLANE_NAMES, RAPID
 

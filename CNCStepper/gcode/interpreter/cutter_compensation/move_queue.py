@@ -15,7 +15,7 @@ from math import tau
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpreter.block import Block
 from CNCStepper.gcode.interpreter.cutter_compensation.held_moves import Path3, QueuedMove
-from CNCStepper.gcode.interpreter.motion.moves import Arc
+from CNCStepper.gcode.interpreter.motion.arcs import Arc
 from CNCStepper.toolpath import PLANE_AXES, PLANE_NAMES
 
 SAME_RADIUS = 0.01  # units of the text: an arc whose ends differ more in radius is none

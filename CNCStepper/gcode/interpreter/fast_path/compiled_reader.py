@@ -27,8 +27,8 @@ import numpy as np
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.dialects.codes import NO_MOTION
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
-from CNCStepper.gcode.interpreter.motion import moves
-from CNCStepper.gcode.interpreter.motion.moves import check_arc_words
+from CNCStepper.gcode.interpreter.motion import arcs
+from CNCStepper.gcode.interpreter.motion.arcs import check_arc_words
 from CNCStepper.gcode.interpreter.state.model import Model
 from CNCStepper.gcode.syntax.line_grammar import Grammar, Plan
 from CNCStepper.gcode.syntax.word_kernels import (
@@ -51,8 +51,8 @@ ALL_SHAPES = (MOTIONS + 1) * SHAPES
 UNKNOWN, REFUSED, MOVELESS, FIRST_MOTION = 0, 1, 2, 3  # verdicts; FIRST_MOTION + n makes a move of kind n
 FEED, RADIUS, CENTRE = LETTERS.index("F"), LETTERS.index("R"), LETTERS.index("I")
 
-length, centre_by_radius = njit_in_place(moves.length), njit_in_place(moves.centre_by_radius)
-radii_agree, sweep_rad = njit_in_place(moves.radii_agree), njit_in_place(moves.sweep_rad)
+length, centre_by_radius = njit_in_place(arcs.length), njit_in_place(arcs.centre_by_radius)
+radii_agree, sweep_rad = njit_in_place(arcs.radii_agree), njit_in_place(arcs.sweep_rad)
 
 FACTS = np.dtype(  # what the lines of a run cannot change
     [
@@ -150,7 +150,7 @@ def is_good_arc(facts, x0, y0, x1, y1, whole, clockwise):
     if whole or facts.smallest_angle_rad == 0:
         return True
     swept = sweep_rad(x0, y0, x1, y1, clockwise)
-    return min(swept, moves.FULL_TURN - swept) > 1.001 * facts.smallest_angle_rad
+    return min(swept, arcs.FULL_TURN - swept) > 1.001 * facts.smallest_angle_rad
 
 
 @njit_in_place
@@ -229,22 +229,11 @@ class CompiledReader:
 
         Raises ProgramError at the line that is refused, after all lines before it.
         """
-        for line in self._others(data, encoding):
-            if self.interpreter.leads(line):
-                return False
-            self.interpreter.line(line)
-        return True
+        return self.interpreter.lines(self._others(data, encoding))
 
     def refused(self, data: bytes, encoding: str = "utf-8") -> Generator[ProgramError, None, bool]:
         """Read `data` as `read` does; yield why lines are refused, which change nothing, and go on after them."""
-        for line in self._others(data, encoding):
-            if self.interpreter.leads(line):
-                return False
-            try:
-                self.interpreter.line(line)
-            except ProgramError as error:
-                yield error
-        return True
+        return (yield from self.interpreter.refusals(self._others(data, encoding)))
 
     def _others(self, data: bytes, encoding: str) -> Iterator[str]:
         """Let the kernel execute its runs, and yield each line between them, which is to be read before going on."""

@@ -7,7 +7,9 @@ It is the one of the compiled runs (`compiled_reader.py`) too, so that they are 
 from __future__ import annotations
 
 from CNCStepper.gcode.dialects import Dialect
-from CNCStepper.gcode.interpreter.motion.moves import arc_of, check_feed, end_point
+from CNCStepper.gcode.interpreter.block import check_feed
+from CNCStepper.gcode.interpreter.motion.arcs import arc_of
+from CNCStepper.gcode.interpreter.motion.end_points import end_point
 from CNCStepper.gcode.interpreter.state.model import Model
 from CNCStepper.gcode.syntax.line_grammar import Plan
 from CNCStepper.toolpath import LINE, RAPID, TableBuilder

@@ -16,7 +16,7 @@ from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects.codes import Code
 from CNCStepper.gcode.interpreter.block import Block
 from CNCStepper.gcode.interpreter.functions.tools import set_tool
-from CNCStepper.gcode.interpreter.motion.moves import end_point, further_end
+from CNCStepper.gcode.interpreter.motion.end_points import end_point, further_end
 from CNCStepper.gcode.interpreter.state.model import Model, Point, saved_g92
 from CNCStepper.gcode.interpreter.state.parameters import (
     FIRST_G92,
@@ -51,13 +51,13 @@ def work_system(block: Block, code: Code) -> None:
 
 
 def emit_work_offset(block: Block) -> None:
-    """Tell the canonical call of the work system in force."""
+    """Emit the canonical call of the work system in force."""
     number = WORK_SYSTEMS.index(block.model.state.work_system) + 1
     block.point(SET_WORK % number, block.model.origin)
 
 
 def emit_rotation(block: Block) -> None:
-    """Tell the canonical call of its turn about Z."""
+    """Emit the canonical call of its turn about Z."""
     block.call(f"SET_XY_ROTATION({block.model.state.rotation_deg:.4f})")
 
 
@@ -204,6 +204,8 @@ def go_home(block: Block, code: Code) -> None:
     block.rapid(end_point(model, block.plan, block.values), further, row=bool(named))
     home = _home(model, code)
     end = _towards_home(model, home, named)
+    if not block.dialect.has_z:
+        end = (end[0], end[1], model.position[2])
     if further or any(home[3:]):
         more = model.further or (0.0,) * 6
         further = tuple(home[axis] if axis in named or not named else more[axis - 3] for axis in range(3, 9))

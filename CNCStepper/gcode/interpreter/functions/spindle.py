@@ -11,7 +11,7 @@ from collections.abc import Callable
 from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects.codes import SPINDLE, Code
 from CNCStepper.gcode.interpreter.block import Block
-from CNCStepper.gcode.interpreter.state.model import rpm_at
+from CNCStepper.gcode.interpreter.state.model import POWER_ON, rpm_at
 
 START = {"cw": "START_SPINDLE_CLOCKWISE(0)", "ccw": "START_SPINDLE_COUNTERCLOCKWISE(0)"}
 SENSES = {"M3": "cw", "M4": "ccw", "M5": "off"}
@@ -22,9 +22,11 @@ FEET_PER_M = 1 / 0.3048
 
 def check_spindle(block: Block) -> None:
     """Refuse a $ word that names a spindle which is not there."""
-    if SPINDLE in block.plan.slots and block.value(SPINDLE) not in (0, -1):
-        what = "the machine has one spindle, number 0"
-        raise ProgramError("spindle-number", what, value=SPINDLE, limit="0 or -1", advice="drop $")
+    most = block.dialect.spindles - 1
+    if SPINDLE in block.plan.slots and block.value(SPINDLE) not in range(-1, most + 1):
+        what = "the machine has one spindle, number 0" if not most else "the machine has no such spindle"
+        limit = Text("0 to {most}, or -1", most=most) if most else "0 or -1"
+        raise ProgramError("spindle-number", what, value=SPINDLE, limit=limit, advice="drop $")
 
 
 def speed(block: Block, code: Code) -> None:
@@ -63,6 +65,8 @@ def spindle(block: Block, code: Code) -> None:
 def turn(block: Block, sense: str) -> None:
     """Let the spindle turn "cw" or "ccw", or stop ("off")."""
     block.model.change(spindle=sense)
+    if block.dialect.power == "switch":
+        block.model.change(spindle_rpm=0.0 if sense == "off" else POWER_ON)
     block.call(START.get(sense, STOP))
 
 

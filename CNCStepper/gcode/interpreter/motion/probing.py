@@ -6,7 +6,7 @@ from __future__ import annotations
 from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects.codes import MOTION_NAMES
 from CNCStepper.gcode.interpreter.block import Block
-from CNCStepper.gcode.interpreter.motion.moves import end_point, further_end
+from CNCStepper.gcode.interpreter.motion.end_points import end_point, further_end
 from CNCStepper.gcode.interpreter.state import stand_alone_position
 from CNCStepper.gcode.interpreter.state.parameters import length_scale
 from CNCStepper.state import UNKNOWN

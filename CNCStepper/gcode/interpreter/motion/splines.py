@@ -15,13 +15,14 @@ import numpy as np
 
 from CNCStepper.errors import GeometryError, ProgramError, Text
 from CNCStepper.gcode.dialects.codes import MOTION_NAMES, NO_MOTION, Code
-from CNCStepper.gcode.interpreter.block import Block
-from CNCStepper.gcode.interpreter.motion.moves import Arc, Flat, check_feed, end_point
+from CNCStepper.gcode.interpreter.block import Block, check_feed
+from CNCStepper.gcode.interpreter.motion.arcs import Arc, Flat
+from CNCStepper.gcode.interpreter.motion.end_points import end_point
 from CNCStepper.gcode.interpreter.motion.nurbs import Nurbs, nurbs_knots, nurbs_points
 from CNCStepper.gcode.interpreter.state import stand_alone_position
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, XY
 
-TOLERANCE_MM = 0.002  # of the arcs that stand for a spline in the table
+TOLERANCE_MM = 0.002  # of the arcs that replace a spline in the table
 STRAIGHT = 1e-9  # bulge below which a piece is a line
 
 
@@ -121,7 +122,7 @@ def _ends(block: Block) -> tuple[Flat, Flat]:
 
 
 def _cut(block: Block, nurbs: Nurbs, motion: int) -> None:
-    """Tell the call and make a row of each arc; a spline that stays where it is makes none."""
+    """Emit the call and make a row of each arc; a spline that stays where it is makes none."""
     block.call(f"NURBS_FEED({len(nurbs.points)}, ...)")
     block.unheard = True
     stood = stand_alone_position.machine_position_at(block.model)
@@ -153,7 +154,7 @@ def _pieces(nurbs: Nurbs) -> list[tuple[Flat, float]]:
     """Return the ends and bulges of the arcs, none where the curve is a point."""
     if all(point == nurbs.points[0] for point in nurbs.points):
         return []
-    from CNCStepper.geometry.fitting.parametric_curves import fit_curve  # with the kernels, which a sender does without
+    from CNCStepper.geometry.fitting.curve_to_arcs import fit_curve  # with the kernels, which a sender does without
 
     inner = sorted({*nurbs_knots(nurbs).tolist()})
     try:

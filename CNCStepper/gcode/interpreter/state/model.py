@@ -11,12 +11,13 @@ The speed of the spindle at a place: under G96 it follows X.
 from __future__ import annotations
 
 from cmath import rect
-from dataclasses import replace
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 from math import inf, isnan, radians, tau
 from typing import Any, NamedTuple
 
-from CNCStepper.canned_drilling import Place
-from CNCStepper.errors import ProgramError
+from CNCStepper.drilling_strokes import Place
+from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects import Dialect
 from CNCStepper.gcode.dialects.codes import CODE_OF_PLANE
 from CNCStepper.gcode.interpreter.cutter_compensation.held_moves import Compensation
@@ -31,6 +32,7 @@ from CNCStepper.gcode.interpreter.state.parameters import (
     parameters_at,
     stored_point,
 )
+from CNCStepper.gcode.syntax.material_comments import MaterialComment
 from CNCStepper.state import ZERO3, ZERO9, Start, State, ToolEntry
 from CNCStepper.units import MM_PER_INCH
 
@@ -64,10 +66,43 @@ class Run(NamedTuple):
     dwell: float = 0.0
 
 
+@dataclass(frozen=True)
+class Plasma:
+    """What QtPlasmaC's words have set.
+
+    materials: by number, as the text has them. cut_feed_mm_min, kerf_mm, pierce_s: of the one in force, 0 where it is
+    not in the text. share: of the feed. tool: that runs. cut_off: whether the torch is kept off.
+    """
+
+    materials: Mapping[int, MaterialComment] = field(default_factory=dict)
+    cut_feed_mm_min: float = 0.0
+    kerf_mm: float = 0.0
+    pierce_s: float = 0.0
+    share: float = 1.0
+    tool: int | None = None
+    cut_off: bool = False
+
+    def pin(self, name: str) -> float:
+        """Return the value of `#<_hal[...]>` in mm; raises ProgramError where the text does not give it."""
+        values = {"_hal[plasmac.cut-feed-rate]": self.cut_feed_mm_min, "_hal[plasmac.kerf-width]": self.kerf_mm}
+        if name not in values:
+            what = "this pin of the machine is not known to this reader"
+            raise ProgramError("unknown-parameter", what, advice="write the value itself")
+        if not values[name]:
+            what = "what the material that QtPlasmaC has chosen says is not in the text"
+            example = "(nu=7, ph=3.8, pd=0.4, ch=1.5, fr=3850, kw=1.5)"
+            advice = Text(
+                "write its comment before, such as {example}, or name material and thickness", example=example
+            )
+            raise ProgramError("material-unknown", what, value=f"#<{name}>", advice=advice)
+        return values[name]
+
+
 Point = tuple[float, float, float]
 ZERO: Point = ZERO3
 FIRST_PATH_CALLS = ("SET_MOTION_CONTROL_MODE(CANON_CONTINUOUS, 0.000000)", "SET_NAIVECAM_TOLERANCE(0.0000)")
 NO_FURTHER = (0.0,) * 6
+POWER_ON = 1.0  # the speed that stands for "on" where there is no S
 
 
 class Model:
@@ -110,6 +145,7 @@ class Model:
         "path_calls",
         "per_minute",
         "plain",
+        "plasma",
         "position",
         "run",
         "saved",
@@ -151,6 +187,7 @@ class Model:
     absolute: bool
     per_minute: bool
     plain: bool
+    plasma: Plasma | None
     diameter: bool
     compensation: Compensation | None
     arc_allowed: bool
@@ -184,7 +221,13 @@ class Model:
         """Note whether the short ways through a line serve."""
         simple = self.turn is None and self.compensation is None and not self.further and self.arc_allowed
         here = self.stands is None
+        here = here and self.feed_share == 1.0
         self.plain = self.per_minute and simple and here and not (self.diameter or self.far_plane)
+
+    @property
+    def feed_share(self) -> float:
+        """The share of what F says with which the tool moves."""
+        return self.plasma.share if self.plasma else 1.0
 
     @property
     def plane_code(self) -> str:
@@ -255,10 +298,11 @@ def model_at(start: Start, dialect: Dialect, bare: bool = False) -> Model:
     model = Model()
     model.state = State(
         tool=start.tool,
-        spindle_rpm=start.spindle_rpm,
         arc_centres=dialect.arc_centres,
         distance=dialect.distance,
         feed_mm_min=dialect.default_feed_mm_min,
+        spindle="cw" if dialect.power == "always" else "off",
+        spindle_rpm=POWER_ON if dialect.power == "always" else start.spindle_rpm,
     )
     model.motion = dialect.first_motion
     model.feed_number = dialect.default_feed_mm_min
@@ -270,6 +314,8 @@ def model_at(start: Start, dialect: Dialect, bare: bool = False) -> Model:
     model.zero_known = start.zero_known
     model.further = tuple(start.position_mm[3:])
     _fresh_modes(model, bare)
+    if dialect.plasma:
+        model.plasma = Plasma(cut_feed_mm_min=dialect.default_feed_mm_min)
     model.g92 = nine(start.g92_mm)
     model.use_system(start.work_system)
     model.position = _first_position(start, model.offset, dialect)
@@ -280,6 +326,7 @@ def _fresh_modes(model: Model, bare: bool) -> None:
     """Set what no start state names."""
     model.bare = bare
     model.stands = None
+    model.plasma = None
     model.operations = ()
     model.ended = False
     model.run = None
@@ -310,6 +357,8 @@ def _tools(start: Start) -> dict[int, ToolEntry]:
 
 def _first_position(start: Start, offset: Point, dialect: Dialect) -> Point:
     x, y, z = start.position_mm[:3]
+    if not dialect.has_z and isnan(z):
+        z = offset[2]
     if dialect.starts_at_work_zero:
         x, y, z = (zero if value != value else value for value, zero in zip((x, y, z), offset, strict=True))
     return float(x), float(y), float(z)

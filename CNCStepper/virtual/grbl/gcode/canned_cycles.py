@@ -9,8 +9,8 @@ bottom  ----v--'       G82 waits P seconds there
 
 from __future__ import annotations
 
+from CNCStepper.virtual.grbl.alarms_and_errors import refused
 from CNCStepper.virtual.grbl.board import Board, Waiting
-from CNCStepper.virtual.grbl.error_codes import refused
 from CNCStepper.virtual.grbl.gcode.block import AXES, CHIP_BREAK, DRILL_DWELL, PECKING, PLANES, Block, Drilling, Parser
 from CNCStepper.virtual.grbl.gcode.words import f32
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 from math import sqrt
 
 from CNCStepper.units import MM_PER_INCH
-from CNCStepper.virtual.grbl.error_codes import refused
+from CNCStepper.virtual.grbl.alarms_and_errors import refused
 from CNCStepper.virtual.grbl.gcode import canned_cycles
 from CNCStepper.virtual.grbl.gcode.block import (
     ARC_CW,

@@ -12,8 +12,8 @@ import numpy as np
 
 from CNCStepper.motion.planner.arc_segments import arc_points
 from CNCStepper.virtual.grbl import report, suspend
+from CNCStepper.virtual.grbl.alarms_and_errors import ALARM_PROBE_NO_CONTACT, ALARM_PROBE_START, refused
 from CNCStepper.virtual.grbl.board import Board, Waiting
-from CNCStepper.virtual.grbl.error_codes import ALARM_PROBE_NO_CONTACT, ALARM_PROBE_START, refused
 from CNCStepper.virtual.grbl.gcode import canned_cycles, checks, parser
 from CNCStepper.virtual.grbl.gcode.block import (
     ARCS,

@@ -8,7 +8,7 @@ which error a line with two faults gets.
 
 from __future__ import annotations
 
-from CNCStepper.virtual.grbl.error_codes import refused
+from CNCStepper.virtual.grbl.alarms_and_errors import refused
 from CNCStepper.virtual.grbl.firmware import GRBL, Firmware
 from CNCStepper.virtual.grbl.gcode.block import CYCLES, FIRST_SYSTEM, LAST_SYSTEM, AxisCommand, Block, Modal
 from CNCStepper.virtual.grbl.gcode.words import read_words

@@ -7,7 +7,7 @@ import re
 import struct
 from collections.abc import Iterator
 
-from CNCStepper.virtual.grbl.error_codes import refused
+from CNCStepper.virtual.grbl.alarms_and_errors import refused
 
 DIGITS_READ = 8  # further digits only scale the number
 NUMBER = re.compile(r"([+-]?)(\d*)(\.?)(\d*)")

@@ -29,7 +29,7 @@ from CNCStepper.control.program.bundle import (
     read_bundle,
     write_bundle,
 )
-from CNCStepper.control.program.certificate import sendable
+from CNCStepper.control.program.certificate import FORMAT, VERSION, Certificate, digest_of_lines, sendable
 from CNCStepper.control.program.send_job import SendJob, read_job, write_job
 from CNCStepper.errors import CNCStepperError, JobError, Place, ProgramError
 
@@ -144,11 +144,11 @@ def test_a_pipe_takes_a_bundle_too(tmp_path: Path) -> None:
 def test_a_file_that_is_changed_while_it_is_read_is_noticed(tmp_path: Path) -> None:
     path = tmp_path / "job.wire"
     write_job(path, SendJob("port", LINES))
-    job = read_job(path)
-    assert job.lines[0] == LINES[0]
+    found = read_bundle(path)
+    assert found.lines[0] == LINES[0]
     path.write_bytes(path.read_bytes().replace(b"X2000Y", b"X99Y"))
     with pytest.raises(JobError) as refused:
-        job.lines[2 * BLOCK]
+        found.lines[2 * BLOCK]
     assert refused.value.code == "file-changed"
 
 
@@ -266,3 +266,25 @@ def test_memory_does_not_grow_with_the_program(tmp_path: Path, monkeypatch: pyte
     most_bytes(10)
     few, many = most_bytes(20 * BLOCK), most_bytes(60 * BLOCK)
     assert many < few + 40 * 64 + sys.getsizeof(LINES[0]) * BLOCK
+
+
+def _certificate(folder: Path, **head: Any) -> Path:
+    """Write a certificate of one line whose head is damaged, with the fingerprint of what it holds."""
+    wire = {"sha256": digest_of_lines(["G1X1"]), "dialect": "grbl"}
+    content = {"format": FORMAT, "version": VERSION, "wire": wire, "findings": [], "send": {"file": "a.nc"}}
+    Certificate({**content, **head}, ["G1X1"]).write(folder / "a.zip")
+    return folder / "a.zip"
+
+
+@pytest.mark.parametrize(
+    "head",
+    [{"wire": {"sha256": 5}}]
+    + [{"findings": findings} for findings in (5, [5], None, [{"severity": "error"}])],
+)  # fmt: skip
+def test_a_certificate_whose_head_is_damaged_is_refused(head: dict[str, Any], tmp_path: Path) -> None:
+    with pytest.raises(JobError):
+        sendable(_certificate(tmp_path, **head))
+
+
+def test_the_lines_of_a_certificate_are_those_that_were_compared(tmp_path: Path) -> None:
+    assert list(sendable(_certificate(tmp_path, send={"file": "a.nc", "lines": ["G0Z-99"]})).lines) == ["G1X1"]

@@ -7,7 +7,7 @@ import pytest
 
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.program.wire_line import check_length
-from CNCStepper.control.protocol.grbl.codes_fluidnc import FLUIDNC_ERROR_NAMES
+from CNCStepper.control.protocol.grbl.alarms_and_errors_fluidnc import FLUIDNC_ERROR_NAMES
 from CNCStepper.control.protocol.grbl.connect import ControllerInfo, handshake
 from CNCStepper.control.protocol.grbl.driver import Grbl
 from CNCStepper.control.protocol.grbl.firmware import (

@@ -81,7 +81,7 @@ def test_few_bytes_wait_and_the_line_is_kept_busy(lengths, baud, rests):
     driver = Grbl(link, clock, interlock=UNLOCKED)
     total = sum(lengths) + len(lengths)
     least = 2 * (total - link.queue_bytes)  # a window so small that the line need not be busy begins below
-    driver.window = least if rests else 4 * total
+    driver.counting.window = least if rests else 4 * total
     lines = ["1" * length for length in lengths]
     for line in lines:
         driver.send(line)

@@ -1,0 +1,235 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+r"""The drawn chains of a sheet: which are parts and holes, and where the beam's centre runs along them.
+
++-----------------+      depth 0   outline of a part: the cut runs outside of it
+|  .-----------.  |      depth 1   hole in it: the cut runs inside
+|  |  +-----+  |  |      depth 2   a part inside the hole, and so on
+|  |  |part |  |  |
+|  |  +-----+  |  |      open      cut on its line
+|  '-----------'  |
++-----------------+      Every path has the part on the good side, half a kerf off: exact parallels of lines and arcs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+
+from CNCStepper.cycles.sheet_cutting.chord_pieces import ChordPieces, points_of
+from CNCStepper.errors import CycleError, GeometryError, Text
+from CNCStepper.geometry.curve import Curve
+from CNCStepper.geometry.curve_bundle import bundle_of
+from CNCStepper.geometry.cut_order.cut_order import parents
+from CNCStepper.geometry.offset import left_loops
+from CNCStepper.tolerances import SAME_CUT_MM
+
+OFFSET_TOLERANCE_MM = 0.004  # of which an offset uses an eighth at most
+SHORTEST_MM = 0.02  # a shorter curve is nothing to cut
+ROUGH_MM = 0.02  # of chords with which slots are looked for
+GAP_MM = 0.004  # by so much less than a kerf a gap may be: rounding of drawings
+
+
+@dataclass(frozen=True)
+class Chain:
+    """A drawn chain: number from 1 in drawing order, holder: index of the smallest closed chain around it, or -1.
+
+    curve: counter-clockwise where it is closed. depth: how many closed chains lie around it. paths: where the beam's
+    centre runs, with the part on the good side; several where the kerf does not get through a narrow place.
+    """
+
+    number: int
+    curve: Curve
+    depth: int
+    holder: int
+    paths: tuple[Curve, ...]
+
+    @property
+    def is_open(self) -> bool:
+        """Whether it is cut on its line."""
+        return not self.curve.closed
+
+    @property
+    def is_hole(self) -> bool:
+        """Whether it is the outline of a hole."""
+        return self.curve.closed and self.depth % 2 == 1
+
+    @property
+    def is_part(self) -> bool:
+        """Whether it is the outline of a part."""
+        return self.curve.closed and self.depth % 2 == 0
+
+    @property
+    def diameter_mm(self) -> float:
+        """The diameter of the circle with the same area."""
+        return float(2.0 * np.sqrt(abs(self.curve.area_mm2) / np.pi))
+
+    @property
+    def title(self) -> str:
+        """The chain in words for people."""
+        return f"{'line' if self.is_open else 'hole' if self.is_hole else 'part'} {self.number}"
+
+
+def nested(curves: Sequence[Curve]) -> tuple[list[Chain], list[str]]:
+    """Return the chains of drawn curves, without paths, and warnings; raises CycleError for such as have no length."""
+    drawn, warnings = _once(curves)
+    holders = parents([curve for _, curve in drawn])
+    chains = [
+        Chain(number, curve if curve.area_mm2 >= 0.0 or not curve.closed else curve.reversed(), 0, holder, ())
+        for (number, curve), holder in zip(drawn, holders, strict=True)
+    ]
+    return [_at_depth(chain, holders) for chain in chains], warnings
+
+
+def with_paths(chains: Sequence[Chain], kerf_mm: float, part_right: bool) -> list[Chain]:
+    """Return the chains with the paths of a beam of that kerf; raises CycleError where it does not fit."""
+    rings = points_of([chain.curve for chain in chains], ROUGH_MM / 10.0)
+    for chain, ring in zip(chains, rings, strict=True):
+        if not chain.is_open:
+            _require_simple(chain, ring)
+    return [_with_path(chain, kerf_mm, part_right) for chain in chains]
+
+
+def require_gaps(chains: Sequence[Chain], pieces: ChordPieces, kerf_mm: float) -> None:
+    """Raise CycleError where two parts, or a part and the hole around it, are nearer to each other than the kerf.
+
+    pieces: of the closed chains, by their index.
+    """
+    if not kerf_mm:
+        return
+    one, other, apart_mm = pieces.pairs(max(kerf_mm - GAP_MM, SAME_CUT_MM))
+    scrap = np.array([_scrap_between(chains, *pair) for pair in zip(one.tolist(), other.tolist(), strict=True)], bool)
+    if not scrap.any():
+        return
+    worst = int(np.flatnonzero(scrap)[apart_mm[scrap].argmin()])
+    pair = int(one[worst]), int(other[worst])
+    lines = [shapely.LineString(pieces.chords[each]) for each in pair]
+    (x, y), _ = shapely.get_coordinates(shapely.shortest_line(*lines))
+    raise CycleError(
+        "gap-narrow",
+        Text(
+            "between curves {one} and {other} the kerf does not fit, at X{x:.3f} Y{y:.3f}",
+            one=chains[pair[0]].number, other=chains[pair[1]].number, x=x, y=y,
+        ),
+        value=f"{apart_mm[worst]:.3f} mm",
+        limit=Text("at least the kerf of {kerf_mm:g} mm", kerf_mm=kerf_mm),
+        advice="move them apart, or cut with a narrower kerf",
+    )  # fmt: skip
+
+
+def narrow_warnings(chains: Sequence[Chain], kerf_mm: float) -> list[str]:
+    """Return a warning for each chain with a slot or corner into which the kerf does not get."""
+    told: list[str] = []
+    closed = [chain for chain in chains if not chain.is_open]
+    for chain, points in zip(closed, points_of([chain.curve for chain in closed], ROUGH_MM), strict=True):
+        places = np.vstack([points, _middles(chain.curve)])
+        away_mm = np.min([path.distances_mm(places) for path in chain.paths], axis=0)
+        worst = int(away_mm.argmax())
+        if away_mm[worst] > kerf_mm + GAP_MM:
+            x, y = places[worst].tolist()
+            told.append(
+                Text(
+                    "{chain}: the kerf does not get into a slot or corner at X{x:.3f} Y{y:.3f}; {left_mm:.2f} mm stay",
+                    chain=chain.title, x=x, y=y, left_mm=float(away_mm[worst]) - kerf_mm / 2.0,
+                )
+            )  # fmt: skip
+    return told
+
+
+def polygon_of(curve: Curve, flat_mm: float) -> shapely.Polygon:
+    """Return a closed curve as a polygon of chords."""
+    return shapely.Polygon(curve.points(flat_mm))
+
+
+def _middles(curve: Curve) -> np.ndarray:
+    places: np.ndarray = curve.at_length((curve.before_mm[1:] + curve.before_mm[:-1]) / 2.0)[0]
+    return places
+
+
+def _scrap_between(chains: Sequence[Chain], one: int, other: int) -> bool:
+    """Return whether what lies between two closed chains is cut away."""
+    first, second = chains[one], chains[other]
+    if first.holder == second.holder:
+        return first.is_part
+    inner, outer = (first, other) if first.depth > second.depth else (second, one)
+    return inner.is_part and inner.holder == outer
+
+
+def _once(curves: Sequence[Curve]) -> tuple[list[tuple[int, Curve]], list[str]]:
+    """Return the curves with their numbers, those drawn twice once."""
+    drawn: dict[tuple[int, ...], tuple[int, Curve]] = {}
+    twice = 0
+    for number, curve in enumerate(curves, start=1):
+        if not curve.length_mm > SHORTEST_MM:
+            raise CycleError(
+                "curve-length",
+                Text("curve {number} has no length", number=number),
+                value=f"{curve.length_mm:g} mm",
+                advice="draw it larger, or leave it out",
+            )
+        curve = curve.without_short()
+        middle = curve.xy[:-1].mean(axis=0) if curve.closed else curve.xy[[0, -1]].mean(axis=0)
+        measures = (*middle.tolist(), curve.length_mm, abs(curve.area_mm2) if curve.closed else -1.0)
+        key = tuple(round(value / SAME_CUT_MM) for value in measures)
+        twice += key in drawn
+        drawn.setdefault(key, (number, curve))
+    warnings: list[str] = [Text("{twice} curve(s) are drawn twice and are cut once", twice=twice)] if twice else []
+    return list(drawn.values()), warnings
+
+
+def _at_depth(chain: Chain, holders: Sequence[int]) -> Chain:
+    depth, holder = 0, chain.holder
+    while holder >= 0:
+        depth, holder = depth + 1, holders[holder]
+    return Chain(chain.number, chain.curve, depth, chain.holder, ())
+
+
+def _with_path(chain: Chain, kerf_mm: float, part_right: bool) -> Chain:
+    paths = _centre_lines(chain, kerf_mm)
+    if not part_right and not chain.is_open:
+        paths = tuple(path.reversed() for path in paths)
+    return Chain(chain.number, chain.curve, chain.depth, chain.holder, paths)
+
+
+def _centre_lines(chain: Chain, kerf_mm: float) -> tuple[Curve, ...]:
+    """Return the path with the part on its right: clockwise round a part, counter-clockwise in a hole."""
+    if chain.is_open:
+        return (chain.curve,)
+    along = chain.curve if chain.is_hole else chain.curve.reversed()
+    if not kerf_mm:
+        return (along,)
+    try:
+        found = left_loops(bundle_of([along]), kerf_mm / 2.0, OFFSET_TOLERANCE_MM).curves()
+    except GeometryError as error:
+        raise CycleError(error.code, error.what, value=error.value, limit=error.limit, advice=error.advice) from error
+    paths = tuple(path for path in found if path.length_mm > SHORTEST_MM)
+    if not paths:
+        raise _too_wide(chain, kerf_mm)
+    return paths
+
+
+def _require_simple(chain: Chain, ring: np.ndarray) -> None:
+    x, y = chain.curve.xy[0].tolist()
+    if abs(chain.curve.area_mm2) < SHORTEST_MM**2 or not shapely.is_simple(shapely.linearrings(ring)):
+        raise CycleError(
+            "curve-crossing",
+            Text(
+                "curve {number}, which begins at X{x:.3f} Y{y:.3f}, crosses itself or encloses nothing",
+                number=chain.number, x=x, y=y,
+            ),
+            advice="draw an outline that encloses one area",
+        )  # fmt: skip
+
+
+def _too_wide(chain: Chain, kerf_mm: float) -> CycleError:
+    room = shapely.maximum_inscribed_circle(polygon_of(chain.curve, SAME_MM), tolerance=0.001)
+    (x, y), _ = shapely.get_coordinates(room)
+    return CycleError(
+        "kerf-wide",
+        Text("the kerf is wider than hole {number} at X{x:.3f} Y{y:.3f}", number=chain.number, x=x, y=y),
+        value=f"{kerf_mm:g} mm",
+        limit=Text("below {room_mm:.2f} mm", room_mm=2.0 * shapely.length(room)),
+        advice="draw the hole wider, spot it for drilling (spot_below_mm), or cut with a narrower kerf",
+    )

@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The parameters of wire cutting, named as in a job file."""
+
+from typing import Annotated, Any, Literal
+
+from CNCStepper.cycles.parameter import CUT, OFFSET, PATH, TOLERANCE, Parameter, Parameters
+from CNCStepper.quantities import Bounds, Coordinate, CutTolerance, TimeOr0, ToolReference, Width, WidthOr0
+
+SheetSide = Literal["left", "right", "front", "back"]
+
+
+class WireParameters(Parameters):
+    """The keys of wire cutting; closed outlines that lie in each other are part and hole in turn.
+
+    front is the side of the lowest Y. The dwell at a corner is corner_dwell_s for a half turn, and less for less.
+    """
+
+    cycle: Literal["wire_cut"] = "wire_cut"
+    tool: ToolReference
+    curves: Any
+    offset_mm: Annotated[tuple[Coordinate, Coordinate], OFFSET] = (0.0, 0.0)
+    enter_from: Annotated[
+        Literal["nearest", "left", "right", "front", "back"],
+        Parameter(CUT, "Enter from", "The edge of the sheet through which the wire comes in"),
+    ] = "nearest"
+    leave: Annotated[
+        Literal["back", "edge"],
+        Parameter(
+            CUT, "Leave", "How the wire comes out at last: back the way it came, or on the shortest way to an edge"
+        ),
+    ] = "back"
+    entry_slit: Annotated[
+        bool,
+        Parameter(CUT, "Entry slit", "Whether a slit through the part leads the wire into a closed hole", False),
+    ]
+    margin_mm: Annotated[
+        Width, Parameter(PATH, "Margin", "How far the kerf of a way through the scrap stays from every part")
+    ] = 1.0
+    kerf_mm: Annotated[
+        WidthOr0,
+        Parameter(PATH, "Kerf", "The width of the cut where it is not the chart's; 0: the chart's, else the tool's"),
+    ] = 0.0
+    corner_dwell_s: Annotated[
+        TimeOr0,
+        Parameter(PATH, "Corner dwell", "How long the wire stands where the way turns back; less at blunter corners"),
+    ] = 0.0
+    corner_angle_deg: Annotated[
+        float,
+        Bounds("angle", 1.0, 180.0),
+        Parameter(PATH, "Corner angle", "Where the way turns by less, the wire does not stand"),
+    ] = 30.0  # fmt: skip
+    tolerance_mm: Annotated[CutTolerance, TOLERANCE] = 0.01

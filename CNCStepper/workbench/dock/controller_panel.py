@@ -1,0 +1,200 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The controller's panel: its sections below each other, filled from the link twenty times a second."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+from CNCStepper.errors import CNCStepperError
+from CNCStepper.workbench.dock.connection import Link, error_text
+from CNCStepper.workbench.dock.job_sending import FileSending, Sending
+from CNCStepper.workbench.dock.model import settings
+from CNCStepper.workbench.dock.model.controller_state import RULES, face, why_not
+from CNCStepper.workbench.dock.model.send_steps import why_not_confirm
+from CNCStepper.workbench.dock.restart_offer import RestartOffer
+from CNCStepper.workbench.dock.retract_client import COMMANDS, RetractRun
+from CNCStepper.workbench.dock.views import widgets
+from CNCStepper.workbench.dock.views.connection_view import ConnectionView
+from CNCStepper.workbench.dock.views.console_view import ConsoleView, LogView
+from CNCStepper.workbench.dock.views.hold_and_progress_view import JobView, PauseView
+from CNCStepper.workbench.dock.views.jog_view import JogView
+from CNCStepper.workbench.dock.views.keyboard import KeyboardArea
+from CNCStepper.workbench.dock.views.override_view import OverrideView
+from CNCStepper.workbench.dock.views.retract_view import RetractView
+from CNCStepper.workbench.dock.views.send_steps_view import FlowView
+from CNCStepper.workbench.dock.views.state_view import PositionView, StateView
+from CNCStepper.workbench.proving.latest_proof import Sender
+from CNCStepper.workbench.services import messages
+from CNCStepper.workbench.services.findings_list import FindingsList
+from CNCStepper.workbench.services.message_translation import translated
+from CNCStepper.workbench.services.translation import tr
+
+POLL_MS = 50
+WIDTH, ROOM = 320, 20
+MARGINS = (8, 4, 8, 4)
+
+
+class Panel(KeyboardArea):
+    """All of the dock's content; `link` is its controller, `sending` the job on its way, `language` FreeCAD's then.
+
+    send: begins to send a program, or its restart at a place, with the dock in front.
+    """
+
+    def __init__(self, link: Link, send: Sender) -> None:
+        super().__init__()
+        widgets.named(self, "Panel")
+        self.language = FreeCADGui.getLocale()
+        self.link, self.log = link, LogView()
+        lengths, point = settings.lengths(), settings.decimal_point()
+        self.findings = widgets.named(FindingsList(), "Findings")
+        self.sending = Sending(self, self.link, self.findings.show, self.connect_chosen, self.refresh)
+        self.connection = ConnectionView(self.connect_chosen, self._leave, self._ports)
+        self.state = StateView()
+        self.flow = FlowView(self.findings, self.sending.confirm_step, self.sending.away)
+        self.file_sending, self.recovery = FileSending(send), RestartOffer(self.link, send)
+        self.position = PositionView(lengths, point, lambda axes: self.link.command("set_zero", axes))
+        self.backing = RetractRun(self, self.link, self.log.say, self.refresh)
+        self.back = RetractView(lengths, point, self.backing.go)
+        self.halt, self.job = PauseView(self.backing.command), JobView()
+        self.jog = JogView(lengths, point, self.link.command)
+        self.overrides = OverrideView(lambda kind, step: self.link.command("override", kind, step))
+        self.home = widgets.button("Home", tr("Home"), lambda: self.link.command("home"), icon="Home")
+        self.unlock = widgets.button("Unlock", tr("Unlock"), lambda: self.link.command("unlock"), icon="Unlock")
+        self.console = ConsoleView(lambda line: self.link.command("type", line))
+        self._mark: tuple[Any, str] = (None, "")
+        self._arrange()
+        self._timer = QtCore.QTimer(self)
+        self._timer.setInterval(POLL_MS)
+        self._timer.timeout.connect(messages.guarded(self._tick))
+        self._timer.start()
+        self.refresh()
+
+    def minimumSizeHint(self) -> Any:
+        """Return the narrowest that nothing is cut off at, in any language."""
+        bar = self.area.verticalScrollBar().sizeHint().width()
+        return QtCore.QSize(max(WIDTH, self.area.widget().minimumSizeHint().width() + bar), 1)
+
+    def sizeHint(self) -> Any:
+        """Return a comfortable size."""
+        return self.minimumSizeHint() + QtCore.QSize(ROOM, self.area.widget().sizeHint().height())
+
+    # --- asked from outside ----------------------------------------------------------------------
+
+    def attach(self, session_file: Path) -> None:
+        """Take up a controller's process that a window before this one has left."""
+        self.link.attach(session_file)
+        self.sending.forget()
+        self.log.say("message", tr("Attached again to the controller at {0}.").format(self.link.port))
+        self.refresh()
+
+    def connect_chosen(self) -> None:
+        """Begin to connect to the port that is chosen, and remember it."""
+        port, baud = self.connection.port, self.connection.baud_rate
+        settings.remember_port(port, baud)
+        try:
+            self.link.open(port, baud, self.connection.times_faster)
+        except CNCStepperError as error:
+            messages.error(error)
+        self.refresh()
+
+    def refresh(self) -> None:
+        """Show the present moment in all sections."""
+        moment, flow = self.link.moment, self.sending.flow
+        shown = face(moment)
+        self.state.show_face(shown, tr(shown.sentence))
+        views: tuple[Any, ...] = (self.connection, self.file_sending, self.recovery.view, self.position)
+        for view in (*views, self.halt, self.jog, self.overrides, self.console):
+            view.lock(moment)
+        for name, button in (("home", self.home), ("unlock", self.unlock)):
+            widgets.lock(button, why_not(name, moment), RULES[name].does)
+        self.back.show_back(self.backing.flow, moment)
+        self.flow.show_flow(flow, why_not_confirm(flow, moment))
+        self._show_status(self.link.status, moment.job_runs)
+
+    # --- inside ----------------------------------------------------------------------------------
+
+    def _tick(self) -> None:
+        events = self.link.poll()
+        for event in events:
+            self._on_message(event)
+            self.sending.take(event)
+        self.sending.advance()
+        self.backing.advance()
+        self.recovery.advance()
+        mark = (self.link.moment, self.sending.flow.step)
+        if events or mark != self._mark:
+            if mark[1] != self._mark[1]:  # a new step must be seen
+                self.area.verticalScrollBar().setValue(0)
+            self._mark = mark
+            self.refresh()
+
+    def _on_message(self, event: dict[str, Any]) -> None:
+        """Let the console say what belongs to a typed line, and the log what concerns all."""
+        if event["event"] in ("console", "answer") or event.get("command") == "line":
+            self.console.on_message(translated(event["text"]))
+        elif event["event"] in ("message", "warning", "refused") and event.get("command") not in COMMANDS:
+            self.log.say(
+                event["event"], error_text(event["error"]) if event.get("error") else translated(event["text"])
+            )
+
+    def _show_status(self, status: Any, job_runs: bool) -> None:
+        self.position.show_status(status)
+        self.overrides.show_overrides(overrides_of(status), status and status.outputs)
+        if status is not None and job_runs:
+            self.job.show_job(Path(status.file).name, status, self.sending.program_lines)
+        elif not job_runs:
+            self.job.hide()
+
+    def _leave(self) -> None:
+        self.link.leave()
+        self.refresh()
+
+    def _ports(self) -> list[tuple[str, str]]:
+        """Return the serial ports with their names; none, and a message, when pyserial is missing."""
+        from CNCStepper.control.transport.link import port_list
+
+        try:
+            return [(choice.name, choice.text) for choice in port_list()]
+        except CNCStepperError as error:
+            self.log.say("warning", error_text(error))
+            return []
+
+    def _arrange(self) -> None:
+        """Put what must always be in sight above what may scroll."""
+        content = QtGui.QWidget()
+        layout = widgets.column(content)
+        layout.setContentsMargins(*MARGINS)
+        sections: tuple[list[Any], ...] = (
+            [self.flow, self.job, self.back, self.file_sending.button, self.recovery.view, self.position],
+            [widgets.caption(tr("Jog")), self.jog, widgets.row(self.home, self.unlock)],
+            [widgets.caption(tr("Overrides")), self.overrides],
+            [widgets.caption(tr("Messages")), self.log],
+            [widgets.caption(tr("Console")), self.console],
+        )
+        for number, section in enumerate(sections):
+            if number:
+                layout.addWidget(widgets.line())
+            for entry in section:
+                layout.addWidget(entry) if isinstance(entry, QtGui.QWidget) else layout.addLayout(entry)
+        layout.addStretch(1)
+        self.area = QtGui.QScrollArea()
+        self.area.setWidget(content)
+        self.area.setWidgetResizable(True)
+        self.area.setFrameShape(QtGui.QFrame.Shape.NoFrame)
+        self.area.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        head = widgets.column()
+        head.setContentsMargins(*MARGINS)
+        for view in (self.connection, self.state, self.halt):
+            head.addWidget(view)
+        whole = widgets.column(self)
+        whole.addLayout(head)
+        whole.addWidget(self.area, 1)
+
+
+def overrides_of(status: Any) -> dict[str, Any]:
+    """Return feed, rapid and spindle in percent as reported, {} when nothing is."""
+    return dict(zip(("feed", "rapid", "spindle"), (status and status.overrides) or (), strict=False))

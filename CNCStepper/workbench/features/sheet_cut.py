@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""CNCStepper_SheetCut: parts and their holes cut out of sheet by torch, laser, jet, knife or point."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+from CNCStepper.cycles.contours.contour_parameters import LINES
+from CNCStepper.cycles.parameter import LEADS, TABS
+from CNCStepper.cycles.sheet_cutting.sheet_parameters import RULES, SheetParameters
+from CNCStepper.machine.processes import PROCESSES
+from CNCStepper.workbench.features.base import DISTANCE, ENUMERATION, INTEGER, Property, values
+from CNCStepper.workbench.features.operation import OPERATION, Operation, drawn, drawn_lines, jobs_of
+from CNCStepper.workbench.features.parameters import RESULT, properties_of
+from CNCStepper.workbench.services.translation import later
+
+USUAL, OWN, NONE = "usual", "own", "none"
+TABLES = ("small_holes", "corners", "arcs", "loops", "power_ramp", "tabs", "lead_in", "lead_out")
+PROCESS = "process"  # of the job, on which it depends what counts
+LASER, KNIFE = ("laser",), ("drag-knife",)
+PIERCING = tuple(name for name, one in PROCESSES.items() if one.entry == "pierce")
+LOWERED = tuple(name for name, one in PROCESSES.items() if one.entry == "lower")
+TORCHES = ("plasma", "oxyfuel")
+
+
+def _chooser(table: str, group: str, label: str, text: str, choices: tuple[str, ...]) -> Property:
+    return Property(f"{table}_by", f"{table}_by".title().replace("_", ""), ENUMERATION, group, label, text, choices[0],
+                    choices=choices)  # fmt: skip
+
+
+CHOOSERS = (
+    Property("tabs_by", "TabsBy", ENUMERATION, TABS, later("Tabs"),
+             later("Joints that hold the part until it is broken out"), NONE, choices=(NONE, "count", "spacing")),
+    _chooser("lead_in", LEADS, later("Leads"), later("Leads as usual for the process, or with values of your own"),
+             (USUAL, OWN)),
+    _chooser("small_holes", RULES, later("Small holes"), later("Small holes at a feed of their own"), (USUAL, OWN)),
+    _chooser("corners", RULES, later("Corners"), later("A lower feed at corners"), (USUAL, OWN)),
+    _chooser("arcs", RULES, later("Narrow arcs"), later("A lower feed on arcs of a small radius"), (NONE, OWN)),
+    _chooser("loops", RULES, later("Loops"), later("Loops in the scrap, which make outside corners sharp"),
+             (NONE, OWN)),
+    _chooser("power_ramp", RULES, later("Power ramp"), later("A laser's power that rises behind the pierce"),
+             (NONE, OWN)),
+)  # fmt: skip
+BY_TABLE = {
+    "tabs": {"tabs_count": ("count",), "tabs_spacing_mm": ("spacing",), "tabs_width_mm": ("count", "spacing")},
+    "lead_out": "lead_in_by",
+}
+BY_PROCESS = {
+    "pierce_mm": PIERCING,
+    "pierce_delay_s": PIERCING,
+    "depth_mm": LOWERED,
+    "passes": (*LASER, *LOWERED),
+    "dynamic_power": LASER,
+    "blade_offset_mm": KNIFE,
+    "small_holes_by": PIERCING,
+    "corners_by": PIERCING,
+    "arcs_by": PIERCING,
+    "loops_by": PIERCING,
+    "power_ramp_by": LASER,
+    "mark_power": LASER,
+    "spot_below_mm": (*TORCHES, *LASER),
+    "spot_s": (*TORCHES, *LASER),
+}
+NOT_SHOWN = {"mark_feed_mm_min"}  # there are no marks in the window
+
+
+def _with_what_decides(entry: Property) -> Property:
+    """Return a property that counts only with the process or the chooser of its table."""
+    if entry.key in BY_PROCESS:
+        return replace(entry, only=(PROCESS, BY_PROCESS[entry.key]))
+    table = next((name for name in TABLES if entry.key.startswith(f"{name}_")), "")
+    if not table or entry.only or entry.key.endswith("_by"):
+        return entry
+    if table == "tabs":
+        return replace(entry, only=("tabs_by", BY_TABLE["tabs"][entry.key]))  # type: ignore[index]
+    return replace(entry, only=(BY_TABLE.get(table, f"{table}_by"), (OWN,)))
+
+
+def _properties() -> tuple[Property, ...]:
+    """Return the cycle's properties, each chooser before its table, the rules last."""
+    found = [entry for entry in properties_of(SheetParameters, *CHOOSERS) if entry.key not in NOT_SHOWN]
+    ordered = sorted(found, key=lambda entry: (entry.group == RULES, _place(entry) if entry.group == RULES else 0))
+    return tuple(map(_with_what_decides, ordered))
+
+
+def _place(entry: Property) -> tuple[int, bool]:
+    tables = [place for place, name in enumerate(TABLES) if entry.key.startswith(f"{name}_")]
+    return (tables[0] if tables else len(TABLES), not entry.key.endswith("_by"))
+
+
+class SheetCut(Operation):
+    """The proxy of a cut of all chains of lines in a drawing out of the job's sheet."""
+
+    Type = "CNCStepper_SheetCut"
+    CYCLE = "sheet_cut"
+    BY = (*PIERCING, *LOWERED)
+    TABLES = TABLES
+    OWN = tuple(entry.key for entry in CHOOSERS)
+    PROPERTIES = (
+        *OPERATION,
+        *drawn(LINES, later("The sketch, wires or faces whose lines are cut: closed ones are parts and holes in turn")),
+        *_properties(),
+        Property("parts", "Parts", INTEGER, RESULT, later("Parts"), later("How many parts are cut free"), 0,
+                 output=True),
+        Property("pierces", "Pierces", INTEGER, RESULT, later("Pierces"), later("How often the tool pierces"), 0,
+                 output=True),
+        Property("cut_length_mm", "CutLength", DISTANCE, RESULT, later("Cut length"), later("The length of all cuts"),
+                 0.0, output=True),
+    )  # fmt: skip
+
+    def known(self, obj: Any) -> dict[str, Any]:
+        """Return the object's values by key, and its job's process."""
+        jobs = jobs_of(obj)
+        return {**values(obj), **({PROCESS: jobs[0].Process} if jobs else {})}
+
+    def counts(self, entry: Property, found: dict[str, Any]) -> bool:
+        """Return whether a property counts with the other values, and with the process where that is known."""
+        if entry.only and entry.only[0] == PROCESS:
+            return PROCESS not in found or found[PROCESS] in entry.only[1]
+        return super().counts(entry, found)
+
+    def make(self, obj: Any) -> None:
+        """Cut it for trial, and show what its job's process has."""
+        self.show_what_counts(obj)
+        super().make(obj)
+
+    def cycle_values(self, obj: Any, origin_mm: tuple[float, ...]) -> dict[str, Any]:
+        """Return the parameters and the drawings' curves."""
+        curves = drawn_lines(obj, origin_mm, "choose a sketch, wires or faces for it").curves
+        return {**self.given(self.known(obj)), "curves": tuple(each.curve for each in curves)}

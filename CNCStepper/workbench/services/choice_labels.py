@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The words for the choices of enumerations, which documents and job files keep in English."""
+
+from __future__ import annotations
+
+from CNCStepper.workbench.services.translation import later, tr
+
+WORDS = {
+    "climb": later("climb"),
+    "conventional": later("conventional"),
+    "tolerance": later("arcs within the tolerance"),
+    "dda": later("published points (DDA)"),
+    "helix": later("helix"),
+    "ramp": later("ramp"),
+    "plunge": later("straight down"),
+    "flat": later("flat end mill"),
+    "ball": later("ball end mill"),
+    "bullnose": later("bull nose"),
+    "v": later("V-bit"),
+    "drill": later("drill"),
+    "engraver": later("engraver"),
+    "jet": later("jet (water, plasma, laser)"),
+    "wire": later("wire"),
+    "mm": later("millimetres (G21)"),
+    "inch": later("inches (G20)"),
+    "none": later("none"),
+    "mist": later("mist (M7)"),
+    "flood": later("flood (M8)"),
+    "box": later("box"),
+    "sheet": later("sheet"),
+    "cylinder": later("cylinder"),
+    "top-centre": later("centre of the top"),
+    "top-left-front": later("front left corner of the top"),
+    "": later("the machine's own"),
+    "offset": later("along the walls"),
+    "zigzag": later("zigzag"),
+    "spiral": later("spiral"),
+    "engagement": later("bounded engagement"),
+    "oneway": later("lines in one direction"),
+    "outside": later("outside"),
+    "inside": later("inside"),
+    "on": later("on the line"),
+    "left": later("left"),
+    "right": later("right"),
+    "count": later("count"),
+    "spacing": later("spacing"),
+    "line": later("line"),
+    "arc": later("arc"),
+    "corner": later("into the corner"),
+    "side": later("into one side"),
+    "drawing": later("of a drawing"),
+    "bolt_circle": later("bolt circle"),
+    "grid": later("grid"),
+    "points": later("points"),
+    "tip": later("the point"),
+    "diameter": later("full diameter"),
+    "G81": later("G81 straight"),
+    "G82": later("G82 with a pause"),
+    "G83": later("G83 pecks, all out"),
+    "G73": later("G73 pecks, chips"),
+    "clearance": later("G98 clearance"),
+    "retract": later("G99 retract"),
+    "short": later("short rapids"),
+    "given": later("as given"),
+    "drawn": later("as drawn"),
+    "carbide": later("carbide"),
+    "hss": later("high-speed steel"),
+    "aluminium-6061": later("aluminium 6061"),
+    "brass": later("brass"),
+    "mild-steel": later("mild steel"),
+    "stainless": later("stainless steel"),
+    "hardwood": later("hardwood"),
+    "softwood": later("softwood"),
+    "plywood": later("plywood"),
+    "mdf": later("MDF board"),
+    "acrylic": later("acrylic, cast"),
+    "polycarbonate": later("polycarbonate"),
+    "pom": later("POM (acetal)"),
+    "hdpe": later("HDPE plastic"),
+    "pvc-foam": later("PVC foam board"),
+    "xps": later("XPS foam"),
+    "fr4": later("FR4 (glass fibre)"),
+    "carbon-fibre": later("carbon fibre"),
+}
+
+
+PROCESS_WORDS = {
+    "milling": later("Milling"),
+    "plasma": later("Plasma"),
+    "oxyfuel": later("Oxyfuel"),
+    "laser": later("Laser"),
+    "waterjet": later("Water jet"),
+    "hot-wire": later("Hot wire"),
+    "drag-knife": later("Drag knife"),
+    "scribe": later("Scribe"),
+}
+CHART_WORDS = {
+    "aluminium": later("aluminium"),
+    "cardboard": later("cardboard"),
+    "cardstock": later("cardstock"),
+    "copper": later("copper"),
+    "eps": later("EPS foam"),
+    "epp": later("EPP foam"),
+    "felt": later("felt"),
+    "foam": later("foam"),
+    "foam-board": later("foam board"),
+    "glass": later("glass"),
+    "granite": later("granite"),
+    "heat-transfer-film": later("heat transfer film"),
+    "leather": later("leather"),
+    "paper": later("paper"),
+    "rubber": later("rubber"),
+    "sandblast-film": later("sandblast film"),
+    "titanium": later("titanium"),
+    "vinyl": later("vinyl"),
+    "45 degrees": later("45° blade"),
+    "60 degrees": later("60° blade"),
+    "nichrome 0.4 mm": later("nichrome wire, 0.4 mm"),
+}
+CUT_WORDS = {
+    "usual": later("usual for the process"),
+    "own": later("own values"),
+    "nearest": later("the nearest edge"),
+    "front": later("front"),
+    "back": later("rear"),
+}
+OF_KEY = {("leave", "back"): later("back the way it came"), ("leave", "edge"): later("to the nearest edge")}
+WORDS |= {**PROCESS_WORDS, **CHART_WORDS, **CUT_WORDS}
+
+
+def words_of(choice: str, key: str = "") -> str:
+    """Return the label of a choice, of the property with a key; one without a label, like G54, is its own."""
+    if (key, choice) in OF_KEY:
+        return tr(OF_KEY[key, choice])
+    return tr(WORDS[choice]) if choice in WORDS else choice

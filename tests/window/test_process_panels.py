@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The panels of jobs by torch, laser and wire: what they show, values of the chart and a person's own, commands."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import Draft
+import FreeCAD
+import FreeCADGui
+import pytest
+import screen_places as places
+from FreeCAD import Vector
+from hand import Hand
+
+from CNCStepper.workbench import api, panels
+from CNCStepper.workbench.features.base import problem_of
+
+P = "CNCStepper_Panel_"
+PORTUGUESE = "pt-BR"
+JOBS = {
+    "plasma": {"machine": "torch-table", "material": "mild-steel", "stock_size_mm": (200, 150, 3)},
+    "laser": {"machine": "laser-table", "material": "plywood", "stock_size_mm": (200, 150, 3)},
+    "hot-wire": {"machine": "wire-table", "material": "eps", "stock_size_mm": (200, 150, 20)},
+}
+SHOWN = {
+    "plasma": {
+        "cut_height_mm",
+        "pierce_height_mm",
+        "pierce_delay_s",
+        "amperes",
+        "feed_mm_min",
+        "kerf_mm",
+        "consumable",
+    },
+    "laser": {"pierce_delay_s", "power_percent", "feed_mm_min", "kerf_mm", "consumable"},
+    "hot-wire": {"pierce_delay_s", "power_percent", "feed_mm_min", "kerf_mm", "consumable"},
+}
+OF_SOME = {*SHOWN["plasma"], *SHOWN["laser"], "preheat_s", "coolant", "clearance_mm", "retract_mm"}
+
+
+@pytest.fixture
+def document(hand: Hand) -> Iterator[Any]:
+    """A document with a rectangle to cut out."""
+
+    def make() -> Any:
+        made = FreeCAD.newDocument("Sheet")
+        made.UndoMode = 1
+        Draft.make_rectangle(100, 60, FreeCAD.Placement(Vector(-50, -30, 0), FreeCAD.Rotation()))
+        made.recompute()
+        return made
+
+    yield hand.main(make)
+    hand.main(FreeCADGui.Control.closeDialog)
+    hand.main(FreeCAD.closeDocument, "Sheet")
+
+
+def make_job(document: Any, process: str, cycle: str = "") -> Any:
+    job = api.new_job(document, process=process, stock_form="sheet", **JOBS[process])
+    api.add_operation(job, cycle or ("wire_cut" if process == "hot-wire" else "sheet_cut"), document.Objects[0])
+    document.recompute()
+    return job
+
+
+def open_panel(hand: Hand, obj: Any, key: str) -> None:
+    hand.main(panels.edit, obj)
+    hand.wait(lambda: places.visible(P + key), what="the panel")
+    hand.settle()
+
+
+def seen(hand: Hand) -> set[str]:
+    """Return those fields that some jobs do not have and that are not hidden now; a folded group counts as seen."""
+
+    def shown() -> set[str]:
+        fields = FreeCADGui.getMainWindow().findChildren(panels_editor())[0].form.fields
+        return {key for key in OF_SOME if not fields[key].widget.isHidden()}
+
+    return set(hand.main(shown))
+
+
+def panels_editor() -> type:
+    from CNCStepper.workbench.panels.object_form import Editor
+
+    return Editor
+
+
+@pytest.mark.window("plain", "portuguese")
+@pytest.mark.parametrize("process", JOBS)
+def test_a_job_shows_only_what_its_process_has(hand: Hand, document: Any, process: str) -> None:
+    job = hand.main(make_job, document, process)
+    assert [hand.main(problem_of, obj) for obj in (*job.Operations, job)] == ["", ""]
+    open_panel(hand, job, "machine")
+    hand.shot(f"job-{process}")
+    hand.main(lambda: places.scroll_to(places.find(P + "feed_mm_min")))
+    hand.shot(f"job-{process}-chart")
+    hand.main(lambda: places.scroll_to(places.find("CNCStepper_Panel_tools")))
+    hand.shot(f"job-{process}-tools")
+    heights = {"clearance_mm", "retract_mm"} if process == "plasma" else set()
+    assert seen(hand) == SHOWN[process] | heights
+
+
+@pytest.mark.window("plain", "portuguese")
+@pytest.mark.parametrize("process", JOBS)
+def test_the_panel_of_an_operation(hand: Hand, document: Any, process: str) -> None:
+    job = hand.main(make_job, document, process)
+    open_panel(hand, job.Operations[0], "tool")
+    hand.shot(f"operation-{process}")
+
+    def unfold() -> None:
+        for box in FreeCADGui.getMainWindow().findChildren(panels_editor())[0].form.boxes.values():
+            box.fold(False)
+
+    hand.main(unfold)
+    hand.shot(f"operation-{process}-all")
+    assert hand.main(problem_of, job.Operations[0]) == ""
+
+
+def test_a_typed_value_wins_and_the_button_takes_the_charts_again(hand: Hand, document: Any) -> None:
+    job = hand.main(make_job, document, "plasma")
+    before = hand.main(api.program_text, job)
+    open_panel(hand, job, "feed_mm_min")
+    hand.main(lambda: places.scroll_to(places.find(P + "feed_mm_min")))
+    hand.settle()
+    hand.fill(P + "feed_mm_min", "1234")
+    hand.wait(lambda: "F1234" in api.program_text(job), 20, "the feed in the program")
+    hand.shot("job-own-feed")
+    hand.click(P + "feed_mm_min_reset")
+    hand.wait(lambda: float(job.CutFeed) == 0 and "Touched" not in job.State, 20, "the chart's feed")
+    assert hand.main(api.program_text, job) == before
+    hand.wait(lambda: not places.visible(P + "feed_mm_min_reset"), what="the button to go")
+
+
+def test_a_machine_brings_a_process_and_a_material(hand: Hand, document: Any) -> None:
+    job = hand.main(lambda: api.new_job(document, stock_size_mm=(200, 150, 3)))
+    open_panel(hand, job, "machine")
+    hand.choose(P + "machine", "Torch table (torch-table)")
+    hand.wait(lambda: job.Process == "plasma", 20, "the process of the machine")
+    assert hand.main(lambda: job.Material) != ""
+    hand.wait(lambda: places.visible(P + "feed_mm_min"), what="the chart's values")
+    hand.choose(P + "process", "Oxyfuel")
+    hand.wait(lambda: job.Process == "oxyfuel", 20, "the other process")
+    hand.shot("job-oxyfuel")
+
+
+def test_commands_are_those_of_the_process(hand: Hand, document: Any) -> None:
+    def state(name: str) -> tuple[bool, str]:
+        action = FreeCADGui.Command.get(f"CNCStepper_{name}").getAction()[0]
+        return action.isEnabled(), action.toolTip()
+
+    job = hand.main(make_job, document, "plasma")
+    hand.main(lambda: (FreeCADGui.Selection.clearSelection(), FreeCADGui.Selection.addSelection(document.Objects[0])))
+    hand.wait(lambda: state("SheetCut")[0] and not state("Pocket")[0], what="the commands of plasma")
+    assert "Plasma" in hand.main(state, "Pocket")[1] and "Milling" in hand.main(state, "Pocket")[1]
+    assert not hand.main(state, "WireCut")[0]
+    hand.main(lambda: (api.edit(job, process="hot-wire", **JOBS["hot-wire"]), document.recompute()))
+    hand.main(lambda: (FreeCADGui.Selection.clearSelection(), FreeCADGui.Selection.addSelection(document.Objects[0])))
+    hand.wait(lambda: state("WireCut")[0] and not state("SheetCut")[0], what="the commands of a hot wire")
