@@ -4,6 +4,26 @@
     <context>
         <name>App::Property</name>
         <message>
+            <source>A laser's S word for marks; 0: a twentieth of its power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A laser's power that rises behind the pierce</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A lower feed at corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A lower feed on arcs of a small radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A share of the machine's greatest power; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A shipped profile's name, or a profile's file</source>
             <translation type="unfinished"></translation>
         </message>
@@ -36,6 +56,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Amperes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Angle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -48,7 +72,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Arcs By</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arcs Feed Share</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arcs Radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arcs below</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arcs of a smaller radius are cut slowly; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Arcs within a tolerance, or the published points</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>As a multiple of the thickness; 0: none by thickness</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Below thickness times</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -68,11 +120,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Blade Offset</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Blade offset</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Bridges that hold the part until it is broken out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Chart</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -116,6 +180,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Consumable</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Containers</source>
             <translation type="unfinished"></translation>
         </message>
@@ -140,7 +208,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Corner Angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Corner B</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corner Dwell</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -148,7 +224,47 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Corner angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corner distance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corner dwell</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Corner radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corners Angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corners By</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corners Distance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corners Feed Share</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corners above</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corners that turn by more are cut slowly; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -156,7 +272,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Current</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cut Feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cut Height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cut Length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cut chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cut height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cut length</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -216,6 +360,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Dynamic Power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Dynamic power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Edge Margin</source>
             <translation type="unfinished"></translation>
         </message>
@@ -240,6 +392,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Enter From</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Enter from</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Entry</source>
             <translation type="unfinished"></translation>
         </message>
@@ -248,7 +408,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Entry Slit</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Entry angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Entry slit</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -257,6 +425,18 @@
         </message>
         <message>
             <source>Feed Used</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Feed at corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Feed of arcs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Feed of holes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -316,6 +496,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>From Chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>From X to the ellipse's first axis</source>
             <translation type="unfinished"></translation>
         </message>
@@ -329,6 +513,10 @@
         </message>
         <message>
             <source>From X to the lines of the pattern</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From chart</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -349,6 +537,14 @@
         </message>
         <message>
             <source>From the tip to the holder; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Good Side</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Good side</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -396,7 +592,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Holes below</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Holes of a smaller diameter are cut slowly; 0: none by diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Holes of a smaller diameter get a spot at their centre, no cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Holes with a shorter outline are cut slowly; 0: none by length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How deep a knife or point goes; 0: through the sheet, a point 0.2 mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How deep one peck goes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far a closed cut is followed with power beyond its begin</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -404,11 +624,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How far a drag knife's edge trails behind its axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far a pierce stays from parts and cut edges; 0: that of the cut chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far an arc turns, or how far a line leans away from the contour</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How far apart joints are at most</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far apart tabs are at most</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far before and behind a corner</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far before its end the cut runs on without power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far behind the pierce the power is full</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -424,6 +668,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How far the cut may be off the drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far the kerf of a way through the scrap stays from every part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far the path may be off an ellipse or a B-spline; lines and arcs are exact</source>
             <translation type="unfinished"></translation>
         </message>
@@ -432,11 +684,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How far the torch runs on over the begin of the cut without power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far the wall may be off the drawing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>How high a tab is above the bottom of the cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How it is cut; the machine must be able to</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How long a spot has power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How long the flame heats before the pierce; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How long the tool stands with power; 0: that of the cut chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How long the wire stands where the way turns back; less at blunter corners</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -457,6 +733,14 @@
         </message>
         <message>
             <source>How many holes are made</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many joints on each outline</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many parts are cut free</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -504,6 +788,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How often each line is cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How often the tool pierces</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How steeply a helix or ramp goes down</source>
             <translation type="unfinished"></translation>
         </message>
@@ -540,7 +832,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How the wire comes out at last: back the way it came, or on the shortest way to an edge</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How wide a tab is at its top</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How wide the material is that stays</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -568,11 +868,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Joints that hold the part until it is broken out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Kept</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Kerf</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Kerf Used</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -589,6 +897,10 @@
         </message>
         <message>
             <source>Lead In Angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Lead In By</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -632,7 +944,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Leads as usual for the process, or with values of your own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Least chip load</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Leave</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -684,6 +1004,34 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Loop radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Loops</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Loops Angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Loops By</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Loops Radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Loops above</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Loops in the scrap, which make outside corners sharp</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Machine</source>
             <translation type="unfinished"></translation>
         </message>
@@ -712,6 +1060,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Margin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Mark Power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Marking power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Material</source>
             <translation type="unfinished"></translation>
         </message>
@@ -736,7 +1096,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Narrow arcs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Note</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nozzle, lens, wire or blade; empty: the first of the chart for this thickness</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -765,6 +1133,10 @@
         </message>
         <message>
             <source>Of the written program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>On which side of the cut the part lies, seen along it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -800,11 +1172,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Outside corners that turn by more get a loop</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Over-burn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Overcut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Overhang</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Parts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -825,6 +1209,34 @@
         </message>
         <message>
             <source>Peck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pierce</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pierce Delay</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pierce Height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pierce delay</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pierce distance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pierce height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pierces</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -916,11 +1328,43 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Power Ramp Begin Share</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Power Ramp By</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Power Ramp Length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Power on before the tool moves; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Power ramp</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Preheat</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Preview</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Problem</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Process</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -988,6 +1432,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Ramp begin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Ramp length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Rectangle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1036,11 +1488,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Rules</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Seconds at the bottom</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Shape</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Shorter than</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1053,6 +1513,42 @@
         </message>
         <message>
             <source>Size</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Small Holes By</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Small Holes Diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Small Holes Feed Share</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Small Holes Length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Small Holes Over Run</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Small Holes Thickness Ratio</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Small Holes Torch Off</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Small holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Small holes at a feed of their own</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1077,6 +1573,22 @@
         </message>
         <message>
             <source>Spindle turns a minute; 0: those of the job's material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Spot</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Spot Below</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Spot holes below</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Spot time</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1144,6 +1656,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Tabs By</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Tabs Count</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1192,6 +1708,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The cut chart gives this value; change it in the job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The depth below the top of the stock</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1228,6 +1748,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The edge of the sheet through which the wire comes in</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The feed of the last pass at the wall; 0: the tool's own feed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1237,6 +1761,10 @@
         </message>
         <message>
             <source>The feed of the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The file of a cut chart of your own; empty: the chart that ships</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1269,6 +1797,10 @@
         </message>
         <message>
             <source>The last pass in depth, ap_acab; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The length of all cuts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1336,11 +1868,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The radius of loops at sharp outside corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The radius of the lead's arc</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The share of the feed there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The share of the feed with which they are cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The share of the power at the pierce</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The sketch, wire, B-spline or freehand line to follow</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The sketch, wires or faces whose lines are cut: closed ones are parts and holes in turn</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1349,6 +1901,10 @@
         </message>
         <message>
             <source>The speed of cutting moves; 0: that of the job's material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The speed of the cut; 0: that of the chart</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1388,11 +1944,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The torch above the sheet while it cuts; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The torch above the sheet while it pierces; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The width of one pass at most, ae</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The width of the cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The width of the cut where it is not the chart's; 0: the chart's, else the tool's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The width of the cut where it is not the tool's diameter; 0: the tool's own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The width of the cut; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The width of the cut; 0: that of the cut chart or the tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1448,6 +2028,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Torch off before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Turns</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1469,6 +2053,10 @@
         </message>
         <message>
             <source>What is cut, in this order</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What is set at the power source; 0: that of the chart</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1516,7 +2104,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Where the way turns by less, the wire does not stand</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Where the work zero lies in this document</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether a laser's power follows its speed (M4)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether a slit through the part leads the wire into a closed hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether form, kerf and feeds are those of the job's cut chart</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1627,7 +2231,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>45° blade</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>60° blade</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A chart's file…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A controller is connected already.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A cut chart</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1655,11 +2275,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A laser's S word for marks; 0: a twentieth of its power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A laser's power that rises behind the pierce</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A line for the controller, sent with Return. The arrow keys bring back the lines before.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>A line of the program that was cut already.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A lower feed at corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A lower feed on arcs of a small radius</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1672,6 +2308,10 @@
         </message>
         <message>
             <source>A serial port, or an address as socket://192.168.0.7:23</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A share of the machine's greatest power; 0: that of the chart</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1799,7 +2439,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Arcs below</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arcs of a smaller radius are cut slowly; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Arcs within a tolerance, or the published points</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>As a multiple of the thickness; 0: none by thickness</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1851,6 +2503,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Below thickness times</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Belt's pitch</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1868,6 +2524,10 @@
         </message>
         <message>
             <source>Beyond</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Blade offset</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1907,6 +2567,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Check a G-code file with the job's machine, stock, tools and clamps, and send it.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1924,6 +2588,10 @@
         </message>
         <message>
             <source>Choose a line, an entry of the list, or click a cut in the 3D view. All before it counts as cut: if unsure, choose an earlier one.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Choose a material: the chart then gives feed and kerf</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2011,6 +2679,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Consumable</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Containers</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2051,7 +2723,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Corner angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corner distance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corner dwell</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Corner radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corners above</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corners that turn by more are cut slowly; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2059,7 +2755,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Current</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cut chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cut charts (*.toml *.cfg)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cut height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2072,6 +2784,10 @@
         </message>
         <message>
             <source>Cut it before the one above</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cut length</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2167,6 +2883,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Drag knife</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Draw a freehand line</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2184,6 +2904,18 @@
         </message>
         <message>
             <source>Duplicate operations</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Dynamic power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>EPP foam</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>EPS foam</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2243,11 +2975,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Enter from</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Entry</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Entry angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Entry slit</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2284,6 +3024,18 @@
         </message>
         <message>
             <source>Feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Feed at corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Feed of arcs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Feed of holes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2435,6 +3187,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>From chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>From contour {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2575,6 +3331,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Good side</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Greatest chip load</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2643,6 +3403,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Holes below</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Holes of a smaller diameter are cut slowly; 0: none by diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Holes of a smaller diameter get a spot at their centre, no cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Holes with a shorter outline are cut slowly; 0: none by length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Home</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2655,7 +3431,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Hot wire</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How deep a knife or point goes; 0: through the sheet, a point 0.2 mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How deep one peck goes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far a closed cut is followed with power beyond its begin</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2663,11 +3451,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How far a drag knife's edge trails behind its axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far a pierce stays from parts and cut edges; 0: that of the cut chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far an arc turns, or how far a line leans away from the contour</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How far apart joints are at most</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far apart tabs are at most</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far before and behind a corner</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far before its end the cut runs on without power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far behind the pierce the power is full</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2695,11 +3507,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How far the cut may be off the drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far the kerf of a way through the scrap stays from every part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far the path may be off an ellipse or a B-spline; lines and arcs are exact</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>How far the tool's rim runs over the edge</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far the torch runs on over the begin of the cut without power</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2716,6 +3540,26 @@
         </message>
         <message>
             <source>How high a tab is above the bottom of the cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How it is cut; the machine must be able to</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How long a spot has power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How long the flame heats before the pierce; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How long the tool stands with power; 0: that of the cut chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How long the wire stands where the way turns back; less at blunter corners</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2736,6 +3580,14 @@
         </message>
         <message>
             <source>How many holes are made</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many joints on each outline</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many parts are cut free</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2791,6 +3643,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How often each line is cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How often the tool pierces</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How steeply a helix or ramp goes down</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2827,7 +3687,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How the wire comes out at last: back the way it came, or on the shortest way to an edge</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How wide a tab is at its top</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How wide the material is that stays</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2895,6 +3763,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Joints that hold the part until it is broken out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Keep as mesh</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2916,6 +3788,10 @@
         </message>
         <message>
             <source>Killed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Laser</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2951,7 +3827,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Leads as usual for the process, or with values of your own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Least chip load</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Leave</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3039,6 +3923,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Loop radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Loops</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Loops above</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Loops in the scrap, which make outside corners sharp</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>MDF board</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3071,6 +3971,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Margin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Marking power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Material</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3088,6 +3996,10 @@
         </message>
         <message>
             <source>Microsteps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Milling</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3148,6 +4060,10 @@
         </message>
         <message>
             <source>Move…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Narrow arcs</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3227,6 +4143,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Nozzle, lens, wire or blade; empty: the first of the chart for this thickness</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Number</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3276,6 +4196,10 @@
         </message>
         <message>
             <source>On the path</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>On which side of the cut the part lies, seen along it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3339,6 +4263,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Outside corners that turn by more get a loop</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Over-burn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Overcut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3359,11 +4291,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Oxyfuel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>POM (acetal)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>PVC foam board</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Parts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3391,6 +4331,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Pierce delay</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pierce distance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pierce height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pierces</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Pitch</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3400,6 +4356,10 @@
         </message>
         <message>
             <source>Places</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Plasma</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3439,6 +4399,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Power on before the tool moves; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Power ramp</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Preheat</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Preview</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3448,6 +4424,10 @@
         </message>
         <message>
             <source>Problem</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Process</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3536,6 +4516,14 @@
         </message>
         <message>
             <source>Ramp</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Ramp begin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Ramp length</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3667,6 +4655,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Rules</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Running</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3712,6 +4704,10 @@
         </message>
         <message>
             <source>Screw speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Scribe</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3771,6 +4767,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Sheet cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Shorter than</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Show the tool's path</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3795,6 +4799,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Small holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Small holes at a feed of their own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Solids that hold the work down, which the tool must not touch</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3816,6 +4828,14 @@
         </message>
         <message>
             <source>Spindle turns a minute; 0: those of the job's material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Spot holes below</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Spot time</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3919,6 +4939,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Take the chart's value again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Take the line numbers out</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3987,6 +5011,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The cut chart gives this value; change it in the job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The cut goes on without FreeCAD; the controller's panel finds it again the next time it is opened.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4031,6 +5059,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The edge of the sheet through which the wire comes in</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The feed of the last pass at the wall; 0: the tool's own feed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4040,6 +5072,10 @@
         </message>
         <message>
             <source>The feed of the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The file of a cut chart of your own; empty: the chart that ships</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4092,6 +5128,10 @@
         </message>
         <message>
             <source>The last pass in depth, ap_acab; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The length of all cuts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4251,6 +5291,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The radius of loops at sharp outside corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The radius of the lead's arc</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4259,7 +5303,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The share of the feed there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The share of the feed with which they are cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The share of the power at the pierce</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The sketch, wire, B-spline or freehand line to follow</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The sketch, wires or faces whose lines are cut: closed ones are parts and holes in turn</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4268,6 +5328,10 @@
         </message>
         <message>
             <source>The speed of cutting moves; 0: that of the job's material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The speed of the cut; 0: that of the chart</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4335,6 +5399,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The torch above the sheet while it cuts; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The torch above the sheet while it pierces; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The way along the cut is being checked…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4347,7 +5419,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The width of the cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The width of the cut where it is not the chart's; 0: the chart's, else the tool's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The width of the cut where it is not the tool's diameter; 0: the tool's own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The width of the cut; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The width of the cut; 0: that of the cut chart or the tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4368,6 +5456,10 @@
         </message>
         <message>
             <source>There is no restart to send yet.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>This is cut by: {0}. The job's process is: {1}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4459,6 +5551,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Torch off before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Travel for a turn of the screw; with several starts its lead</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4527,6 +5623,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Water jet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>What happened to the job's own program since</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4536,6 +5636,10 @@
         </message>
         <message>
             <source>What is one step: a line of the program, a move, or a pulse of the motors</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What is set at the power source; 0: that of the chart</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4595,7 +5699,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Where the way turns by less, the wire does not stand</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Where the work zero lies in this document</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether a laser's power follows its speed (M4)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether a slit through the part leads the wire into a closed hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether form, kerf and feeds are those of the job's cut chart</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4632,6 +5752,10 @@
         </message>
         <message>
             <source>Width</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Wire cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4719,6 +5843,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>aluminium</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>aluminium 6061</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4803,6 +5931,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>back the way it came</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>ball end mill</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4851,6 +5983,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>cardboard</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>cardstock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>centre of the top</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4880,6 +6020,10 @@
         </message>
         <message>
             <source>coordinates are steps from where the tool is</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>copper</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4943,6 +6087,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>felt</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>first of the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>flat end mill</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4959,7 +6111,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>foam</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>foam board</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>follows the path exactly</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>from chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>front</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4968,6 +6136,10 @@
         </message>
         <message>
             <source>full diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>glass</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4995,11 +6167,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>granite</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>grid</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>hardwood</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>heat transfer film</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5044,6 +6224,10 @@
         </message>
         <message>
             <source>leads the program elsewhere</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>leather</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5131,6 +6315,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>nichrome wire, 0.4 mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no cutter compensation</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5188,6 +6376,14 @@
         </message>
         <message>
             <source>outside</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>own values</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>paper</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5279,6 +6475,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>rear</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>returns from a subprogram</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5288,6 +6488,14 @@
         </message>
         <message>
             <source>rounds corners off to keep its speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>rubber</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>sandblast film</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5367,6 +6575,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the nearest edge</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the one that ships</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the point</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5395,11 +6611,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>titanium</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>to the nearest edge</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>tool {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>usual for the process</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>value {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>vinyl</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5428,6 +6660,10 @@
         </message>
         <message>
             <source>{0} = 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} does not name this process</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5650,6 +6886,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>(nu=7, ph=3.8, pd=0.4, ch=1.5, fr=3850, kw=1.5)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>(program {number} of {count}, tool {tool})</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5658,7 +6898,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>0 to {most}, or -1</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>0 to {size_mm:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>0 without an entry slit</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5695,6 +6943,10 @@
         </message>
         <message>
             <source>D of {code} is the number of a tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drag knife</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5798,6 +7050,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Hot wire</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>I of G76 may not be 0</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5834,7 +7090,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Kerf test: S = {0} mm, kerf used {1} mm. {2}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>L may not be negative</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>LinuxCNC with QtPlasmaC</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>M3 starts one tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5910,6 +7178,30 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>QtPlasmaC changes feed and end of small holes itself: that is not in this reading</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>QtPlasmaC cuts a tube, with the program's own moves of Z: they are not in this reading</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>QtPlasmaC has no key {key}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>QtPlasmaC keeps the program's own moves of Z: they are not in this reading</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>QtPlasmaC moves Z itself: arcs are in XY</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>QtPlasmaC pierces only and cuts nothing: that is not in this reading</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>R lies below {normal}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5926,7 +7218,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Speed test {0} of {1}: {2} mm/min, {3} %</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>T selects an extruder: pause with M0 where the tool is to be changed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Water jet</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6019,6 +7319,10 @@
         </message>
         <message>
             <source>a curve needs at least two points and a bulge for each segment</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a cut chart holds [[cut]] tables and nothing else</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6207,6 +7511,22 @@
         </message>
         <message>
             <source>a macro has stopped with an error of its own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a margin of {margin_mm:.3g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a material file has no {key}: left out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a material file holds no rows of {process}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a material number stands twice</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6514,6 +7834,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a {shape} does not cut from the edge</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a {shape} tool has no {key}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6599,6 +7923,10 @@
         </message>
         <message>
             <source>add yourself to its group (sudo usermod -aG dialout $USER) and log in again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>add {key} = and its value</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6726,6 +8054,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>ask for fewer or narrower joints</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>ask for it again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6746,11 +8078,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>at least the kerf of {kerf_mm:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>at least {chord:.4f} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>at least {depth_mm:.3g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at least {least:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6787,6 +8127,10 @@
         </message>
         <message>
             <source>at most {longest:g} times</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at most {most_mm:.2f} mm there</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6866,6 +8210,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>begin the file with the line '# units: {other}', or say that unit</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>begin the program with a rapid to a safe Z</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6890,11 +8238,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>below {room_mm:.2f} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>below {total_mm:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>belt_pitch_mm and pulley_teeth belong together</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>between curves {one} and {other} the kerf does not fit, at X{x:.3f} Y{y:.3f}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6943,6 +8299,10 @@
         </message>
         <message>
             <source>change_ms is so small that there are more than {most_waits} waits</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>charts are there for: {processes}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7054,6 +8414,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>choose a machine with a Z axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>choose a sketch with circles or points, or give the places by numbers</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7106,6 +8470,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>choose another process in the job, or delete the operation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>choose another side</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7131,6 +8499,10 @@
         </message>
         <message>
             <source>choose other values, or try again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose the job's material</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7250,6 +8622,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>corner_a = [{0}, {1}], corner_b = [{2}, {3}]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>corner_radius_mm must not exceed half of diameter_mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7282,6 +8658,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>correct that line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>correct that line of the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7307,6 +8687,10 @@
         </message>
         <message>
             <source>correct the centre or the end point</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct the comment</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7414,6 +8798,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>curve {number}, which begins at X{x:.3f} Y{y:.3f}, crosses itself or encloses nothing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>curves do not meet</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7450,7 +8838,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>cut some of the curves in an operation of their own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>cut the kerf test at that feed and add a row to kerf_by_feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>cut them together as a pocket, or this one with an operation of its own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>cut with a kerf of at most {most_mm:.3f} mm, or draw that place wider</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7483,6 +8883,10 @@
         </message>
         <message>
             <source>draw a circle, or cut it as an elliptical pocket</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>draw an outline that encloses one area</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7527,6 +8931,10 @@
         </message>
         <message>
             <source>draw something in it, or choose another drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>draw the hole wider, spot it for drilling (spot_below_mm), or cut with a narrower kerf</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7798,6 +9206,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give each material its own number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give each row its own number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give either screw_pitch_mm, or belt_pitch_mm and pulley_teeth</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7815,6 +9231,10 @@
         </message>
         <message>
             <source>give heights over the bottom, and the largest as the stock's Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give it another number</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7851,6 +9271,10 @@
         </message>
         <message>
             <source>give the height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give the material its number and name</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7978,6 +9402,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>half of the kerf, {half_mm:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>heights belong to a stock of the form 'height_field', and to no other</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7995,6 +9423,10 @@
         </message>
         <message>
             <source>hold or stop it where it was started, or wait until it has ended</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>hole {0} of part {1}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8170,11 +9602,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it is cut short</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it is damaged</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>it is empty</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it is for {processes}: choose another chart or process</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8330,6 +9770,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>kerf = kerf used + (S - part + hole - S / 2) / 2</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>kerf = kerf used + S - part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>kerf_by_feed: feeds must rise from row to row, and kerfs must not</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>kerf_mm is not what this tool cuts</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8382,6 +9834,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>leave blade_offset_mm out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>leave it out: Marlin has only this mode</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8415,6 +9871,10 @@
         </message>
         <message>
             <source>leave them out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>leave {key} out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8462,6 +9922,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>let it stand shorter, or cut more slowly</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>let the tool stick out farther</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8491,6 +9955,10 @@
         </message>
         <message>
             <source>line numbers begin at 0 or above and grow</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>line {0} back</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8694,6 +10162,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>make its side longer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>make resolution_mm larger</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8766,11 +10238,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>margin {margin_mm:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>material is left where it should be removed{islands}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>material stays in {gaps} gap(s) between walls that are narrower than the tool, the deepest one before X{x:.3f} Y{y:.3f}; a smaller tool takes it away</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>material {number} has no {key}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8814,6 +10294,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>more than ten times the whole is a slip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>more than {most} lines</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8834,6 +10318,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>move it {in_mm:.3f} mm inwards, or take a larger sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>move one of the corners</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8842,11 +10330,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>move the holes apart, join them, or draw a slit yourself</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>move the line away from the part, or leave it out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>move the machine off it, then home</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>move the machine off the switch, reset, then home it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>move the parts farther apart, enter from another edge, or use a thinner wire</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>move the parts farther apart, or cut them in several operations</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8866,7 +10370,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>move them apart, or cut with a narrower kerf</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>move them or the work zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>move them {more_mm:.3f} mm farther apart, or cut with a kerf of at most {gap_mm:.3f} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8906,6 +10418,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>name it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>name it once</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8939,6 +10455,14 @@
         </message>
         <message>
             <source>next is line {line}: {text}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>nichrome 0.4 mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no arc or wire stands at more than 10 kV</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9007,6 +10531,10 @@
         </message>
         <message>
             <source>no input may be read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no jet is driven by more than 10 kbar</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9098,6 +10626,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no straight slit leads into the hole at X{x:.3f} Y{y:.3f} past the part's other holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no tab fits on any contour</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9115,6 +10647,14 @@
         </message>
         <message>
             <source>no tooth takes more than 10 mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no torch or wire draws more than 10 kA</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no way through the scrap leads to what lies at X{x:.3f} Y{y:.3f}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9154,7 +10694,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>not a line of a material file: '{line}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>not a number: {text}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>not a parameter of a material's comment</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9354,6 +10902,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>only a drag knife has a blade offset</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>only arcs of G17 can be turned about Z</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9367,6 +10919,10 @@
         </message>
         <message>
             <source>only {written} of {data} bytes were taken</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>open line {line} cuts into a part at X{x:.3f} Y{y:.3f}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9403,6 +10959,10 @@
         </message>
         <message>
             <source>part of the drawn shape lies beside the stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>part {number} goes beyond the sheet at X{x:.3f} Y{y:.3f}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9726,6 +11286,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>rows must be a list of tables</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>run 'make setup' beside the workbench, or let Tools &gt; Addon Manager install them, or install them for Python {version_info}.{version_info2} into a folder of their own (pip install --target FOLDER) and name it in the environment variable CNCSTEPPER_PACKAGES</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9838,6 +11402,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>set a lead_in, or pierce_mm to half of the kerf</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>set again at the pause at line {line}: {places} (machine, mm); what comes after counts from there, what was before from the old one</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9846,11 +11414,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>set entry_slit = true, which cuts a slit through the part into each hole, or leave the holes out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>set it again, and do not start before it is right</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>set its zero again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set margin_mm to at most {margin_mm:.3g}, or move the parts apart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set pierce_mm to that limit or less, or leave {short_mm:.2f} mm more scrap there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set process to "plasma", "oxyfuel", "laser", "waterjet", "drag-knife" or "scribe"</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9910,6 +11494,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>sheet_cut does not cut by {process}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>short slice</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9966,6 +11554,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>split the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>split the file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>split the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9983,6 +11579,10 @@
         </message>
         <message>
             <source>start the spindle with M3 and S before it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>start the torch with M3 $0 S1, the scribe with M3 $1 S1, a spot with M3 $2 S1</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10094,6 +11694,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>take a thickness within it, another consumable, or give a chart of your own with this row</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>take it out</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10110,7 +11714,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>take it out, or use one of: NAME, {keys}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>take one of them out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take one out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take one out, or give them different consumables</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10142,11 +11758,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>test a torch, a laser, a jet or a wire</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the $ command is not known</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the N word must be the first of its line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the NAME of material {number} names no material and thickness</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10262,6 +11886,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the certificate's findings are damaged</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the changed line would lead elsewhere than it must</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10278,6 +11906,30 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the chart has no consumable '{consumable}' for it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the chart has no kerf of {material} at this feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the chart has no row of {process}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the chart has too many rows</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the chart of {process} does not cover this thickness of {material}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the chart of {process} has no material '{material}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the checksum is wrong</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10291,6 +11943,14 @@
         </message>
         <message>
             <source>the comment is not closed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the comment of a material lacks nu= or na=</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the comment of a material lacks {key}=</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10774,11 +12434,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the file holds no object</source>
+            <source>the file has too many materials</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the file is cut short</source>
+            <source>the file holds no object</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10894,6 +12554,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the job names no material, so the chart gives no tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the job of {process} names no material and has no tool</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10970,11 +12634,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the kerf closes a narrow place in the outline of part {number}, which begins at X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the kerf goes beyond the drawing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the kerf goes beyond the drawing into a part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the kerf is wider than a place in the hole of part {number} that begins at X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the kerf is wider than hole {number} at X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the kerf of {kerf_mm:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the kerf test is too small for its kerf and leads</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11131,6 +12815,10 @@
         </message>
         <message>
             <source>the machine finds its own zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine has no such spindle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11330,6 +13018,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the pierce heights make no sense in {units}: the file seems to be in {other}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the pierce is nearer to a part than the chart's lead-in is long: its spatter reaches the part</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11462,6 +13154,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the program begins at X{x:g} Y{y:g}, which is over the sheet: move the wire out of the sheet, to X{begin_x:.3f} Y{begin_y:.3f}, before it is started</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the program begins with the tool at the work zero: bring it there before this one is sent</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11582,6 +13278,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the program's file cannot be read any more: {why}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the proof failed by a fault of its own: {kind}: {error}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11683,6 +13383,10 @@
         </message>
         <message>
             <source>the safety door was opened while homing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the scribe is tool {number} of LinuxCNC's table, whose X and Y are its place beside the torch</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11870,6 +13574,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the thickness of material {number}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the timeline</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11891,6 +13599,10 @@
         </message>
         <message>
             <source>the tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the tool ${tool} still runs</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11986,6 +13698,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the torch may not be taken off</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the turn of the work system went into the coordinates</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11995,6 +13711,10 @@
         </message>
         <message>
             <source>the value must be a whole number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the velocity may not be reduced</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12042,7 +13762,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the wire has no entry into the closed hole at X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the wire is too thick for {corners} inner corner(s) or narrow place(s); up to {thick_mm:.3f} mm stays, most at X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the wire moves before it is hot</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the wire would stand too long at corners and melt a hole</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12182,11 +13914,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>there is no process '{name}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there is no room for a helix or ramp, and the tool does not cut over its centre</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>there is no room for a {entry} at {others} of {kinds} places</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no scrap for the pierce and lead-in of {chain} near X{x:.3f} Y{y:.3f}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12306,7 +14046,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this material number is none of a material file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this one is made by itself when that is done, in about a minute</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this pin of the machine is not known to this reader</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12459,6 +14207,14 @@
         </message>
         <message>
             <source>two lines of the profile are parallel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>two parts lie too close to each other for the wire to pass, at X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>two rows are for {thickness:g} mm of {material}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12618,6 +14374,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use a wire</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use a work offset (G54) instead</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12646,11 +14406,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use o, nu, na, {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use one of carbide</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>use one of those that `$#` lists</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use one of: {consumables}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12674,7 +14442,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use one of: {materials}, or give a chart of your own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use one of: {operations}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use one of: {processes}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use one of: {shapes}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12778,6 +14558,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>way out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>what #{number} will hold is known only when the program runs</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12798,11 +14582,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>what lies at X{x:.3f} Y{y:.3f} would come loose before it is cut, in any order</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>what lies inside an outline is faced with it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>what stands here is no word that can be edited</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>what the material that QtPlasmaC has chosen says is not in the text</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12863,6 +14655,10 @@
         </message>
         <message>
             <source>without a file, {total} lines to send</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>without a lead-in the pierce lies on the cut, beside the part</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12982,6 +14778,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write M5 ${0} before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write M5 before</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13003,6 +14803,10 @@
         </message>
         <message>
             <source>write X and the seconds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write [MATERIAL_NUMBER_n] and below it lines such as: CUT_SPEED = 3850</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13062,6 +14866,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write both, as in: NAME = mild-steel 3 mm 45A</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write endsub, or M99 in a subprogram of Fanuc's form</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13106,6 +14914,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write its comment before, such as {example}, or name material and thickness</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write its end point</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13142,6 +14954,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write ph=, pd=, ch= and fr=</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write plain moves, each in a line of its own, in coordinates that are not turned</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13155,6 +14971,10 @@
         </message>
         <message>
             <source>write the arc with more decimals</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write the chart as TOML</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13202,6 +15022,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write those</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write to another one</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13215,6 +15039,10 @@
         </message>
         <message>
             <source>write x,y in mm, or x;y where the comma is the decimal sign</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write {0} to {1}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13250,6 +15078,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} mm/min</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} to {1} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} to {1} mm/min</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0}, program {1} of {2}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13262,11 +15102,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{away_mm:.3f} mm away</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{beyond_mm:.3f} mm beyond</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{body} goes into clamp {number}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{centre_word} is no centre word in plane {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{chain}: the kerf does not get into a slot or corner at X{x:.3f} Y{y:.3f}; {left_mm:.2f} mm stay</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13287,6 +15139,14 @@
         </message>
         <message>
             <source>{counts} at one place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{count} joints do not fit on {chain}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{crossing} rapid(s) lead over parts that are already free</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13370,11 +15230,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{gap_mm:g} mm each, the kerf included</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{hanging} piece(s) stay joined to others, for the tool does not fit between them; the tightest place is at X{x:.3f} Y{y:.3f}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{high:g} by {high2:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{holes} closed hole(s)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13395,6 +15263,10 @@
         </message>
         <message>
             <source>{keeper} was refused</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{kerf_mm:g} mm from the other holes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13474,6 +15346,34 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{key} needs a laser: {process} has one power and pierces anew</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key} of material {number}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key} of material {number} has no such value</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key} stands twice in one material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key}= of a material has no such value</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key}= of a material is out of its bounds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key}= stands twice in a material's comment</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{lacks} became lines, at most {chord_mm:g} mm away</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13483,6 +15383,10 @@
         </message>
         <message>
             <source>{left:g} {operator} {right:g} is no finite number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{left_out} corner(s) get no loop: there is no scrap for it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13594,6 +15498,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{missing} cut(s) end without a lead-out: there is no scrap for it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{missing} is missing: absolute arc centres need both words</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13607,6 +15515,10 @@
         </message>
         <message>
             <source>{more} {rest_mm:.3f} mm of material stays in {corners} inside corner(s) that are sharper than the tool; {told}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{most_mm:.2f} mm each</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13762,6 +15674,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{obj} is not cut by {process}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{one} cuts into a piece that {other} has set free: nothing holds it</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13791,6 +15707,14 @@
         </message>
         <message>
             <source>{path} is no recording of pulses, and is not written over</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{pierce_mm:g} mm from parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{pierce_mm:g} mm from parts and cut edges</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13826,7 +15750,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{process} does not cut with a {shape} tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{process} does not cut with a {shape} tool; its shape is one of: {shapes}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{process} has no kerf and no power to test</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{process} is lowered and lifted, but the machine has no Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{process} takes no cut chart</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13887,6 +15827,10 @@
         </message>
         <message>
             <source>{title} blunts tools of HSS at once</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{twice} curve(s) are drawn twice and are cut once</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14156,6 +16100,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_SheetCut</name>
+        <message>
+            <source>Cuts parts out of sheet by torch, laser, jet, knife or point</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Sheet cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_Simulate</name>
         <message>
             <source>Check and simulate</source>
@@ -14174,6 +16129,17 @@
         </message>
         <message>
             <source>Thread</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_WireCut</name>
+        <message>
+            <source>Cuts parts out of foam with a hot wire, in from the edge</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Wire cut</source>
             <translation type="unfinished"></translation>
         </message>
     </context>

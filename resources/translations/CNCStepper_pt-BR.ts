@@ -4,6 +4,26 @@
     <context>
         <name>App::Property</name>
         <message>
+            <source>A laser's S word for marks; 0: a twentieth of its power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A laser's power that rises behind the pierce</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A lower feed at corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A lower feed on arcs of a small radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A share of the machine's greatest power; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A shipped profile's name, or a profile's file</source>
             <translation>O nome de um perfil fornecido, ou o arquivo de um perfil</translation>
         </message>
@@ -36,6 +56,10 @@
             <translation>Ativa</translation>
         </message>
         <message>
+            <source>Amperes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Angle</source>
             <translation>Ângulo</translation>
         </message>
@@ -48,8 +72,36 @@
             <translation>Ângulo saída</translation>
         </message>
         <message>
+            <source>Arcs By</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arcs Feed Share</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arcs Radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arcs below</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arcs of a smaller radius are cut slowly; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Arcs within a tolerance, or the published points</source>
             <translation>Arcos dentro de uma tolerância, ou os pontos publicados</translation>
+        </message>
+        <message>
+            <source>As a multiple of the thickness; 0: none by thickness</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Below thickness times</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Between neighbouring helices at most; 0: 0.4 of the tool's diameter</source>
@@ -68,12 +120,24 @@
             <translation>Além</translation>
         </message>
         <message>
+            <source>Blade Offset</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Blade offset</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Bridges that hold the part until it is broken out</source>
             <translation>Pontes que seguram a peça até ela ser destacada</translation>
         </message>
         <message>
             <source>Centre</source>
             <translation>Centro</translation>
+        </message>
+        <message>
+            <source>Chart</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Chip Load Max</source>
@@ -116,6 +180,10 @@
             <translation>Colunas</translation>
         </message>
         <message>
+            <source>Consumable</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Containers</source>
             <translation>Recipientes</translation>
         </message>
@@ -140,24 +208,100 @@
             <translation>Canto A</translation>
         </message>
         <message>
+            <source>Corner Angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Corner B</source>
             <translation>Canto B</translation>
+        </message>
+        <message>
+            <source>Corner Dwell</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Corner Radius</source>
             <translation>Raio de canto</translation>
         </message>
         <message>
+            <source>Corner angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corner distance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corner dwell</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Corner radius</source>
             <translation>Raio de canto</translation>
+        </message>
+        <message>
+            <source>Corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corners Angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corners By</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corners Distance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corners Feed Share</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corners above</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corners that turn by more are cut slowly; 0: none</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Count</source>
             <translation>Quantidade</translation>
         </message>
         <message>
+            <source>Current</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Cut</source>
             <translation>Corte</translation>
+        </message>
+        <message>
+            <source>Cut Feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cut Height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cut Length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cut chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cut height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cut length</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Cutting</source>
@@ -216,6 +360,14 @@
             <translation>Pausa</translation>
         </message>
         <message>
+            <source>Dynamic Power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Dynamic power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Edge Margin</source>
             <translation>Margem da borda</translation>
         </message>
@@ -240,6 +392,14 @@
             <translation>Ângulo de contato máximo</translation>
         </message>
         <message>
+            <source>Enter From</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Enter from</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Entry</source>
             <translation>Entrada</translation>
         </message>
@@ -248,8 +408,16 @@
             <translation>Ângulo de entrada</translation>
         </message>
         <message>
+            <source>Entry Slit</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Entry angle</source>
             <translation>Ângulo de entrada</translation>
+        </message>
+        <message>
+            <source>Entry slit</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Feed</source>
@@ -258,6 +426,18 @@
         <message>
             <source>Feed Used</source>
             <translation>Avanço usado</translation>
+        </message>
+        <message>
+            <source>Feed at corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Feed of arcs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Feed of holes</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Figures</source>
@@ -316,6 +496,10 @@
             <translation>Comprimento livre</translation>
         </message>
         <message>
+            <source>From Chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>From X to the ellipse's first axis</source>
             <translation>De X até o primeiro eixo da elipse</translation>
         </message>
@@ -330,6 +514,10 @@
         <message>
             <source>From X to the lines of the pattern</source>
             <translation>De X às linhas do padrão</translation>
+        </message>
+        <message>
+            <source>From chart</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>From here down the tool feeds</source>
@@ -350,6 +538,14 @@
         <message>
             <source>From the tip to the holder; 0: not given</source>
             <translation>Da ponta ao porta-ferramenta; 0: não informado</translation>
+        </message>
+        <message>
+            <source>Good Side</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Good side</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Greatest chip load</source>
@@ -396,20 +592,68 @@
             <translation>Furos</translation>
         </message>
         <message>
+            <source>Holes below</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Holes of a smaller diameter are cut slowly; 0: none by diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Holes of a smaller diameter get a spot at their centre, no cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Holes with a shorter outline are cut slowly; 0: none by length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How deep a knife or point goes; 0: through the sheet, a point 0.2 mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How deep one peck goes</source>
             <translation>Quanto desce cada bicada</translation>
+        </message>
+        <message>
+            <source>How far a closed cut is followed with power beyond its begin</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>How far a closed line is followed beyond its begin</source>
             <translation>Quanto se segue uma linha fechada além do seu começo</translation>
         </message>
         <message>
+            <source>How far a drag knife's edge trails behind its axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far a pierce stays from parts and cut edges; 0: that of the cut chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far an arc turns, or how far a line leans away from the contour</source>
             <translation>Quanto um arco gira, ou quanto uma linha se afasta do contorno</translation>
         </message>
         <message>
+            <source>How far apart joints are at most</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far apart tabs are at most</source>
             <translation>A distância máxima entre as pontes</translation>
+        </message>
+        <message>
+            <source>How far before and behind a corner</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far before its end the cut runs on without power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far behind the pierce the power is full</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>How far from the stock's edge cuts must stay; 0: the edge does not matter</source>
@@ -424,6 +668,14 @@
             <translation>Quanto a linha cortada pode se afastar da desenhada para ter menos movimentos; 0: nada</translation>
         </message>
         <message>
+            <source>How far the cut may be off the drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far the kerf of a way through the scrap stays from every part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far the path may be off an ellipse or a B-spline; lines and arcs are exact</source>
             <translation>Quanto a trajetória pode desviar de uma elipse ou B-spline; retas e arcos são exatos</translation>
         </message>
@@ -432,12 +684,36 @@
             <translation>Quanto a borda da ferramenta passa da aresta</translation>
         </message>
         <message>
+            <source>How far the torch runs on over the begin of the cut without power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far the wall may be off the drawing</source>
             <translation>Quanto a parede pode se afastar do desenho</translation>
         </message>
         <message>
             <source>How high a tab is above the bottom of the cut</source>
             <translation>A altura de uma ponte acima do fundo do corte</translation>
+        </message>
+        <message>
+            <source>How it is cut; the machine must be able to</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How long a spot has power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How long the flame heats before the pierce; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How long the tool stands with power; 0: that of the cut chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How long the wire stands where the way turns back; less at blunter corners</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>How many corners and narrow places the tool does not reach into</source>
@@ -458,6 +734,14 @@
         <message>
             <source>How many holes are made</source>
             <translation>Quantos furos são feitos</translation>
+        </message>
+        <message>
+            <source>How many joints on each outline</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many parts are cut free</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>How many passes at each depth</source>
@@ -504,6 +788,14 @@
             <translation>Quanto do contorno pode estar no material, em ângulo; 0: não informado</translation>
         </message>
         <message>
+            <source>How often each line is cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How often the tool pierces</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How steeply a helix or ramp goes down</source>
             <translation>Inclinação com que a hélice ou rampa desce</translation>
         </message>
@@ -540,8 +832,16 @@
             <translation>Como a ferramenta deixa o contorno</translation>
         </message>
         <message>
+            <source>How the wire comes out at last: back the way it came, or on the shortest way to an edge</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How wide a tab is at its top</source>
             <translation>A largura de uma ponte no topo</translation>
+        </message>
+        <message>
+            <source>How wide the material is that stays</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Identity</source>
@@ -568,12 +868,20 @@
             <translation>Trabalho</translation>
         </message>
         <message>
+            <source>Joints that hold the part until it is broken out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Kept</source>
             <translation>Pontos mantidos</translation>
         </message>
         <message>
             <source>Kerf</source>
             <translation>Largura do corte</translation>
+        </message>
+        <message>
+            <source>Kerf Used</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Last hole</source>
@@ -590,6 +898,10 @@
         <message>
             <source>Lead In Angle</source>
             <translation>Ângulo de entrada</translation>
+        </message>
+        <message>
+            <source>Lead In By</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Lead In Kind</source>
@@ -632,8 +944,16 @@
             <translation>Entrada e saída</translation>
         </message>
         <message>
+            <source>Leads as usual for the process, or with values of your own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Least chip load</source>
             <translation>Avanço por dente mínimo</translation>
+        </message>
+        <message>
+            <source>Leave</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Length</source>
@@ -684,6 +1004,34 @@
             <translation>Linhas</translation>
         </message>
         <message>
+            <source>Loop radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Loops</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Loops Angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Loops By</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Loops Radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Loops above</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Loops in the scrap, which make outside corners sharp</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Machine</source>
             <translation>Máquina</translation>
         </message>
@@ -712,6 +1060,18 @@
             <translation>Diâmetro maior</translation>
         </message>
         <message>
+            <source>Margin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Mark Power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Marking power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Material</source>
             <translation>Material</translation>
         </message>
@@ -736,8 +1096,16 @@
             <translation>Diâmetro menor usado</translation>
         </message>
         <message>
+            <source>Narrow arcs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Note</source>
             <translation>Observação</translation>
+        </message>
+        <message>
+            <source>Nozzle, lens, wire or blade; empty: the first of the chart for this thickness</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Number</source>
@@ -766,6 +1134,10 @@
         <message>
             <source>Of the written program</source>
             <translation>Do programa gerado</translation>
+        </message>
+        <message>
+            <source>On which side of the cut the part lies, seen along it</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>On which side of the lines the tool runs</source>
@@ -800,12 +1172,24 @@
             <translation>Contornos dos grampos</translation>
         </message>
         <message>
+            <source>Outside corners that turn by more get a loop</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Over-burn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Overcut</source>
             <translation>Sobrecorte</translation>
         </message>
         <message>
             <source>Overhang</source>
             <translation>Passagem da borda</translation>
+        </message>
+        <message>
+            <source>Parts</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Passes</source>
@@ -826,6 +1210,34 @@
         <message>
             <source>Peck</source>
             <translation>Bicada</translation>
+        </message>
+        <message>
+            <source>Pierce</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pierce Delay</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pierce Height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pierce delay</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pierce distance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pierce height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pierces</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Pitch</source>
@@ -916,12 +1328,44 @@
             <translation>Pontos mantidos</translation>
         </message>
         <message>
+            <source>Power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Power Ramp Begin Share</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Power Ramp By</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Power Ramp Length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Power on before the tool moves; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Power ramp</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Preheat</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Preview</source>
             <translation>Prévia</translation>
         </message>
         <message>
             <source>Problem</source>
             <translation>Problema</translation>
+        </message>
+        <message>
+            <source>Process</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Profile</source>
@@ -988,6 +1432,14 @@
             <translation>Rampa máxima</translation>
         </message>
         <message>
+            <source>Ramp begin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Ramp length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Rectangle</source>
             <translation>Retângulo</translation>
         </message>
@@ -1036,12 +1488,20 @@
             <translation>Linhas</translation>
         </message>
         <message>
+            <source>Rules</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Seconds at the bottom</source>
             <translation>Segundos no fundo</translation>
         </message>
         <message>
             <source>Shape</source>
             <translation>Forma</translation>
+        </message>
+        <message>
+            <source>Shorter than</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Side</source>
@@ -1054,6 +1514,42 @@
         <message>
             <source>Size</source>
             <translation>Tamanho</translation>
+        </message>
+        <message>
+            <source>Small Holes By</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Small Holes Diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Small Holes Feed Share</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Small Holes Length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Small Holes Over Run</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Small Holes Thickness Ratio</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Small Holes Torch Off</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Small holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Small holes at a feed of their own</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Solids that hold the work down, which the tool must not touch</source>
@@ -1078,6 +1574,22 @@
         <message>
             <source>Spindle turns a minute; 0: those of the job's material</source>
             <translation>Rotações do spindle por minuto; 0: as do material do trabalho</translation>
+        </message>
+        <message>
+            <source>Spot</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Spot Below</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Spot holes below</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Spot time</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Start angle</source>
@@ -1144,6 +1656,10 @@
             <translation>Pontes</translation>
         </message>
         <message>
+            <source>Tabs By</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Tabs Count</source>
             <translation>Quantidade de pontes</translation>
         </message>
@@ -1192,6 +1708,10 @@
             <translation>O canto onde a grade começa, a partir do zero da peça</translation>
         </message>
         <message>
+            <source>The cut chart gives this value; change it in the job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The depth below the top of the stock</source>
             <translation>A profundidade abaixo do topo do bloco</translation>
         </message>
@@ -1228,6 +1748,10 @@
             <translation>O desenho que ela seguia, se foi excluído</translation>
         </message>
         <message>
+            <source>The edge of the sheet through which the wire comes in</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The feed of the last pass at the wall; 0: the tool's own feed</source>
             <translation>O avanço do último passe na parede; 0: o avanço da própria ferramenta</translation>
         </message>
@@ -1238,6 +1762,10 @@
         <message>
             <source>The feed of the program</source>
             <translation>O avanço do programa</translation>
+        </message>
+        <message>
+            <source>The file of a cut chart of your own; empty: the chart that ships</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>The fingerprint of the job's program from which this one was edited</source>
@@ -1270,6 +1798,10 @@
         <message>
             <source>The last pass in depth, ap_acab; 0: none</source>
             <translation>O último passe em profundidade, ap_acab; 0: nenhum</translation>
+        </message>
+        <message>
+            <source>The length of all cuts</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>The length of all lines</source>
@@ -1336,12 +1868,32 @@
             <translation>O programa, guardado neste documento</translation>
         </message>
         <message>
+            <source>The radius of loops at sharp outside corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The radius of the lead's arc</source>
             <translation>O raio do arco de entrada ou saída</translation>
         </message>
         <message>
+            <source>The share of the feed there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The share of the feed with which they are cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The share of the power at the pierce</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The sketch, wire, B-spline or freehand line to follow</source>
             <translation>O esboço, arame, B-spline ou linha à mão livre a seguir</translation>
+        </message>
+        <message>
+            <source>The sketch, wires or faces whose lines are cut: closed ones are parts and holes in turn</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>The sketch, wires or faces whose lines are followed</source>
@@ -1350,6 +1902,10 @@
         <message>
             <source>The speed of cutting moves; 0: that of the job's material</source>
             <translation>A velocidade dos movimentos de corte; 0: a do material do trabalho</translation>
+        </message>
+        <message>
+            <source>The speed of the cut; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>The speed straight down; 0: that of the job's material</source>
@@ -1388,12 +1944,36 @@
             <translation>As ferramentas que as operações podem escolher</translation>
         </message>
         <message>
+            <source>The torch above the sheet while it cuts; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The torch above the sheet while it pierces; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The width of one pass at most, ae</source>
             <translation>A largura máxima de um passe, ae</translation>
         </message>
         <message>
+            <source>The width of the cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The width of the cut where it is not the chart's; 0: the chart's, else the tool's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The width of the cut where it is not the tool's diameter; 0: the tool's own</source>
             <translation>A largura do corte onde não é o diâmetro da ferramenta; 0: a da própria ferramenta</translation>
+        </message>
+        <message>
+            <source>The width of the cut; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The width of the cut; 0: that of the cut chart or the tool</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>The wire stays this close to every drawn point; 0 keeps every point that bends the line</source>
@@ -1448,6 +2028,10 @@
             <translation>Ferramentas sem avanço ou rotação tomam os da sua tabela</translation>
         </message>
         <message>
+            <source>Torch off before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Turns</source>
             <translation>Voltas</translation>
         </message>
@@ -1470,6 +2054,10 @@
         <message>
             <source>What is cut, in this order</source>
             <translation>O que é usinado, nesta ordem</translation>
+        </message>
+        <message>
+            <source>What is set at the power source; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>What is switched on while cutting</source>
@@ -1516,8 +2104,24 @@
             <translation>Onde a fileira termina</translation>
         </message>
         <message>
+            <source>Where the way turns by less, the wire does not stand</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Where the work zero lies in this document</source>
             <translation>Onde fica o zero-peça neste documento</translation>
+        </message>
+        <message>
+            <source>Whether a laser's power follows its speed (M4)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether a slit through the part leads the wire into a closed hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether form, kerf and feeds are those of the job's cut chart</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Whether inner corners are opened, so that a square corner fits in</source>
@@ -1627,8 +2231,24 @@
             <translation>'{0}' é grande demais</translation>
         </message>
         <message>
+            <source>45° blade</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>60° blade</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A chart's file…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A controller is connected already.</source>
             <translation>Um controlador já está conectado.</translation>
+        </message>
+        <message>
+            <source>A cut chart</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>A deleted drawing is checked: uncheck it to go on without it</source>
@@ -1655,12 +2275,28 @@
             <translation>Um trabalho está sendo cortado: espere o fim ou pare-o.</translation>
         </message>
         <message>
+            <source>A laser's S word for marks; 0: a twentieth of its power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A laser's power that rises behind the pierce</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A line for the controller, sent with Return. The arrow keys bring back the lines before.</source>
             <translation>Uma linha para o controlador, enviada com Enter. As setas trazem de volta as linhas anteriores.</translation>
         </message>
         <message>
             <source>A line of the program that was cut already.</source>
             <translation>Uma linha do programa que já foi cortada.</translation>
+        </message>
+        <message>
+            <source>A lower feed at corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A lower feed on arcs of a small radius</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>A machine's profile</source>
@@ -1673,6 +2309,10 @@
         <message>
             <source>A serial port, or an address as socket://192.168.0.7:23</source>
             <translation>Uma porta serial, ou um endereço como socket://192.168.0.7:23</translation>
+        </message>
+        <message>
+            <source>A share of the machine's greatest power; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>A shipped profile's name, or a profile's file</source>
@@ -1799,8 +2439,20 @@
             <translation>Aplicar</translation>
         </message>
         <message>
+            <source>Arcs below</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arcs of a smaller radius are cut slowly; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Arcs within a tolerance, or the published points</source>
             <translation>Arcos dentro de uma tolerância, ou os pontos publicados</translation>
+        </message>
+        <message>
+            <source>As a multiple of the thickness; 0: none by thickness</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>As many as can be made at most, in Hz</source>
@@ -1851,6 +2503,10 @@
             <translation>Começa em</translation>
         </message>
         <message>
+            <source>Below thickness times</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Belt's pitch</source>
             <translation>Passo da correia</translation>
         </message>
@@ -1869,6 +2525,10 @@
         <message>
             <source>Beyond</source>
             <translation>Além</translation>
+        </message>
+        <message>
+            <source>Blade offset</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Boring</source>
@@ -1907,6 +2567,10 @@
             <translation>Ajusta o valor programado durante o corte, em porcento.</translation>
         </message>
         <message>
+            <source>Chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Check a G-code file with the job's machine, stock, tools and clamps, and send it.</source>
             <translation>Verificar um arquivo de G-code com a máquina, o bloco, as ferramentas e os grampos do trabalho, e enviá-lo.</translation>
         </message>
@@ -1925,6 +2589,10 @@
         <message>
             <source>Choose a line, an entry of the list, or click a cut in the 3D view. All before it counts as cut: if unsure, choose an earlier one.</source>
             <translation>Escolha uma linha, uma entrada da lista ou clique em um corte na vista 3D. Tudo antes conta como cortado: na dúvida, escolha um lugar anterior.</translation>
+        </message>
+        <message>
+            <source>Choose a material: the chart then gives feed and kerf</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Choose a port, or type an address.</source>
@@ -2011,6 +2679,10 @@
             <translation>Console</translation>
         </message>
         <message>
+            <source>Consumable</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Containers</source>
             <translation>Recipientes</translation>
         </message>
@@ -2051,16 +2723,56 @@
             <translation>Diâmetro do núcleo</translation>
         </message>
         <message>
+            <source>Corner angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corner distance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corner dwell</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Corner radius</source>
             <translation>Raio de canto</translation>
+        </message>
+        <message>
+            <source>Corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corners above</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corners that turn by more are cut slowly; 0: none</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Count</source>
             <translation>Quantidade</translation>
         </message>
         <message>
+            <source>Current</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Cut</source>
             <translation>Corte</translation>
+        </message>
+        <message>
+            <source>Cut chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cut charts (*.toml *.cfg)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cut height</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Cut in this order; what is not checked is left out of the program</source>
@@ -2073,6 +2785,10 @@
         <message>
             <source>Cut it before the one above</source>
             <translation>Usinar antes da anterior</translation>
+        </message>
+        <message>
+            <source>Cut length</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Cutting</source>
@@ -2167,6 +2883,10 @@
             <translation>Arraste um ponto para movê-lo, a linha para adicionar um; Delete exclui o ponto sob o cursor. Esc: terminar.</translation>
         </message>
         <message>
+            <source>Drag knife</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Draw a freehand line</source>
             <translation>Desenhar linha à mão livre</translation>
         </message>
@@ -2185,6 +2905,18 @@
         <message>
             <source>Duplicate operations</source>
             <translation>Duplicar operações</translation>
+        </message>
+        <message>
+            <source>Dynamic power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>EPP foam</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>EPS foam</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Earlier</source>
@@ -2243,12 +2975,20 @@
             <translation>Gravação</translation>
         </message>
         <message>
+            <source>Enter from</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Entry</source>
             <translation>Entrada</translation>
         </message>
         <message>
             <source>Entry angle</source>
             <translation>Ângulo de entrada</translation>
+        </message>
+        <message>
+            <source>Entry slit</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Error</source>
@@ -2285,6 +3025,18 @@
         <message>
             <source>Feed</source>
             <translation>Avanço</translation>
+        </message>
+        <message>
+            <source>Feed at corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Feed of arcs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Feed of holes</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Feeding in air</source>
@@ -2435,6 +3187,10 @@
             <translation>De X às linhas do padrão</translation>
         </message>
         <message>
+            <source>From chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>From contour {0}</source>
             <translation>A partir do contorno {0}</translation>
         </message>
@@ -2575,6 +3331,10 @@
             <translation>Continua com</translation>
         </message>
         <message>
+            <source>Good side</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Greatest chip load</source>
             <translation>Avanço por dente máximo</translation>
         </message>
@@ -2643,6 +3403,22 @@
             <translation>Furos</translation>
         </message>
         <message>
+            <source>Holes below</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Holes of a smaller diameter are cut slowly; 0: none by diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Holes of a smaller diameter get a spot at their centre, no cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Holes with a shorter outline are cut slowly; 0: none by length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Home</source>
             <translation>Referenciar</translation>
         </message>
@@ -2655,20 +3431,56 @@
             <translation>Só é possível referenciar com a máquina pronta ou em alarme.</translation>
         </message>
         <message>
+            <source>Hot wire</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How deep a knife or point goes; 0: through the sheet, a point 0.2 mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How deep one peck goes</source>
             <translation>Quanto desce cada bicada</translation>
+        </message>
+        <message>
+            <source>How far a closed cut is followed with power beyond its begin</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>How far a closed line is followed beyond its begin</source>
             <translation>Quanto se segue uma linha fechada além do seu começo</translation>
         </message>
         <message>
+            <source>How far a drag knife's edge trails behind its axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far a pierce stays from parts and cut edges; 0: that of the cut chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far an arc turns, or how far a line leans away from the contour</source>
             <translation>Quanto um arco gira, ou quanto uma linha se afasta do contorno</translation>
         </message>
         <message>
+            <source>How far apart joints are at most</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far apart tabs are at most</source>
             <translation>A distância máxima entre as pontes</translation>
+        </message>
+        <message>
+            <source>How far before and behind a corner</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far before its end the cut runs on without power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far behind the pierce the power is full</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>How far from the stock's edge cuts must stay; 0: the edge does not matter</source>
@@ -2695,12 +3507,24 @@
             <translation>Quanto a linha cortada pode se afastar da desenhada para ter menos movimentos; 0: nada</translation>
         </message>
         <message>
+            <source>How far the cut may be off the drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far the kerf of a way through the scrap stays from every part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far the path may be off an ellipse or a B-spline; lines and arcs are exact</source>
             <translation>Quanto a trajetória pode desviar de uma elipse ou B-spline; retas e arcos são exatos</translation>
         </message>
         <message>
             <source>How far the tool's rim runs over the edge</source>
             <translation>Quanto a borda da ferramenta passa da aresta</translation>
+        </message>
+        <message>
+            <source>How far the torch runs on over the begin of the cut without power</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>How far the wall may be off the drawing</source>
@@ -2717,6 +3541,26 @@
         <message>
             <source>How high a tab is above the bottom of the cut</source>
             <translation>A altura de uma ponte acima do fundo do corte</translation>
+        </message>
+        <message>
+            <source>How it is cut; the machine must be able to</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How long a spot has power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How long the flame heats before the pierce; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How long the tool stands with power; 0: that of the cut chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How long the wire stands where the way turns back; less at blunter corners</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>How many corners and narrow places the tool does not reach into</source>
@@ -2737,6 +3581,14 @@
         <message>
             <source>How many holes are made</source>
             <translation>Quantos furos são feitos</translation>
+        </message>
+        <message>
+            <source>How many joints on each outline</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many parts are cut free</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>How many passes at each depth</source>
@@ -2791,6 +3643,14 @@
             <translation>Quanto do contorno pode estar no material, em ângulo; 0: não informado</translation>
         </message>
         <message>
+            <source>How often each line is cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How often the tool pierces</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How steeply a helix or ramp goes down</source>
             <translation>Inclinação com que a hélice ou rampa desce</translation>
         </message>
@@ -2827,8 +3687,16 @@
             <translation>Como a ferramenta deixa o contorno</translation>
         </message>
         <message>
+            <source>How the wire comes out at last: back the way it came, or on the shortest way to an edge</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How wide a tab is at its top</source>
             <translation>A largura de uma ponte no topo</translation>
+        </message>
+        <message>
+            <source>How wide the material is that stays</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Identity</source>
@@ -2895,6 +3763,10 @@
             <translation>O movimento manual só funciona com a máquina pronta.</translation>
         </message>
         <message>
+            <source>Joints that hold the part until it is broken out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Keep as mesh</source>
             <translation>Guardar como malha</translation>
         </message>
@@ -2917,6 +3789,10 @@
         <message>
             <source>Killed</source>
             <translation>Interrompido</translation>
+        </message>
+        <message>
+            <source>Laser</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Last hole</source>
@@ -2951,8 +3827,16 @@
             <translation>Entrada e saída</translation>
         </message>
         <message>
+            <source>Leads as usual for the process, or with values of your own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Least chip load</source>
             <translation>Avanço por dente mínimo</translation>
+        </message>
+        <message>
+            <source>Leave</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Leave out of the program</source>
@@ -3039,6 +3923,22 @@
             <translation>Procurando um Python…</translation>
         </message>
         <message>
+            <source>Loop radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Loops</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Loops above</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Loops in the scrap, which make outside corners sharp</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>MDF board</source>
             <translation>MDF</translation>
         </message>
@@ -3071,6 +3971,14 @@
             <translation>Faz desta posição o zero-peça do eixo.</translation>
         </message>
         <message>
+            <source>Margin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Marking power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Material</source>
             <translation>Material</translation>
         </message>
@@ -3089,6 +3997,10 @@
         <message>
             <source>Microsteps</source>
             <translation>Micropassos</translation>
+        </message>
+        <message>
+            <source>Milling</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Minor</source>
@@ -3149,6 +4061,10 @@
         <message>
             <source>Move…</source>
             <translation>Mover…</translation>
+        </message>
+        <message>
+            <source>Narrow arcs</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Never farther off than, mm</source>
@@ -3227,6 +4143,10 @@
             <translation>Nada foi encontrado: o programa pode ser enviado.</translation>
         </message>
         <message>
+            <source>Nozzle, lens, wire or blade; empty: the first of the chart for this thickness</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Number</source>
             <translation>Número</translation>
         </message>
@@ -3277,6 +4197,10 @@
         <message>
             <source>On the path</source>
             <translation>No caminho</translation>
+        </message>
+        <message>
+            <source>On which side of the cut the part lies, seen along it</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>On which side of the lines the tool runs</source>
@@ -3339,6 +4263,14 @@
             <translation>Saídas</translation>
         </message>
         <message>
+            <source>Outside corners that turn by more get a loop</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Over-burn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Overcut</source>
             <translation>Sobrecorte</translation>
         </message>
@@ -3359,12 +4291,20 @@
             <translation>Os ajustes só funcionam com a máquina pronta ou usinando.</translation>
         </message>
         <message>
+            <source>Oxyfuel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>POM (acetal)</source>
             <translation>POM (acetal)</translation>
         </message>
         <message>
             <source>PVC foam board</source>
             <translation>PVC expandido</translation>
+        </message>
+        <message>
+            <source>Parts</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Passes</source>
@@ -3391,6 +4331,22 @@
             <translation>Bicada</translation>
         </message>
         <message>
+            <source>Pierce delay</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pierce distance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pierce height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pierces</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Pitch</source>
             <translation>Passo</translation>
         </message>
@@ -3401,6 +4357,10 @@
         <message>
             <source>Places</source>
             <translation>Lugares</translation>
+        </message>
+        <message>
+            <source>Plasma</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Play or pause</source>
@@ -3439,6 +4399,22 @@
             <translation>Posição</translation>
         </message>
         <message>
+            <source>Power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Power on before the tool moves; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Power ramp</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Preheat</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Preview</source>
             <translation>Prévia</translation>
         </message>
@@ -3449,6 +4425,10 @@
         <message>
             <source>Problem</source>
             <translation>Problema</translation>
+        </message>
+        <message>
+            <source>Process</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Profile</source>
@@ -3537,6 +4517,14 @@
         <message>
             <source>Ramp</source>
             <translation>Rampa</translation>
+        </message>
+        <message>
+            <source>Ramp begin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Ramp length</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Rapid</source>
@@ -3667,6 +4655,10 @@
             <translation>Linhas</translation>
         </message>
         <message>
+            <source>Rules</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Running</source>
             <translation>Usinando</translation>
         </message>
@@ -3713,6 +4705,10 @@
         <message>
             <source>Screw speed</source>
             <translation>Rotação do fuso</translation>
+        </message>
+        <message>
+            <source>Scribe</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Seconds at the bottom</source>
@@ -3771,6 +4767,14 @@
             <translation>Forma</translation>
         </message>
         <message>
+            <source>Sheet cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Shorter than</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Show the tool's path</source>
             <translation>Mostra a trajetória da ferramenta</translation>
         </message>
@@ -3795,6 +4799,14 @@
             <translation>Tamanho</translation>
         </message>
         <message>
+            <source>Small holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Small holes at a feed of their own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Solids that hold the work down, which the tool must not touch</source>
             <translation>Sólidos que prendem a peça e em que a ferramenta não pode tocar</translation>
         </message>
@@ -3817,6 +4829,14 @@
         <message>
             <source>Spindle turns a minute; 0: those of the job's material</source>
             <translation>Rotações do spindle por minuto; 0: as do material do trabalho</translation>
+        </message>
+        <message>
+            <source>Spot holes below</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Spot time</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Start</source>
@@ -3919,6 +4939,10 @@
             <translation>Retira o alarme sem referenciar: só quando a posição está certa com certeza.</translation>
         </message>
         <message>
+            <source>Take the chart's value again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Take the line numbers out</source>
             <translation>Tirar os números de linha</translation>
         </message>
@@ -3987,6 +5011,10 @@
             <translation>O canto onde a grade começa, a partir do zero da peça</translation>
         </message>
         <message>
+            <source>The cut chart gives this value; change it in the job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The cut goes on without FreeCAD; the controller's panel finds it again the next time it is opened.</source>
             <translation>O corte continua sem o FreeCAD; o painel do controlador o reencontra na próxima vez que for aberto.</translation>
         </message>
@@ -4031,6 +5059,10 @@
             <translation>O desenho que ela seguia, se foi excluído</translation>
         </message>
         <message>
+            <source>The edge of the sheet through which the wire comes in</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The feed of the last pass at the wall; 0: the tool's own feed</source>
             <translation>O avanço do último passe na parede; 0: o avanço da própria ferramenta</translation>
         </message>
@@ -4041,6 +5073,10 @@
         <message>
             <source>The feed of the program</source>
             <translation>O avanço do programa</translation>
+        </message>
+        <message>
+            <source>The file of a cut chart of your own; empty: the chart that ships</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>The fingerprint of the job's program from which this one was edited</source>
@@ -4093,6 +5129,10 @@
         <message>
             <source>The last pass in depth, ap_acab; 0: none</source>
             <translation>O último passe em profundidade, ap_acab; 0: nenhum</translation>
+        </message>
+        <message>
+            <source>The length of all cuts</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>The length of all lines</source>
@@ -4251,6 +5291,10 @@
             <translation>O programa, guardado neste documento</translation>
         </message>
         <message>
+            <source>The radius of loops at sharp outside corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The radius of the lead's arc</source>
             <translation>O raio do arco de entrada ou saída</translation>
         </message>
@@ -4259,8 +5303,24 @@
             <translation>O reinício está sendo criado e verificado…</translation>
         </message>
         <message>
+            <source>The share of the feed there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The share of the feed with which they are cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The share of the power at the pierce</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The sketch, wire, B-spline or freehand line to follow</source>
             <translation>O esboço, arame, B-spline ou linha à mão livre a seguir</translation>
+        </message>
+        <message>
+            <source>The sketch, wires or faces whose lines are cut: closed ones are parts and holes in turn</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>The sketch, wires or faces whose lines are followed</source>
@@ -4269,6 +5329,10 @@
         <message>
             <source>The speed of cutting moves; 0: that of the job's material</source>
             <translation>A velocidade dos movimentos de corte; 0: a do material do trabalho</translation>
+        </message>
+        <message>
+            <source>The speed of the cut; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>The speed straight down; 0: that of the job's material</source>
@@ -4335,6 +5399,14 @@
             <translation>As ferramentas que as operações podem escolher</translation>
         </message>
         <message>
+            <source>The torch above the sheet while it cuts; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The torch above the sheet while it pierces; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The way along the cut is being checked…</source>
             <translation>O caminho ao longo do corte está sendo verificado…</translation>
         </message>
@@ -4347,8 +5419,24 @@
             <translation>A largura máxima de um passe, ae</translation>
         </message>
         <message>
+            <source>The width of the cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The width of the cut where it is not the chart's; 0: the chart's, else the tool's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The width of the cut where it is not the tool's diameter; 0: the tool's own</source>
             <translation>A largura do corte onde não é o diâmetro da ferramenta; 0: a da própria ferramenta</translation>
+        </message>
+        <message>
+            <source>The width of the cut; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The width of the cut; 0: that of the cut chart or the tool</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>The wire stays this close to every drawn point; 0 keeps every point that bends the line</source>
@@ -4369,6 +5457,10 @@
         <message>
             <source>There is no restart to send yet.</source>
             <translation>Ainda não há reinício para enviar.</translation>
+        </message>
+        <message>
+            <source>This is cut by: {0}. The job's process is: {1}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>This machine has no homing switches set up ($22=0).</source>
@@ -4459,6 +5551,10 @@
             <translation>Correia dentada</translation>
         </message>
         <message>
+            <source>Torch off before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Travel for a turn of the screw; with several starts its lead</source>
             <translation>Percurso por volta do fuso; com várias entradas, o avanço da rosca</translation>
         </message>
@@ -4527,6 +5623,10 @@
             <translation>Avisos</translation>
         </message>
         <message>
+            <source>Water jet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>What happened to the job's own program since</source>
             <translation>O que aconteceu desde então com o programa do próprio trabalho</translation>
         </message>
@@ -4537,6 +5637,10 @@
         <message>
             <source>What is one step: a line of the program, a move, or a pulse of the motors</source>
             <translation>O que é um passo: uma linha do programa, um movimento ou um pulso dos motores</translation>
+        </message>
+        <message>
+            <source>What is set at the power source; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>What is switched on while cutting</source>
@@ -4595,8 +5699,24 @@
             <translation>Não se sabe onde a mesa está: referencie a máquina ou defina de novo o zero-peça.</translation>
         </message>
         <message>
+            <source>Where the way turns by less, the wire does not stand</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Where the work zero lies in this document</source>
             <translation>Onde fica o zero-peça neste documento</translation>
+        </message>
+        <message>
+            <source>Whether a laser's power follows its speed (M4)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether a slit through the part leads the wire into a closed hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether form, kerf and feeds are those of the job's cut chart</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Whether inner corners are opened, so that a square corner fits in</source>
@@ -4633,6 +5753,10 @@
         <message>
             <source>Width</source>
             <translation>Largura</translation>
+        </message>
+        <message>
+            <source>Wire cut</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Work</source>
@@ -4719,6 +5843,10 @@
             <translation>paralelo</translation>
         </message>
         <message>
+            <source>aluminium</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>aluminium 6061</source>
             <translation>alumínio 6061</translation>
         </message>
@@ -4803,6 +5931,10 @@
             <translation>como o programa</translation>
         </message>
         <message>
+            <source>back the way it came</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>ball end mill</source>
             <translation>fresa de topo esférico</translation>
         </message>
@@ -4851,6 +5983,14 @@
             <translation>fibra de carbono</translation>
         </message>
         <message>
+            <source>cardboard</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>cardstock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>centre of the top</source>
             <translation>centro do topo</translation>
         </message>
@@ -4881,6 +6021,10 @@
         <message>
             <source>coordinates are steps from where the tool is</source>
             <translation>as coordenadas são passos a partir de onde está a ferramenta</translation>
+        </message>
+        <message>
+            <source>copper</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>count</source>
@@ -4943,6 +6087,14 @@
             <translation>avanço</translation>
         </message>
         <message>
+            <source>felt</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>first of the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>flat end mill</source>
             <translation>fresa de topo reto</translation>
         </message>
@@ -4959,8 +6111,24 @@
             <translation>jato ligado</translation>
         </message>
         <message>
+            <source>foam</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>foam board</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>follows the path exactly</source>
             <translation>segue a trajetória exatamente</translation>
+        </message>
+        <message>
+            <source>from chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>front</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>front left corner of the top</source>
@@ -4969,6 +6137,10 @@
         <message>
             <source>full diameter</source>
             <translation>diâmetro pleno</translation>
+        </message>
+        <message>
+            <source>glass</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>goes beyond what the machine can travel; at most {0}</source>
@@ -4995,12 +6167,20 @@
             <translation>vai ao segundo lugar guardado</translation>
         </message>
         <message>
+            <source>granite</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>grid</source>
             <translation>grade</translation>
         </message>
         <message>
             <source>hardwood</source>
             <translation>madeira dura</translation>
+        </message>
+        <message>
+            <source>heat transfer film</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>helix</source>
@@ -5045,6 +6225,10 @@
         <message>
             <source>leads the program elsewhere</source>
             <translation>leva o programa a outro lugar</translation>
+        </message>
+        <message>
+            <source>leather</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>left</source>
@@ -5131,6 +6315,10 @@
             <translation>dá nome ao lugar atual</translation>
         </message>
         <message>
+            <source>nichrome wire, 0.4 mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no cutter compensation</source>
             <translation>sem compensação da ferramenta</translation>
         </message>
@@ -5189,6 +6377,14 @@
         <message>
             <source>outside</source>
             <translation>por fora</translation>
+        </message>
+        <message>
+            <source>own values</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>paper</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>pauses until it is told to go on</source>
@@ -5279,6 +6475,10 @@
             <translation>rápido: reto, tão rápido quanto a máquina pode</translation>
         </message>
         <message>
+            <source>rear</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>returns from a subprogram</source>
             <translation>retorna de um subprograma</translation>
         </message>
@@ -5289,6 +6489,14 @@
         <message>
             <source>rounds corners off to keep its speed</source>
             <translation>arredonda cantos para manter a velocidade</translation>
+        </message>
+        <message>
+            <source>rubber</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>sandblast film</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>sets offsets or tools</source>
@@ -5367,6 +6575,14 @@
             <translation>o da máquina</translation>
         </message>
         <message>
+            <source>the nearest edge</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the one that ships</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the point</source>
             <translation>a ponta</translation>
         </message>
@@ -5395,12 +6611,28 @@
             <translation>tempo, número ou voltas, conforme o código</translation>
         </message>
         <message>
+            <source>titanium</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>to the nearest edge</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>tool {0}</source>
             <translation>ferramenta {0}</translation>
         </message>
         <message>
+            <source>usual for the process</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>value {0}</source>
             <translation>valor {0}</translation>
+        </message>
+        <message>
+            <source>vinyl</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>wire</source>
@@ -5429,6 +6661,10 @@
         <message>
             <source>{0} = 0</source>
             <translation>{0} = 0</translation>
+        </message>
+        <message>
+            <source>{0} does not name this process</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{0} errors</source>
@@ -5650,6 +6886,10 @@
             <translation>'{words}' não é um comprimento ou ângulo conhecido</translation>
         </message>
         <message>
+            <source>(nu=7, ph=3.8, pd=0.4, ch=1.5, fr=3850, kw=1.5)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>(program {number} of {count}, tool {tool})</source>
             <translation>(programa {number} de {count}, ferramenta {tool})</translation>
         </message>
@@ -5658,8 +6898,16 @@
             <translation>/ (bloco opcional) só pode ficar no início de uma linha</translation>
         </message>
         <message>
+            <source>0 to {most}, or -1</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>0 to {size_mm:g} mm</source>
             <translation>0 a {size_mm:g} mm</translation>
+        </message>
+        <message>
+            <source>0 without an entry slit</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>= is missing after the parameter</source>
@@ -5696,6 +6944,10 @@
         <message>
             <source>D of {code} is the number of a tool</source>
             <translation>o D de {code} é o número de uma ferramenta</translation>
+        </message>
+        <message>
+            <source>Drag knife</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>EXISTS asks for a parameter</source>
@@ -5798,6 +7050,10 @@
             <translation>G80 não deixa movimento para as palavras de eixo</translation>
         </message>
         <message>
+            <source>Hot wire</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>I of G76 may not be 0</source>
             <translation>o I de G76 não pode ser 0</translation>
         </message>
@@ -5834,8 +7090,20 @@
             <translation>o K de G76 deve ser maior que J</translation>
         </message>
         <message>
+            <source>Kerf test: S = {0} mm, kerf used {1} mm. {2}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>L may not be negative</source>
             <translation>L não pode ser negativo</translation>
+        </message>
+        <message>
+            <source>LinuxCNC with QtPlasmaC</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>M3 starts one tool</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>M6 depends on the machine's configuration: pause with M0, or split at tool changes</source>
@@ -5910,6 +7178,30 @@
             <translation>o Q de M19 deve ser maior que 0</translation>
         </message>
         <message>
+            <source>QtPlasmaC changes feed and end of small holes itself: that is not in this reading</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>QtPlasmaC cuts a tube, with the program's own moves of Z: they are not in this reading</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>QtPlasmaC has no key {key}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>QtPlasmaC keeps the program's own moves of Z: they are not in this reading</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>QtPlasmaC moves Z itself: arcs are in XY</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>QtPlasmaC pierces only and cuts nothing: that is not in this reading</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>R lies below {normal}</source>
             <translation>R fica abaixo de {normal}</translation>
         </message>
@@ -5926,8 +7218,16 @@
             <translation>SetThreadExecutionState foi recusado</translation>
         </message>
         <message>
+            <source>Speed test {0} of {1}: {2} mm/min, {3} %</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>T selects an extruder: pause with M0 where the tool is to be changed</source>
             <translation>T seleciona um extrusor: faça uma pausa com M0 onde a ferramenta deve ser trocada</translation>
+        </message>
+        <message>
+            <source>Water jet</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>[ is missing after {keyword}</source>
@@ -6020,6 +7320,10 @@
         <message>
             <source>a curve needs at least two points and a bulge for each segment</source>
             <translation>uma curva precisa de ao menos dois pontos e de um bulge por segmento</translation>
+        </message>
+        <message>
+            <source>a cut chart holds [[cut]] tables and nothing else</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>a cut goes into stock while the spindle stands</source>
@@ -6208,6 +7512,22 @@
         <message>
             <source>a macro has stopped with an error of its own</source>
             <translation>uma macro parou com um erro próprio</translation>
+        </message>
+        <message>
+            <source>a margin of {margin_mm:.3g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a material file has no {key}: left out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a material file holds no rows of {process}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a material number stands twice</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>a mesh and no line</source>
@@ -6514,6 +7834,10 @@
             <translation>uma palavra aparece duas vezes na linha</translation>
         </message>
         <message>
+            <source>a {shape} does not cut from the edge</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a {shape} tool has no {key}</source>
             <translation>uma ferramenta {shape} não tem {key}</translation>
         </message>
@@ -6600,6 +7924,10 @@
         <message>
             <source>add yourself to its group (sudo usermod -aG dialout $USER) and log in again</source>
             <translation>entre no grupo dela (sudo usermod -aG dialout $USER) e faça login de novo</translation>
+        </message>
+        <message>
+            <source>add {key} = and its value</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>add {letter} to the line</source>
@@ -6726,6 +8054,10 @@
             <translation>arcos fora do plano XY</translation>
         </message>
         <message>
+            <source>ask for fewer or narrower joints</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>ask for it again</source>
             <translation>peça-o de novo</translation>
         </message>
@@ -6746,12 +8078,20 @@
             <translation>no mínimo</translation>
         </message>
         <message>
+            <source>at least the kerf of {kerf_mm:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>at least {chord:.4f} mm</source>
             <translation>ao menos {chord:.4f} mm</translation>
         </message>
         <message>
             <source>at least {depth_mm:.3g} mm</source>
             <translation>ao menos {depth_mm:.3g} mm</translation>
+        </message>
+        <message>
+            <source>at least {least:g} mm</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>at least {least_mm:.3g} mm</source>
@@ -6788,6 +8128,10 @@
         <message>
             <source>at most {longest:g} times</source>
             <translation>no máximo {longest:g} vezes</translation>
+        </message>
+        <message>
+            <source>at most {most_mm:.2f} mm there</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>at most {narrowest_mm:.3f} mm</source>
@@ -6866,6 +8210,10 @@
             <translation>comece o comentário com ;</translation>
         </message>
         <message>
+            <source>begin the file with the line '# units: {other}', or say that unit</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>begin the program with a rapid to a safe Z</source>
             <translation>comece o programa com um rápido até um Z seguro</translation>
         </message>
@@ -6890,12 +8238,20 @@
             <translation>abaixo de {narrowest_mm:g} mm</translation>
         </message>
         <message>
+            <source>below {room_mm:.2f} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>below {total_mm:g} mm</source>
             <translation>abaixo de {total_mm:g} mm</translation>
         </message>
         <message>
             <source>belt_pitch_mm and pulley_teeth belong together</source>
             <translation>belt_pitch_mm e pulley_teeth andam juntos</translation>
+        </message>
+        <message>
+            <source>between curves {one} and {other} the kerf does not fit, at X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>beyond a million nothing of the shape is left</source>
@@ -6944,6 +8300,10 @@
         <message>
             <source>change_ms is so small that there are more than {most_waits} waits</source>
             <translation>change_ms é tão pequeno que há mais de {most_waits} esperas</translation>
+        </message>
+        <message>
+            <source>charts are there for: {processes}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>check both switches</source>
@@ -7054,6 +8414,10 @@
             <translation>escolha uma linha cortada depois da última troca de ferramenta e antes desta</translation>
         </message>
         <message>
+            <source>choose a machine with a Z axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>choose a sketch with circles or points, or give the places by numbers</source>
             <translation>escolha um esboço com círculos ou pontos, ou dê os lugares por números</translation>
         </message>
@@ -7106,6 +8470,10 @@
             <translation>escolha outro nome</translation>
         </message>
         <message>
+            <source>choose another process in the job, or delete the operation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>choose another side</source>
             <translation>escolha outro lado</translation>
         </message>
@@ -7132,6 +8500,10 @@
         <message>
             <source>choose other values, or try again</source>
             <translation>escolha outros valores, ou tente de novo</translation>
+        </message>
+        <message>
+            <source>choose the job's material</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>choose the pass yourself: the program sends lines again, so line {line} alone is no place</source>
@@ -7250,6 +8622,10 @@
             <translation>core_diameter_mm não pode exceder diameter_mm</translation>
         </message>
         <message>
+            <source>corner_a = [{0}, {1}], corner_b = [{2}, {3}]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>corner_radius_mm must not exceed half of diameter_mm</source>
             <translation>corner_radius_mm não pode passar da metade de diameter_mm</translation>
         </message>
@@ -7282,6 +8658,10 @@
             <translation>corrija essa chave</translation>
         </message>
         <message>
+            <source>correct that line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>correct that line of the program</source>
             <translation>corrija essa linha do programa</translation>
         </message>
@@ -7308,6 +8688,10 @@
         <message>
             <source>correct the centre or the end point</source>
             <translation>corrija o centro ou o ponto final</translation>
+        </message>
+        <message>
+            <source>correct the comment</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>correct the diameters or pitch_mm</source>
@@ -7414,6 +8798,10 @@
             <translation>a curva {number} é aberta, não tem {side}</translation>
         </message>
         <message>
+            <source>curve {number}, which begins at X{x:.3f} Y{y:.3f}, crosses itself or encloses nothing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>curves do not meet</source>
             <translation>as curvas não se encontram</translation>
         </message>
@@ -7450,8 +8838,20 @@
             <translation>cortado no material que os movimentos anteriores deixaram; a forma desejada não é conhecida, por isso não é julgado</translation>
         </message>
         <message>
+            <source>cut some of the curves in an operation of their own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>cut the kerf test at that feed and add a row to kerf_by_feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>cut them together as a pocket, or this one with an operation of its own</source>
             <translation>usine-os juntos como um bolsão, ou este com uma operação própria</translation>
+        </message>
+        <message>
+            <source>cut with a kerf of at most {most_mm:.3f} mm, or draw that place wider</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>cuts {overlap_mm:.3g} mm before the place again</source>
@@ -7484,6 +8884,10 @@
         <message>
             <source>draw a circle, or cut it as an elliptical pocket</source>
             <translation>desenhe um círculo ou corte-a como bolsão elíptico</translation>
+        </message>
+        <message>
+            <source>draw an outline that encloses one area</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>draw at least two points</source>
@@ -7528,6 +8932,10 @@
         <message>
             <source>draw something in it, or choose another drawing</source>
             <translation>desenhe algo nele, ou escolha outro desenho</translation>
+        </message>
+        <message>
+            <source>draw the hole wider, spot it for drilling (spot_below_mm), or cut with a narrower kerf</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>drop it</source>
@@ -7798,6 +9206,14 @@
             <translation>indique dwell_s ou use G81</translation>
         </message>
         <message>
+            <source>give each material its own number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give each row its own number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give either screw_pitch_mm, or belt_pitch_mm and pulley_teeth</source>
             <translation>informe screw_pitch_mm, ou então belt_pitch_mm e pulley_teeth</translation>
         </message>
@@ -7816,6 +9232,10 @@
         <message>
             <source>give heights over the bottom, and the largest as the stock's Z</source>
             <translation>dê alturas acima do fundo, e a maior como Z do bloco</translation>
+        </message>
+        <message>
+            <source>give it another number</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>give its centre</source>
@@ -7852,6 +9272,10 @@
         <message>
             <source>give the height</source>
             <translation>informe a altura</translation>
+        </message>
+        <message>
+            <source>give the material its number and name</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>give the path of a file</source>
@@ -7978,6 +9402,10 @@
             <translation>o grblHAL só aceita centros de arco a partir do ponto inicial (G91.1)</translation>
         </message>
         <message>
+            <source>half of the kerf, {half_mm:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>heights belong to a stock of the form 'height_field', and to no other</source>
             <translation>alturas pertencem a um bloco da forma 'height_field', e a nenhum outro</translation>
         </message>
@@ -7996,6 +9424,10 @@
         <message>
             <source>hold or stop it where it was started, or wait until it has ended</source>
             <translation>pause-o ou pare-o onde foi iniciado, ou espere até terminar</translation>
+        </message>
+        <message>
+            <source>hole {0} of part {1}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>home all axes with $H</source>
@@ -8170,12 +9602,20 @@
             <translation>é uma pasta</translation>
         </message>
         <message>
+            <source>it is cut short</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it is damaged</source>
             <translation>está danificado</translation>
         </message>
         <message>
             <source>it is empty</source>
             <translation>ele está vazio</translation>
+        </message>
+        <message>
+            <source>it is for {processes}: choose another chart or process</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>it is one program</source>
@@ -8330,6 +9770,18 @@
             <translation>mantida só se o controlador ficou ligado desde então e não foi reiniciado em movimento; uma saudação, um alarme ou um lugar errado dizem que foi: então {home}; {until_homed}</translation>
         </message>
         <message>
+            <source>kerf = kerf used + (S - part + hole - S / 2) / 2</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>kerf = kerf used + S - part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>kerf_by_feed: feeds must rise from row to row, and kerfs must not</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>kerf_mm is not what this tool cuts</source>
             <translation>kerf_mm não é o que esta ferramenta corta</translation>
         </message>
@@ -8382,6 +9834,10 @@
             <translation>omita '{name}' se o operador da máquina o faz à mão</translation>
         </message>
         <message>
+            <source>leave blade_offset_mm out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>leave it out: Marlin has only this mode</source>
             <translation>omita-a: o Marlin só tem este modo</translation>
         </message>
@@ -8416,6 +9872,10 @@
         <message>
             <source>leave them out</source>
             <translation>deixe-os de fora</translation>
+        </message>
+        <message>
+            <source>leave {key} out</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>leaves the spindle off, as the program has it there</source>
@@ -8462,6 +9922,10 @@
             <translation>faça-a mergulhar no início do contorno</translation>
         </message>
         <message>
+            <source>let it stand shorter, or cut more slowly</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>let the tool stick out farther</source>
             <translation>deixe a ferramenta mais para fora do porta-ferramenta</translation>
         </message>
@@ -8492,6 +9956,10 @@
         <message>
             <source>line numbers begin at 0 or above and grow</source>
             <translation>os números de linha começam em 0 ou acima e crescem</translation>
+        </message>
+        <message>
+            <source>line {0} back</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>line {file_line} is run from its begin</source>
@@ -8694,6 +10162,10 @@
             <translation>diminua-a, ou sobram ilhas</translation>
         </message>
         <message>
+            <source>make its side longer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>make resolution_mm larger</source>
             <translation>aumente resolution_mm</translation>
         </message>
@@ -8766,12 +10238,20 @@
             <translation>aumente {name}</translation>
         </message>
         <message>
+            <source>margin {margin_mm:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>material is left where it should be removed{islands}</source>
             <translation>sobra material onde deveria ser removido{islands}</translation>
         </message>
         <message>
             <source>material stays in {gaps} gap(s) between walls that are narrower than the tool, the deepest one before X{x:.3f} Y{y:.3f}; a smaller tool takes it away</source>
             <translation>fica material em {gaps} fresta(s) entre paredes mais estreita(s) que a ferramenta, a mais funda diante de X{x:.3f} Y{y:.3f}; uma ferramenta menor o remove</translation>
+        </message>
+        <message>
+            <source>material {number} has no {key}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>measure the width of its cut, or leave kerf_mm out</source>
@@ -8814,6 +10294,10 @@
             <translation>mais de um milhão de qualquer coisa é um engano</translation>
         </message>
         <message>
+            <source>more than ten times the whole is a slip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>more than {most} lines</source>
             <translation>mais de {most} linhas</translation>
         </message>
@@ -8834,6 +10318,10 @@
             <translation>monte-o antes</translation>
         </message>
         <message>
+            <source>move it {in_mm:.3f} mm inwards, or take a larger sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>move one of the corners</source>
             <translation>mova um dos cantos</translation>
         </message>
@@ -8842,12 +10330,28 @@
             <translation>mova os outros eixos antes</translation>
         </message>
         <message>
+            <source>move the holes apart, join them, or draw a slit yourself</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>move the line away from the part, or leave it out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>move the machine off it, then home</source>
             <translation>afaste a máquina dele e referencie</translation>
         </message>
         <message>
             <source>move the machine off the switch, reset, then home it</source>
             <translation>afaste a máquina do fim de curso, reinicie e referencie-a</translation>
+        </message>
+        <message>
+            <source>move the parts farther apart, enter from another edge, or use a thinner wire</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>move the parts farther apart, or cut them in several operations</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>move the shape inwards, or take a larger sheet</source>
@@ -8866,8 +10370,16 @@
             <translation>mova o zero-peça ({word}) no eixo {name} ou diminua o programa</translation>
         </message>
         <message>
+            <source>move them apart, or cut with a narrower kerf</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>move them or the work zero</source>
             <translation>mova-os ou mova o zero da peça</translation>
+        </message>
+        <message>
+            <source>move them {more_mm:.3f} mm farther apart, or cut with a kerf of at most {gap_mm:.3f} mm</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>move there first with absolute coordinates, or give the start</source>
@@ -8906,6 +10418,10 @@
             <translation>indique os dois eixos</translation>
         </message>
         <message>
+            <source>name it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>name it once</source>
             <translation>nomeie-a uma só vez</translation>
         </message>
@@ -8940,6 +10456,14 @@
         <message>
             <source>next is line {line}: {text}</source>
             <translation>a próxima é a linha {line}: {text}</translation>
+        </message>
+        <message>
+            <source>nichrome 0.4 mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no arc or wire stands at more than 10 kV</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>no axis is set up for homing</source>
@@ -9008,6 +10532,10 @@
         <message>
             <source>no input may be read</source>
             <translation>nenhuma entrada pode ser lida</translation>
+        </message>
+        <message>
+            <source>no jet is driven by more than 10 kbar</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>no job is held</source>
@@ -9098,6 +10626,10 @@
             <translation>nenhum motor de passo dá mais que 10 kNm</translation>
         </message>
         <message>
+            <source>no straight slit leads into the hole at X{x:.3f} Y{y:.3f} past the part's other holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no tab fits on any contour</source>
             <translation>nenhuma ponte cabe em nenhum contorno</translation>
         </message>
@@ -9116,6 +10648,14 @@
         <message>
             <source>no tooth takes more than 10 mm</source>
             <translation>nenhum dente tira mais que 10 mm</translation>
+        </message>
+        <message>
+            <source>no torch or wire draws more than 10 kA</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no way through the scrap leads to what lies at X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>nobody has confirmed the work zero</source>
@@ -9154,8 +10694,16 @@
             <translation>não é um trabalho para enviar: {error}</translation>
         </message>
         <message>
+            <source>not a line of a material file: '{line}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>not a number: {text}</source>
             <translation>não é um número: {text}</translation>
+        </message>
+        <message>
+            <source>not a parameter of a material's comment</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>not a point: '{line}'</source>
@@ -9354,6 +10902,10 @@
             <translation>só X, Y e Z são editados, e não {letter}</translation>
         </message>
         <message>
+            <source>only a drag knife has a blade offset</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>only arcs of G17 can be turned about Z</source>
             <translation>só arcos de G17 podem ser girados em torno de Z</translation>
         </message>
@@ -9368,6 +10920,10 @@
         <message>
             <source>only {written} of {data} bytes were taken</source>
             <translation>só {written} de {data} bytes foram aceitos</translation>
+        </message>
+        <message>
+            <source>open line {line} cuts into a part at X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>operation '{cycle}' uses tool {tool}, which the job does not have</source>
@@ -9404,6 +10960,10 @@
         <message>
             <source>part of the drawn shape lies beside the stock</source>
             <translation>parte da forma desenhada fica fora do bloco</translation>
+        </message>
+        <message>
+            <source>part {number} goes beyond the sheet at X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>peck_mm {peck_mm:g} mm</source>
@@ -9726,6 +11286,10 @@
             <translation>modo de recuo: plano R</translation>
         </message>
         <message>
+            <source>rows must be a list of tables</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>run 'make setup' beside the workbench, or let Tools &gt; Addon Manager install them, or install them for Python {version_info}.{version_info2} into a folder of their own (pip install --target FOLDER) and name it in the environment variable CNCSTEPPER_PACKAGES</source>
             <translation>rode 'make setup' na pasta da bancada, ou instale-os por Ferramentas &gt; Gerenciador de extensões, ou instale-os para Python {version_info}.{version_info2} em uma pasta própria (pip install --target PASTA) e indique-a na variável de ambiente CNCSTEPPER_PACKAGES</translation>
         </message>
@@ -9838,6 +11402,10 @@
             <translation>ajuste Z pela tabela</translation>
         </message>
         <message>
+            <source>set a lead_in, or pierce_mm to half of the kerf</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>set again at the pause at line {line}: {places} (machine, mm); what comes after counts from there, what was before from the old one</source>
             <translation>definido de novo na pausa da linha {line}: {places} (máquina, mm); o que vem depois conta a partir daí, o que veio antes, a partir do antigo</translation>
         </message>
@@ -9846,12 +11414,28 @@
             <translation>ponha backlash_mm em 0 no perfil da máquina</translation>
         </message>
         <message>
+            <source>set entry_slit = true, which cuts a slit through the part into each hole, or leave the holes out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>set it again, and do not start before it is right</source>
             <translation>defina-o de novo, e não inicie antes que esteja certo</translation>
         </message>
         <message>
             <source>set its zero again</source>
             <translation>defina o zero dela de novo</translation>
+        </message>
+        <message>
+            <source>set margin_mm to at most {margin_mm:.3g}, or move the parts apart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set pierce_mm to that limit or less, or leave {short_mm:.2f} mm more scrap there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set process to "plasma", "oxyfuel", "laser", "waterjet", "drag-knife" or "scribe"</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>set ramp_deg and no tabs, or use a mill that cuts over its centre</source>
@@ -9910,6 +11494,10 @@
             <translation>forma '{name}': duas pontas ficam a {size_mm:.3g} mm uma da outra em X{x:.3f} Y{y:.3f}</translation>
         </message>
         <message>
+            <source>sheet_cut does not cut by {process}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>short slice</source>
             <translation>fatia curta</translation>
         </message>
@@ -9966,6 +11554,14 @@
             <translation>divida essa linha em duas</translation>
         </message>
         <message>
+            <source>split the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>split the file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>split the program</source>
             <translation>divida o programa</translation>
         </message>
@@ -9984,6 +11580,10 @@
         <message>
             <source>start the spindle with M3 and S before it</source>
             <translation>ligue o spindle com M3 e S antes dele</translation>
+        </message>
+        <message>
+            <source>start the torch with M3 $0 S1, the scribe with M3 $1 S1, a spot with M3 $2 S1</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>starts the spindle at {spindle_rpm:g} rpm, {sense}</source>
@@ -10094,6 +11694,10 @@
             <translation>use um tolerance_mm maior, ou desenhe polilinhas ou arcos no lugar delas</translation>
         </message>
         <message>
+            <source>take a thickness within it, another consumable, or give a chart of your own with this row</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>take it out</source>
             <translation>retire-o</translation>
         </message>
@@ -10110,8 +11714,20 @@
             <translation>retire-a ou acrescente o seu código</translation>
         </message>
         <message>
+            <source>take it out, or use one of: NAME, {keys}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>take one of them out</source>
             <translation>retire um deles</translation>
+        </message>
+        <message>
+            <source>take one out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take one out, or give them different consumables</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>take out R</source>
@@ -10142,12 +11758,20 @@
             <translation>o rosqueamento virou movimentos simples: o avanço pode ser ajustado e nada o prende ao spindle</translation>
         </message>
         <message>
+            <source>test a torch, a laser, a jet or a wire</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the $ command is not known</source>
             <translation>o comando $ não é conhecido</translation>
         </message>
         <message>
             <source>the N word must be the first of its line</source>
             <translation>a palavra N deve ser a primeira da linha</translation>
+        </message>
+        <message>
+            <source>the NAME of material {number} names no material and thickness</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the O-word cannot be read</source>
@@ -10262,6 +11886,10 @@
             <translation>o certificado foi alterado depois de emitido</translation>
         </message>
         <message>
+            <source>the certificate's findings are damaged</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the changed line would lead elsewhere than it must</source>
             <translation>a linha alterada levaria a um lugar diferente do devido</translation>
         </message>
@@ -10278,6 +11906,30 @@
             <translation>o caractere {found} agiria como um comando ou não é ASCII</translation>
         </message>
         <message>
+            <source>the chart has no consumable '{consumable}' for it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the chart has no kerf of {material} at this feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the chart has no row of {process}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the chart has too many rows</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the chart of {process} does not cover this thickness of {material}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the chart of {process} has no material '{material}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the checksum is wrong</source>
             <translation>a soma de verificação está errada</translation>
         </message>
@@ -10292,6 +11944,14 @@
         <message>
             <source>the comment is not closed</source>
             <translation>o comentário não está fechado</translation>
+        </message>
+        <message>
+            <source>the comment of a material lacks nu= or na=</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the comment of a material lacks {key}=</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the compensated arc would have two radii</source>
@@ -10774,12 +12434,12 @@
             <translation>o arquivo terminou</translation>
         </message>
         <message>
-            <source>the file holds no object</source>
-            <translation>o arquivo não contém um objeto</translation>
+            <source>the file has too many materials</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the file is cut short</source>
-            <translation>o arquivo está incompleto</translation>
+            <source>the file holds no object</source>
+            <translation>o arquivo não contém um objeto</translation>
         </message>
         <message>
             <source>the file is empty</source>
@@ -10894,6 +12554,10 @@
             <translation>o trabalho está prestes a continuar</translation>
         </message>
         <message>
+            <source>the job names no material, so the chart gives no tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the job of {process} names no material and has no tool</source>
             <translation>o trabalho de {process} não indica material e não tem ferramenta</translation>
         </message>
@@ -10970,12 +12634,32 @@
             <translation>o diário do trabalho não pode ser gravado: {why}</translation>
         </message>
         <message>
+            <source>the kerf closes a narrow place in the outline of part {number}, which begins at X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the kerf goes beyond the drawing</source>
             <translation>o corte passa do desenho</translation>
         </message>
         <message>
             <source>the kerf goes beyond the drawing into a part</source>
             <translation>o corte passa do desenho e entra em uma peça</translation>
+        </message>
+        <message>
+            <source>the kerf is wider than a place in the hole of part {number} that begins at X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the kerf is wider than hole {number} at X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the kerf of {kerf_mm:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the kerf test is too small for its kerf and leads</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the kernels are not compiled ahead: {said}</source>
@@ -11132,6 +12816,10 @@
         <message>
             <source>the machine finds its own zero</source>
             <translation>a máquina procura o seu próprio zero</translation>
+        </message>
+        <message>
+            <source>the machine has no such spindle</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the machine has no {name} coolant</source>
@@ -11330,6 +13018,10 @@
             <translation>a altura de perfuração não é a da tabela de corte</translation>
         </message>
         <message>
+            <source>the pierce heights make no sense in {units}: the file seems to be in {other}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the pierce is nearer to a part than the chart's lead-in is long: its spatter reaches the part</source>
             <translation>a perfuração está mais perto de uma peça do que o comprimento de entrada da tabela: os respingos alcançam a peça</translation>
         </message>
@@ -11462,6 +13154,10 @@
             <translation>o programa anterior</translation>
         </message>
         <message>
+            <source>the program begins at X{x:g} Y{y:g}, which is over the sheet: move the wire out of the sheet, to X{begin_x:.3f} Y{begin_y:.3f}, before it is started</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the program begins with the tool at the work zero: bring it there before this one is sent</source>
             <translation>o programa começa com a ferramenta no zero da peça: leve-a até lá antes de enviar este</translation>
         </message>
@@ -11582,6 +13278,10 @@
             <translation>o programa foi lido como {dialect}: para {firmware} suas linhas podem significar outros movimentos, ou nada</translation>
         </message>
         <message>
+            <source>the program's file cannot be read any more: {why}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the proof failed by a fault of its own: {kind}: {error}</source>
             <translation>a verificação falhou por um defeito próprio: {kind}: {error}</translation>
         </message>
@@ -11684,6 +13384,10 @@
         <message>
             <source>the safety door was opened while homing</source>
             <translation>a porta de segurança foi aberta durante o referenciamento</translation>
+        </message>
+        <message>
+            <source>the scribe is tool {number} of LinuxCNC's table, whose X and Y are its place beside the torch</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the second limit switch of a double axis was not found</source>
@@ -11870,6 +13574,10 @@
             <translation>o texto não foi encontrado ou já é o mesmo</translation>
         </message>
         <message>
+            <source>the thickness of material {number}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the timeline</source>
             <translation>a linha do tempo</translation>
         </message>
@@ -11892,6 +13600,10 @@
         <message>
             <source>the tool</source>
             <translation>a ferramenta</translation>
+        </message>
+        <message>
+            <source>the tool ${tool} still runs</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the tool changer does not know which tool it holds</source>
@@ -11986,6 +13698,10 @@
             <translation>a largura da ferramenta não é a largura do corte da tabela</translation>
         </message>
         <message>
+            <source>the torch may not be taken off</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the turn of the work system went into the coordinates</source>
             <translation>a rotação do sistema de coordenadas entrou nas coordenadas</translation>
         </message>
@@ -11996,6 +13712,10 @@
         <message>
             <source>the value must be a whole number</source>
             <translation>o valor deve ser um número inteiro</translation>
+        </message>
+        <message>
+            <source>the velocity may not be reduced</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the virtual grbl ended at once</source>
@@ -12042,8 +13762,20 @@
             <translation>o fio atravessa a chapa sem potência</translation>
         </message>
         <message>
+            <source>the wire has no entry into the closed hole at X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the wire is too thick for {corners} inner corner(s) or narrow place(s); up to {thick_mm:.3f} mm stays, most at X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the wire moves before it is hot</source>
             <translation>o fio anda antes de estar quente</translation>
+        </message>
+        <message>
+            <source>the wire would stand too long at corners and melt a hole</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the word {letter} has no number that can be read</source>
@@ -12182,12 +13914,20 @@
             <translation>não há porta {name}</translation>
         </message>
         <message>
+            <source>there is no process '{name}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there is no room for a helix or ramp, and the tool does not cut over its centre</source>
             <translation>não há espaço para hélice ou rampa, e a ferramenta não corta sobre o centro</translation>
         </message>
         <message>
             <source>there is no room for a {entry} at {others} of {kinds} places</source>
             <translation>não há espaço para: {entry} em {others} de {kinds} lugares</translation>
+        </message>
+        <message>
+            <source>there is no scrap for the pierce and lead-in of {chain} near X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>there is no subroutine o&lt;{seeking}&gt;</source>
@@ -12306,8 +14046,16 @@
             <translation>esta máquina não tem nada que se ligue (faca e ponta não têm potência): retire-o</translation>
         </message>
         <message>
+            <source>this material number is none of a material file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this one is made by itself when that is done, in about a minute</source>
             <translation>este será feito por si mesmo quando isso terminar, em cerca de um minuto</translation>
+        </message>
+        <message>
+            <source>this pin of the machine is not known to this reader</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>this reader knows no pockets</source>
@@ -12460,6 +14208,14 @@
         <message>
             <source>two lines of the profile are parallel</source>
             <translation>duas retas do perfil são paralelas</translation>
+        </message>
+        <message>
+            <source>two parts lie too close to each other for the wire to pass, at X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>two rows are for {thickness:g} mm of {material}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>two self-squaring axes cannot be homed at the same time</source>
@@ -12618,6 +14374,10 @@
             <translation>use uma ferramenta que esteja na tabela</translation>
         </message>
         <message>
+            <source>use a wire</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use a work offset (G54) instead</source>
             <translation>use em vez disso um sistema de coordenadas (G54)</translation>
         </message>
@@ -12646,12 +14406,20 @@
             <translation>use o método "tolerance" ou uma ferramenta menor</translation>
         </message>
         <message>
+            <source>use o, nu, na, {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use one of carbide</source>
             <translation>use uma de metal duro</translation>
         </message>
         <message>
             <source>use one of those that `$#` lists</source>
             <translation>use um dos que `$#` lista</translation>
+        </message>
+        <message>
+            <source>use one of: {consumables}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>use one of: {cycles}</source>
@@ -12674,8 +14442,20 @@
             <translation>use um destes: {material_names}</translation>
         </message>
         <message>
+            <source>use one of: {materials}, or give a chart of your own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use one of: {operations}</source>
             <translation>use um destes: {operations}</translation>
+        </message>
+        <message>
+            <source>use one of: {processes}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use one of: {shapes}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>use one of: {there}</source>
@@ -12778,6 +14558,10 @@
             <translation>acorde-a com um reset e referencie-a</translation>
         </message>
         <message>
+            <source>way out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>what #{number} will hold is known only when the program runs</source>
             <translation>o valor de #{number} só é conhecido quando o programa é executado</translation>
         </message>
@@ -12798,12 +14582,20 @@
             <translation>o que ela faz depende da máquina: omita-a</translation>
         </message>
         <message>
+            <source>what lies at X{x:.3f} Y{y:.3f} would come loose before it is cut, in any order</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>what lies inside an outline is faced with it</source>
             <translation>o que fica dentro de um contorno é faceado com ele</translation>
         </message>
         <message>
             <source>what stands here is no word that can be edited</source>
             <translation>o que está aqui não é uma palavra que possa ser editada</translation>
+        </message>
+        <message>
+            <source>what the material that QtPlasmaC has chosen says is not in the text</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>what was picked of '{drawing}' is not there any more</source>
@@ -12864,6 +14656,10 @@
         <message>
             <source>without a file, {total} lines to send</source>
             <translation>sem arquivo, {total} linhas a enviar</translation>
+        </message>
+        <message>
+            <source>without a lead-in the pierce lies on the cut, beside the part</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>words for the spindle</source>
@@ -12982,6 +14778,10 @@
             <translation>escreva M2 ou M30 como última linha</translation>
         </message>
         <message>
+            <source>write M5 ${0} before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write M5 before</source>
             <translation>escreva M5 antes</translation>
         </message>
@@ -13004,6 +14804,10 @@
         <message>
             <source>write X and the seconds</source>
             <translation>escreva X e os segundos</translation>
+        </message>
+        <message>
+            <source>write [MATERIAL_NUMBER_n] and below it lines such as: CUT_SPEED = 3850</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>write a G0 or G1 before</source>
@@ -13062,6 +14866,10 @@
             <translation>escreva antes uma palavra F maior que 0</translation>
         </message>
         <message>
+            <source>write both, as in: NAME = mild-steel 3 mm 45A</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write endsub, or M99 in a subprogram of Fanuc's form</source>
             <translation>escreva endsub, ou M99 em um subprograma na forma Fanuc</translation>
         </message>
@@ -13106,6 +14914,10 @@
             <translation>escreva-o na linha seguinte</translation>
         </message>
         <message>
+            <source>write its comment before, such as {example}, or name material and thickness</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write its end point</source>
             <translation>escreva o seu ponto final</translation>
         </message>
@@ -13142,6 +14954,10 @@
             <translation>escreva antes por extenso o que ele faz: cncstepper convert</translation>
         </message>
         <message>
+            <source>write ph=, pd=, ch= and fr=</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write plain moves, each in a line of its own, in coordinates that are not turned</source>
             <translation>escreva movimentos simples, cada um em sua linha, em coordenadas não giradas</translation>
         </message>
@@ -13156,6 +14972,10 @@
         <message>
             <source>write the arc with more decimals</source>
             <translation>escreva o arco com mais decimais</translation>
+        </message>
+        <message>
+            <source>write the chart as TOML</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>write the curve as lines and arcs</source>
@@ -13202,6 +15022,10 @@
             <translation>escreva-os em duas linhas</translation>
         </message>
         <message>
+            <source>write those</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write to another one</source>
             <translation>grave em outro</translation>
         </message>
@@ -13216,6 +15040,10 @@
         <message>
             <source>write x,y in mm, or x;y where the comma is the decimal sign</source>
             <translation>escreva x,y em mm, ou x;y onde a vírgula é o sinal decimal</translation>
+        </message>
+        <message>
+            <source>write {0} to {1}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>write {keyword} [condition]</source>
@@ -13250,6 +15078,18 @@
             <translation>zero de {axes} definido em {system}</translation>
         </message>
         <message>
+            <source>{0} mm/min</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} to {1} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} to {1} mm/min</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0}, program {1} of {2}</source>
             <translation>{0}, programa {1} de {2}</translation>
         </message>
@@ -13262,12 +15102,24 @@
             <translation>{asked}; usa-se: {other}</translation>
         </message>
         <message>
+            <source>{away_mm:.3f} mm away</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{beyond_mm:.3f} mm beyond</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{body} goes into clamp {number}</source>
             <translation>{body} bate no grampo {number}</translation>
         </message>
         <message>
             <source>{centre_word} is no centre word in plane {name}</source>
             <translation>{centre_word} não é palavra de centro no plano {name}</translation>
+        </message>
+        <message>
+            <source>{chain}: the kerf does not get into a slot or corner at X{x:.3f} Y{y:.3f}; {left_mm:.2f} mm stay</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{clear_mm:g} mm with the stock to leave</source>
@@ -13288,6 +15140,14 @@
         <message>
             <source>{counts} at one place</source>
             <translation>{counts} num só lugar</translation>
+        </message>
+        <message>
+            <source>{count} joints do not fit on {chain}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{crossing} rapid(s) lead over parts that are already free</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{deep_mm:.3f} mm deep</source>
@@ -13370,12 +15230,20 @@
             <translation>{first_mm:g} a {last_mm:g} mm</translation>
         </message>
         <message>
+            <source>{gap_mm:g} mm each, the kerf included</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{hanging} piece(s) stay joined to others, for the tool does not fit between them; the tightest place is at X{x:.3f} Y{y:.3f}</source>
             <translation>{hanging} peça(s) fica(m) unida(s) a outras, pois a ferramenta não cabe entre elas; o lugar mais estreito fica em X{x:.3f} Y{y:.3f}</translation>
         </message>
         <message>
             <source>{high:g} by {high2:g} mm</source>
             <translation>{high:g} por {high2:g} mm</translation>
+        </message>
+        <message>
+            <source>{holes} closed hole(s)</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{home}, and end other programs before the next try</source>
@@ -13396,6 +15264,10 @@
         <message>
             <source>{keeper} was refused</source>
             <translation>{keeper} foi recusado</translation>
+        </message>
+        <message>
+            <source>{kerf_mm:g} mm from the other holes</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{kerf_share:.4g} to {kerf_share2:.4g} mm</source>
@@ -13474,6 +15346,34 @@
             <translation>{key} precisa de uma forma fechada, mas '{name}' não termina onde começa</translation>
         </message>
         <message>
+            <source>{key} needs a laser: {process} has one power and pierces anew</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key} of material {number}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key} of material {number} has no such value</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key} stands twice in one material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key}= of a material has no such value</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key}= of a material is out of its bounds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key}= stands twice in a material's comment</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{lacks} became lines, at most {chord_mm:g} mm away</source>
             <translation>{lacks} viraram retas, afastadas no máximo {chord_mm:g} mm</translation>
         </message>
@@ -13484,6 +15384,10 @@
         <message>
             <source>{left:g} {operator} {right:g} is no finite number</source>
             <translation>{left:g} {operator} {right:g} não é um número finito</translation>
+        </message>
+        <message>
+            <source>{left_out} corner(s) get no loop: there is no scrap for it</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{left_out} messages were left out: more came than could be read</source>
@@ -13594,6 +15498,10 @@
             <translation>{meaning} (error:{error})</translation>
         </message>
         <message>
+            <source>{missing} cut(s) end without a lead-out: there is no scrap for it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{missing} is missing: absolute arc centres need both words</source>
             <translation>falta {missing}: centros de arco absolutos precisam das duas palavras</translation>
         </message>
@@ -13608,6 +15516,10 @@
         <message>
             <source>{more} {rest_mm:.3f} mm of material stays in {corners} inside corner(s) that are sharper than the tool; {told}</source>
             <translation>{more} {rest_mm:.3f} mm de material fica em {corners} canto(s) interno(s) mais vivo(s) que a ferramenta; {told}</translation>
+        </message>
+        <message>
+            <source>{most_mm:.2f} mm each</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{most_strokes} moves in one block</source>
@@ -13762,6 +15674,10 @@
             <translation>{obj} não tem ferramenta</translation>
         </message>
         <message>
+            <source>{obj} is not cut by {process}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{one} cuts into a piece that {other} has set free: nothing holds it</source>
             <translation>{one} corta uma peça que {other} já soltou: nada a segura</translation>
         </message>
@@ -13792,6 +15708,14 @@
         <message>
             <source>{path} is no recording of pulses, and is not written over</source>
             <translation>{path} não é uma gravação de pulsos e não é sobrescrito</translation>
+        </message>
+        <message>
+            <source>{pierce_mm:g} mm from parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{pierce_mm:g} mm from parts and cut edges</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{places} of {wanted} tabs fit on the contour that begins at X{x:.3f} Y{y:.3f}; make them narrower to have more</source>
@@ -13826,8 +15750,24 @@
             <translation>{problem} em {table}</translation>
         </message>
         <message>
+            <source>{process} does not cut with a {shape} tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{process} does not cut with a {shape} tool; its shape is one of: {shapes}</source>
             <translation>{process} não corta com uma ferramenta {shape}; a forma é uma de: {shapes}</translation>
+        </message>
+        <message>
+            <source>{process} has no kerf and no power to test</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{process} is lowered and lifted, but the machine has no Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{process} takes no cut chart</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{program}, which is to be run before it, is refused</source>
@@ -13888,6 +15828,10 @@
         <message>
             <source>{title} blunts tools of HSS at once</source>
             <translation>{title} cega ferramentas de aço rápido de imediato</translation>
+        </message>
+        <message>
+            <source>{twice} curve(s) are drawn twice and are cut once</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{twice} of the {drawn} holes stand where others do and are made once</source>
@@ -14156,6 +16100,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_SheetCut</name>
+        <message>
+            <source>Cuts parts out of sheet by torch, laser, jet, knife or point</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Sheet cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_Simulate</name>
         <message>
             <source>Check and simulate</source>
@@ -14175,6 +16130,17 @@
         <message>
             <source>Thread</source>
             <translation>Rosquear</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_WireCut</name>
+        <message>
+            <source>Cuts parts out of foam with a hot wire, in from the edge</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Wire cut</source>
+            <translation type="unfinished"></translation>
         </message>
     </context>
 </TS>
