@@ -11,7 +11,9 @@ Tool 1 is then made from the row. Keys of a `[[tool]]` that the job has win over
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 from CNCStepper.errors import JobError, Place, Text, placed
@@ -21,6 +23,7 @@ from CNCStepper.machine.processes import MILLING, Process, process_named
 from CNCStepper.machine.tools.tool import Tool
 
 FIRST_TOOL = 1
+NO_KEYS: Mapping[str, Any] = MappingProxyType({})
 
 
 def process_of(content: dict[str, Any], file: str) -> Process:
@@ -67,19 +70,23 @@ def _row(process: Process, content: dict[str, Any], folder: Path, file: str) -> 
 
 def _with_row(tables: Any, process: Process, row: CutData) -> Any:
     """Return the tables of the tools, each with the row's values where it has none of its own."""
-    keys = tool_keys(process, row)
     if tables is None:
-        return [{"number": FIRST_TOOL, **keys}]
+        return [{"number": FIRST_TOOL, **tool_keys(process, row)}]
     if not isinstance(tables, list):
         return tables
-    return [{**keys, **table} if isinstance(table, dict) else table for table in tables]
+    return [{**tool_keys(process, row, table), **table} if isinstance(table, dict) else table for table in tables]
 
 
-def tool_keys(process: Process, row: CutData) -> dict[str, Any]:
-    """Return the keys of the tool that a row describes, without its number."""
+def tool_keys(process: Process, row: CutData, own: Mapping[str, Any] = NO_KEYS) -> dict[str, Any]:
+    """Return the keys of the tool that a row describes, without its number; own: keys that win over them.
+
+    The kerf is the one at the tool's feed. Raises JobError for a feed at which the chart has none.
+    """
+    feed_mm_min = own.get("feed_mm_min")
+    needs_kerf = isinstance(feed_mm_min, int | float) and feed_mm_min > 0 and "diameter_mm" not in own
     return {
         "shape": process.shapes[0],
-        "diameter_mm": row.kerf_mm,
+        "diameter_mm": row.kerf_at(feed_mm_min if needs_kerf else row.feed_mm_min),  # type: ignore[arg-type]
         "feed_mm_min": row.feed_mm_min,
         "plunge_mm_min": row.plunge_mm_min,
         "spindle_rpm": row.power,
@@ -98,6 +105,6 @@ def filled(tool: Tool, process: Process, row: CutData, most_mm_min: float) -> To
 
 
 def as_cut_by(row: CutData, tool: Tool) -> CutData:
-    """Return the row with what the tool says otherwise: its diameter is the kerf."""
-    said = {"kerf_mm": tool.diameter_mm, "feed_mm_min": tool.feed_mm_min, "power": tool.spindle_rpm}
-    return row.model_copy(update={key: value for key, value in said.items() if value})
+    """Return the row with what the tool says otherwise: its diameter is the kerf, at any feed."""
+    said = {"kerf_by_feed": (), "kerf_mm": tool.diameter_mm, "feed_mm_min": tool.feed_mm_min, "power": tool.spindle_rpm}
+    return row.model_copy(update={key: value for key, value in said.items() if value or key == "kerf_by_feed"})
