@@ -199,7 +199,7 @@ def test_curves_drawn_twice_are_cut_once_and_narrow_slots_are_told() -> None:
 
 
 def test_no_rapid_leads_over_parts_that_are_free_where_there_is_a_way_round() -> None:
-    path, answer = cut(*(PLATE.moved(100.0 * x, 80.0 * y) for x in range(3) for y in range(3)))
+    _, answer = cut(*(PLATE.moved(100.0 * x, 80.0 * y) for x in range(3) for y in range(3)))
     assert answer.figures["rapids_over_free_parts"] == 0 and len(answer.parts) == 9
 
 
