@@ -159,9 +159,10 @@ class _Planner:
     def _begun(self, room: LeadRoom, lead_in: Lead) -> list[Cut]:
         """Return each cut from its lead-in on, in the order of the items."""
         closed = [number for number, item in enumerate(self.items) if item.path.closed]
-        begins: dict[int, tuple[float, Curve | None]] = dict.fromkeys(range(len(self.items)), (0.0, None))
+        begins: list[tuple[float, Curve | None]] = [(0.0, None)] * len(self.items)
         if lead_in.kind != "none" and closed:
-            begins.update(zip(closed, lead_ins(self.items, closed, lead_in, room, self.side), strict=True))
+            for number, begun in zip(closed, lead_ins(self.items, closed, lead_in, room, self.side), strict=True):
+                begins[number] = begun
         outs: dict[int, Curve | None] = dict.fromkeys(range(len(self.items)))
         if self.cycle.lead_out.kind != "none" and closed:
             outs |= self._lead_outs(room, closed, [begins[number][0] for number in closed])

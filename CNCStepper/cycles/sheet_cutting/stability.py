@@ -118,7 +118,8 @@ def _from_outside(ground: _Ground, cluster: list[int]) -> list[tuple[int, int]]:
     """Return pairs for a cluster: each cut that is reached from outside only over another one comes before that one."""
     lines = {index: _line(ground, index) for index in cluster}
     half_mm = ground.kerf_mm / 2.0
-    bands = shapely.union_all([line.buffer(half_mm + CUT_TOUCHES_MM / 4.0, quad_segs=16) for line in lines.values()])
+    runs = ground.paths.lines[np.isin(ground.paths.owner, cluster)]  # whole paths may be filled by a buffer
+    bands = shapely.union_all(shapely.buffer(runs, half_mm + CUT_TOUCHES_MM / 4.0, quad_segs=16))
     holders = {ground.chains[index].holder for index in cluster}
     guests = [index for index, chain in enumerate(ground.chains) if index not in lines and chain.holder in holders]
     outside = shapely.union_all([shapely.LineString(part.exterior.coords) for part in shapely.get_parts(bands)])

@@ -23,6 +23,7 @@ from CNCStepper.toolpath import ARC_CCW, ARC_CW, RAPID, Toolpath
 FLAT_MM = 2e-4
 TOLERANCE_MM = 0.01
 QUARTER = 48  # chords in a quarter turn of the kerf's edge
+RUN = 60  # chords of a line that are grown at once
 CRUMB = 0.05  # of a kerf's square: smaller pieces are crumbs between two cuts
 
 
@@ -71,9 +72,16 @@ def faults(
     told += [f"cut {number}: no pierce delay" for number, cut in enumerate(cuts) if cut.dwell_s != delay_s]
     told += _cut_edges(cuts, kerf_mm, pierce_mm)
     material = shapely.Polygon(sheet.points(FLAT_MM))
-    bands = [cut.line.buffer(kerf_mm / 2.0, quad_segs=QUARTER) for cut in cuts]
+    bands = [_band(cut.line, kerf_mm / 2.0) for cut in cuts]
     told += _moved(cuts, bands, material, kerf_mm)
     return told + _pieces(shapely.get_parts(material.difference(shapely.union_all(bands))), parts, kerf_mm)
+
+
+def _band(line: shapely.LineString, half_mm: float) -> BaseGeometry:
+    """Return what lies within half a kerf of a line; piece by piece, for a buffer of one that closes may be filled."""
+    points = shapely.get_coordinates(line)
+    runs = [points[first : first + RUN + 1] for first in range(0, len(points) - 1, RUN)]
+    return shapely.union_all([shapely.LineString(run).buffer(half_mm, quad_segs=QUARTER) for run in runs])
 
 
 def _of_cut(number: int, cut: Powered, parts: Sequence[shapely.Polygon], kerf_mm: float, pierce_mm: float) -> list[str]:
