@@ -4,6 +4,22 @@
     <context>
         <name>App::Property</name>
         <message>
+            <source>A laser's power that rises behind the pierce</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A lower feed at corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A lower feed on arcs of a small radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A share of the machine's greatest power; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A shipped profile's name, or a profile's file</source>
             <translation type="unfinished"></translation>
         </message>
@@ -36,6 +52,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Amperes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Angle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -48,7 +68,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Arcs By</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arcs Feed Share</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arcs Radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arcs below</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arcs of a smaller radius are cut slowly; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Arcs within a tolerance, or the published points</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Below thickness times</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -68,11 +112,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Blade Offset</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Blade offset</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Bridges that hold the part until it is broken out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Chart</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -116,6 +172,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Consumable</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Containers</source>
             <translation type="unfinished"></translation>
         </message>
@@ -140,7 +200,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Corner Angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Corner B</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corner Dwell</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -148,7 +216,47 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Corner angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corner distance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corner dwell</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Corner radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corners Angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corners By</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corners Distance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corners Feed Share</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corners above</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corners that turn by more are cut slowly; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -156,7 +264,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Current</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cut Feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cut Height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cut Length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cut chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cut height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cut length</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -216,6 +352,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Dynamic Power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Dynamic power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Edge Margin</source>
             <translation type="unfinished"></translation>
         </message>
@@ -240,6 +384,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Enter From</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Enter from</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Entry</source>
             <translation type="unfinished"></translation>
         </message>
@@ -248,7 +400,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Entry Slit</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Entry angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Entry slit</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -257,6 +417,18 @@
         </message>
         <message>
             <source>Feed Used</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Feed at corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Feed of arcs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Feed of holes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -316,6 +488,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>From Chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>From X to the ellipse's first axis</source>
             <translation type="unfinished"></translation>
         </message>
@@ -329,6 +505,10 @@
         </message>
         <message>
             <source>From X to the lines of the pattern</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From chart</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -349,6 +529,14 @@
         </message>
         <message>
             <source>From the tip to the holder; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Good Side</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Good side</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -396,7 +584,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Holes below</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Holes of a smaller diameter are cut slowly; 0: none by diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Holes of a smaller diameter get a spot at their centre, no cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Holes of a smaller diameter, as a multiple of the thickness; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Holes with a shorter outline are cut slowly; 0: none by length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How deep a knife or point goes; 0: a knife through the sheet, a point 0.2 mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How deep one peck goes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far a closed cut is followed with power beyond its begin</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -404,11 +620,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How far a drag knife's edge trails behind its axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far a pierce stays from parts and cut edges; 0: that of the cut chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far an arc turns, or how far a line leans away from the contour</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How far apart joints are at most</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far apart tabs are at most</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far before and behind a corner</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far before its end the cut runs on without power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far behind the pierce the power is full</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -424,6 +664,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How far the cut may be off the drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far the kerf of a way through the scrap stays from every part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far the path may be off an ellipse or a B-spline; lines and arcs are exact</source>
             <translation type="unfinished"></translation>
         </message>
@@ -432,11 +680,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How far the torch runs on over the begin of the cut without power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far the wall may be off the drawing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>How high a tab is above the bottom of the cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How it is cut; the machine must be able to</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How long a spot has power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How long the flame heats before the pierce; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How long the tool stands with power; 0: that of the cut chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How long the wire stands where the way turns back; less at blunter corners</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -457,6 +729,14 @@
         </message>
         <message>
             <source>How many holes are made</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many joints on each outline</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many parts are cut free</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -504,6 +784,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How often each line is cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How often the tool pierces</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How steeply a helix or ramp goes down</source>
             <translation type="unfinished"></translation>
         </message>
@@ -540,7 +828,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How the wire comes out at last: back the way it came, or on the shortest way to an edge</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How wide a tab is at its top</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How wide the material is that stays</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -568,11 +864,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Joints that hold the part until it is broken out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Kept</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Kerf</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Kerf Used</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -589,6 +893,10 @@
         </message>
         <message>
             <source>Lead In Angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Lead In By</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -632,7 +940,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Leads as usual for the process, or with values of your own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Least chip load</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Leave</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -684,6 +1000,34 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Loop radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Loops</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Loops Angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Loops By</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Loops Radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Loops above</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Loops in the scrap, which make outside corners sharp</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Machine</source>
             <translation type="unfinished"></translation>
         </message>
@@ -712,6 +1056,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Margin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Mark Power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Marking power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Material</source>
             <translation type="unfinished"></translation>
         </message>
@@ -736,7 +1092,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Narrow arcs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Note</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nozzle, lens, wire or blade; empty: the first of the chart for this thickness</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -765,6 +1129,10 @@
         </message>
         <message>
             <source>Of the written program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>On which side of the cut the part lies, seen along it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -800,11 +1168,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Outside corners that turn by more get a loop</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Over-burn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Overcut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Overhang</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Parts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -825,6 +1205,34 @@
         </message>
         <message>
             <source>Peck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pierce</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pierce Delay</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pierce Height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pierce delay</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pierce distance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pierce height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pierces</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -916,11 +1324,43 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Power Ramp Begin Share</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Power Ramp By</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Power Ramp Length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Power on before the tool moves; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Power ramp</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Preheat</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Preview</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Problem</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Process</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -988,6 +1428,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Ramp begin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Ramp length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Rectangle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1016,6 +1464,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Result</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Retract</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1036,11 +1488,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Rules</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Seconds at the bottom</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Shape</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Shorter than</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1053,6 +1513,42 @@
         </message>
         <message>
             <source>Size</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Small Holes By</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Small Holes Diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Small Holes Feed Share</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Small Holes Length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Small Holes Over Run</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Small Holes Thickness Ratio</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Small Holes Torch Off</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Small holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Small holes at a feed of their own</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1077,6 +1573,22 @@
         </message>
         <message>
             <source>Spindle turns a minute; 0: those of the job's material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Spot</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Spot Below</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Spot holes below</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Spot time</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1144,6 +1656,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Tabs By</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Tabs Count</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1172,6 +1688,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The S word with which a laser marks; 0: a twentieth of its power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The T word of the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1189,6 +1709,10 @@
         </message>
         <message>
             <source>The corner where the grid begins, from the work zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The cut chart gives this value; change it in the job</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1228,6 +1752,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The edge of the sheet through which the wire comes in</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The feed of the last pass at the wall; 0: the tool's own feed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1237,6 +1765,10 @@
         </message>
         <message>
             <source>The feed of the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The file of a cut chart of your own; empty: the chart that ships</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1269,6 +1801,10 @@
         </message>
         <message>
             <source>The last pass in depth, ap_acab; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The length of all cuts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1336,11 +1872,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The radius of loops at sharp outside corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The radius of the lead's arc</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The share of the feed there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The share of the feed with which they are cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The share of the power at the pierce</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The sketch, wire, B-spline or freehand line to follow</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The sketch, wires or faces whose lines are cut: closed ones are parts and holes in turn</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1349,6 +1905,10 @@
         </message>
         <message>
             <source>The speed of cutting moves; 0: that of the job's material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The speed of the cut; 0: that of the chart</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1388,11 +1948,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The torch above the sheet while it cuts; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The torch above the sheet while it pierces; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The width of one pass at most, ae</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The width of the cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The width of the cut where it is not the chart's; 0: the chart's, else the tool's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The width of the cut where it is not the tool's diameter; 0: the tool's own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The width of the cut; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The width of the cut; 0: that of the cut chart or the tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1448,6 +2032,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Torch off before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Turns</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1469,6 +2057,10 @@
         </message>
         <message>
             <source>What is cut, in this order</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What is set at the power source; 0: that of the chart</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1516,7 +2108,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Where the way turns by less, the wire does not stand</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Where the work zero lies in this document</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether a laser's power follows its speed (M4)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether a slit through the part leads the wire into a closed hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether form, kerf and feeds are those of the job's cut chart</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1627,7 +2235,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>45° blade</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>60° blade</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A chart's file…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A controller is connected already.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A cut chart</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1655,11 +2279,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A laser's power that rises behind the pierce</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A line for the controller, sent with Return. The arrow keys bring back the lines before.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>A line of the program that was cut already.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A lower feed at corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A lower feed on arcs of a small radius</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1672,6 +2308,10 @@
         </message>
         <message>
             <source>A serial port, or an address as socket://192.168.0.7:23</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A share of the machine's greatest power; 0: that of the chart</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1799,6 +2439,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Arcs below</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arcs of a smaller radius are cut slowly; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Arcs within a tolerance, or the published points</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1851,6 +2499,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Below thickness times</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Belt's pitch</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1868,6 +2520,10 @@
         </message>
         <message>
             <source>Beyond</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Blade offset</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1907,6 +2563,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Check a G-code file with the job's machine, stock, tools and clamps, and send it.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1924,6 +2584,10 @@
         </message>
         <message>
             <source>Choose a line, an entry of the list, or click a cut in the 3D view. All before it counts as cut: if unsure, choose an earlier one.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Choose a material: the chart then gives feed and kerf</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2011,6 +2675,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Consumable</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Containers</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2051,7 +2719,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Corner angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corner distance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corner dwell</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Corner radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corners above</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corners that turn by more are cut slowly; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2059,7 +2751,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Current</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cut chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cut charts (*.toml *.cfg)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cut height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2072,6 +2780,10 @@
         </message>
         <message>
             <source>Cut it before the one above</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cut length</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2167,6 +2879,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Drag knife</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Draw a freehand line</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2184,6 +2900,18 @@
         </message>
         <message>
             <source>Duplicate operations</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Dynamic power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>EPP foam</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>EPS foam</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2243,11 +2971,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Enter from</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Entry</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Entry angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Entry slit</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2284,6 +3020,18 @@
         </message>
         <message>
             <source>Feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Feed at corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Feed of arcs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Feed of holes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2435,6 +3183,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>From chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>From contour {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2575,11 +3327,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Good side</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Greatest chip load</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Greatest engagement</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Grey values are from the chart; what you type wins</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2643,6 +3403,26 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Holes below</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Holes of a smaller diameter are cut slowly; 0: none by diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Holes of a smaller diameter get a spot at their centre, no cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Holes of a smaller diameter, as a multiple of the thickness; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Holes with a shorter outline are cut slowly; 0: none by length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Home</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2655,7 +3435,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Hot wire</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How deep a knife or point goes; 0: a knife through the sheet, a point 0.2 mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How deep one peck goes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far a closed cut is followed with power beyond its begin</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2663,11 +3455,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How far a drag knife's edge trails behind its axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far a pierce stays from parts and cut edges; 0: that of the cut chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far an arc turns, or how far a line leans away from the contour</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How far apart joints are at most</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far apart tabs are at most</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far before and behind a corner</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far before its end the cut runs on without power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far behind the pierce the power is full</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2695,11 +3511,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How far the cut may be off the drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far the kerf of a way through the scrap stays from every part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far the path may be off an ellipse or a B-spline; lines and arcs are exact</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>How far the tool's rim runs over the edge</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far the torch runs on over the begin of the cut without power</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2716,6 +3544,26 @@
         </message>
         <message>
             <source>How high a tab is above the bottom of the cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How it is cut; the machine must be able to</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How long a spot has power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How long the flame heats before the pierce; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How long the tool stands with power; 0: that of the cut chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How long the wire stands where the way turns back; less at blunter corners</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2736,6 +3584,14 @@
         </message>
         <message>
             <source>How many holes are made</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many joints on each outline</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many parts are cut free</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2791,6 +3647,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How often each line is cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How often the tool pierces</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How steeply a helix or ramp goes down</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2827,7 +3691,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How the wire comes out at last: back the way it came, or on the shortest way to an edge</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How wide a tab is at its top</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How wide the material is that stays</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2895,6 +3767,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Joints that hold the part until it is broken out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Keep as mesh</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2916,6 +3792,10 @@
         </message>
         <message>
             <source>Killed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Laser</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2951,7 +3831,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Leads as usual for the process, or with values of your own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Least chip load</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Leave</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3039,6 +3927,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Loop radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Loops</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Loops above</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Loops in the scrap, which make outside corners sharp</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>MDF board</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3071,6 +3975,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Margin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Marking power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Material</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3088,6 +4000,10 @@
         </message>
         <message>
             <source>Microsteps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Milling</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3148,6 +4064,10 @@
         </message>
         <message>
             <source>Move…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Narrow arcs</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3227,6 +4147,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Nozzle, lens, wire or blade; empty: the first of the chart for this thickness</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Number</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3276,6 +4200,10 @@
         </message>
         <message>
             <source>On the path</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>On which side of the cut the part lies, seen along it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3339,6 +4267,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Outside corners that turn by more get a loop</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Over-burn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Overcut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3359,11 +4295,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Oxyfuel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>POM (acetal)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>PVC foam board</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Parts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3391,6 +4335,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Pierce delay</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pierce distance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pierce height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pierces</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Pitch</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3400,6 +4360,10 @@
         </message>
         <message>
             <source>Places</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Plasma</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3439,6 +4403,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Power on before the tool moves; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Power ramp</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Preheat</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Preview</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3448,6 +4428,10 @@
         </message>
         <message>
             <source>Problem</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Process</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3536,6 +4520,14 @@
         </message>
         <message>
             <source>Ramp</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Ramp begin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Ramp length</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3639,6 +4631,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Result</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Resume</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3664,6 +4660,10 @@
         </message>
         <message>
             <source>Rows</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Rules</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3712,6 +4712,10 @@
         </message>
         <message>
             <source>Screw speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Scribe</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3771,6 +4775,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Sheet cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Shorter than</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Show the tool's path</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3795,6 +4807,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Small holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Small holes at a feed of their own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Solids that hold the work down, which the tool must not touch</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3816,6 +4836,14 @@
         </message>
         <message>
             <source>Spindle turns a minute; 0: those of the job's material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Spot holes below</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Spot time</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3919,6 +4947,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Take the chart's value again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Take the line numbers out</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3932,6 +4964,10 @@
         </message>
         <message>
             <source>The G-code file that it is, which has nothing to do with the operations of its job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The S word with which a laser marks; 0: a twentieth of its power</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3987,6 +5023,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The cut chart gives this value; change it in the job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The cut goes on without FreeCAD; the controller's panel finds it again the next time it is opened.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4031,6 +5071,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The edge of the sheet through which the wire comes in</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The feed of the last pass at the wall; 0: the tool's own feed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4040,6 +5084,10 @@
         </message>
         <message>
             <source>The feed of the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The file of a cut chart of your own; empty: the chart that ships</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4092,6 +5140,10 @@
         </message>
         <message>
             <source>The last pass in depth, ap_acab; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The length of all cuts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4251,6 +5303,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The radius of loops at sharp outside corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The radius of the lead's arc</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4259,7 +5315,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The share of the feed there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The share of the feed with which they are cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The share of the power at the pierce</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The sketch, wire, B-spline or freehand line to follow</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The sketch, wires or faces whose lines are cut: closed ones are parts and holes in turn</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4268,6 +5340,10 @@
         </message>
         <message>
             <source>The speed of cutting moves; 0: that of the job's material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The speed of the cut; 0: that of the chart</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4335,6 +5411,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The torch above the sheet while it cuts; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The torch above the sheet while it pierces; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The way along the cut is being checked…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4347,7 +5431,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The width of the cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The width of the cut where it is not the chart's; 0: the chart's, else the tool's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The width of the cut where it is not the tool's diameter; 0: the tool's own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The width of the cut; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The width of the cut; 0: that of the cut chart or the tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4368,6 +5468,10 @@
         </message>
         <message>
             <source>There is no restart to send yet.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>This is cut by: {0}. The job's process is: {1}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4459,6 +5563,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Torch off before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Travel for a turn of the screw; with several starts its lead</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4527,6 +5635,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Water jet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>What happened to the job's own program since</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4536,6 +5648,10 @@
         </message>
         <message>
             <source>What is one step: a line of the program, a move, or a pulse of the motors</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What is set at the power source; 0: that of the chart</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4595,7 +5711,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Where the way turns by less, the wire does not stand</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Where the work zero lies in this document</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether a laser's power follows its speed (M4)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether a slit through the part leads the wire into a closed hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether form, kerf and feeds are those of the job's cut chart</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4632,6 +5764,10 @@
         </message>
         <message>
             <source>Width</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Wire cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4719,6 +5855,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>aluminium</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>aluminium 6061</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4803,6 +5943,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>back the way it came</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>ball end mill</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4851,6 +5995,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>cardboard</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>cardstock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>centre of the top</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4880,6 +6032,10 @@
         </message>
         <message>
             <source>coordinates are steps from where the tool is</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>copper</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4943,6 +6099,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>felt</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>first of the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>flat end mill</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4959,7 +6123,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>foam</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>foam board</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>follows the path exactly</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>front</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4968,6 +6144,10 @@
         </message>
         <message>
             <source>full diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>glass</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4995,11 +6175,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>granite</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>grid</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>hardwood</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>heat transfer film</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5044,6 +6232,10 @@
         </message>
         <message>
             <source>leads the program elsewhere</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>leather</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5131,6 +6323,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>nichrome wire, 0.4 mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no cutter compensation</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5188,6 +6384,14 @@
         </message>
         <message>
             <source>outside</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>own values</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>paper</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5279,6 +6483,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>rear</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>returns from a subprogram</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5288,6 +6496,14 @@
         </message>
         <message>
             <source>rounds corners off to keep its speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>rubber</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>sandblast film</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5367,6 +6583,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the nearest edge</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the one that ships</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the point</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5395,11 +6619,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>titanium</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>to the nearest edge</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>tool {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>usual for the process</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>value {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>vinyl</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5428,6 +6668,10 @@
         </message>
         <message>
             <source>{0} = 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} does not name this process</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5694,6 +6938,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Drag knife</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>EXISTS asks for a parameter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5791,6 +7039,10 @@
         </message>
         <message>
             <source>G80 leaves no motion for the axis words</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Hot wire</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5923,6 +7175,10 @@
         </message>
         <message>
             <source>T selects an extruder: pause with M0 where the tool is to be changed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Water jet</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7086,6 +8342,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>choose another process in the job, or delete the operation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>choose another side</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7111,6 +8371,10 @@
         </message>
         <message>
             <source>choose other values, or try again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose the job's material</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10662,10 +11926,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the file is cut short</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>the file is empty</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10771,6 +12031,10 @@
         </message>
         <message>
             <source>the job is about to go on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the job names no material, so the chart gives no tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13530,6 +14794,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{obj} is not cut by {process}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{one} cuts into a piece that {other} has set free: nothing holds it</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13920,6 +15188,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_SheetCut</name>
+        <message>
+            <source>Cuts parts out of sheet by torch, laser, jet, knife or point</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Sheet cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_Simulate</name>
         <message>
             <source>Check and simulate</source>
@@ -13938,6 +15217,17 @@
         </message>
         <message>
             <source>Thread</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_WireCut</name>
+        <message>
+            <source>Cuts parts out of foam with a hot wire, in from the edge</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Wire cut</source>
             <translation type="unfinished"></translation>
         </message>
     </context>

@@ -4,6 +4,22 @@
     <context>
         <name>App::Property</name>
         <message>
+            <source>A laser's power that rises behind the pierce</source>
+            <translation>Potência do laser que sobe depois da perfuração</translation>
+        </message>
+        <message>
+            <source>A lower feed at corners</source>
+            <translation>Avanço menor nos cantos</translation>
+        </message>
+        <message>
+            <source>A lower feed on arcs of a small radius</source>
+            <translation>Avanço menor em arcos de raio pequeno</translation>
+        </message>
+        <message>
+            <source>A share of the machine's greatest power; 0: that of the chart</source>
+            <translation>Uma parte da potência máxima da máquina; 0: a da tabela</translation>
+        </message>
+        <message>
             <source>A shipped profile's name, or a profile's file</source>
             <translation>O nome de um perfil fornecido, ou o arquivo de um perfil</translation>
         </message>
@@ -36,6 +52,10 @@
             <translation>Ativa</translation>
         </message>
         <message>
+            <source>Amperes</source>
+            <translation>Ampères</translation>
+        </message>
+        <message>
             <source>Angle</source>
             <translation>Ângulo</translation>
         </message>
@@ -48,8 +68,32 @@
             <translation>Ângulo saída</translation>
         </message>
         <message>
+            <source>Arcs By</source>
+            <translation>Regra dos arcos</translation>
+        </message>
+        <message>
+            <source>Arcs Feed Share</source>
+            <translation>Parte do avanço nos arcos</translation>
+        </message>
+        <message>
+            <source>Arcs Radius</source>
+            <translation>Raio dos arcos</translation>
+        </message>
+        <message>
+            <source>Arcs below</source>
+            <translation>Arcos abaixo de</translation>
+        </message>
+        <message>
+            <source>Arcs of a smaller radius are cut slowly; 0: none</source>
+            <translation>Arcos de raio menor são cortados devagar; 0: nenhum</translation>
+        </message>
+        <message>
             <source>Arcs within a tolerance, or the published points</source>
             <translation>Arcos dentro de uma tolerância, ou os pontos publicados</translation>
+        </message>
+        <message>
+            <source>Below thickness times</source>
+            <translation>Abaixo de × espessura</translation>
         </message>
         <message>
             <source>Between neighbouring helices at most; 0: 0.4 of the tool's diameter</source>
@@ -68,12 +112,24 @@
             <translation>Além</translation>
         </message>
         <message>
+            <source>Blade Offset</source>
+            <translation>Recuo da lâmina</translation>
+        </message>
+        <message>
+            <source>Blade offset</source>
+            <translation>Recuo da lâmina</translation>
+        </message>
+        <message>
             <source>Bridges that hold the part until it is broken out</source>
             <translation>Pontes que seguram a peça até ela ser destacada</translation>
         </message>
         <message>
             <source>Centre</source>
             <translation>Centro</translation>
+        </message>
+        <message>
+            <source>Chart</source>
+            <translation>Tabela</translation>
         </message>
         <message>
             <source>Chip Load Max</source>
@@ -116,6 +172,10 @@
             <translation>Colunas</translation>
         </message>
         <message>
+            <source>Consumable</source>
+            <translation>Consumível</translation>
+        </message>
+        <message>
             <source>Containers</source>
             <translation>Recipientes</translation>
         </message>
@@ -140,24 +200,100 @@
             <translation>Canto A</translation>
         </message>
         <message>
+            <source>Corner Angle</source>
+            <translation>Ângulo do canto</translation>
+        </message>
+        <message>
             <source>Corner B</source>
             <translation>Canto B</translation>
+        </message>
+        <message>
+            <source>Corner Dwell</source>
+            <translation>Espera no canto</translation>
         </message>
         <message>
             <source>Corner Radius</source>
             <translation>Raio de canto</translation>
         </message>
         <message>
+            <source>Corner angle</source>
+            <translation>Ângulo do canto</translation>
+        </message>
+        <message>
+            <source>Corner distance</source>
+            <translation>Distância do canto</translation>
+        </message>
+        <message>
+            <source>Corner dwell</source>
+            <translation>Espera no canto</translation>
+        </message>
+        <message>
             <source>Corner radius</source>
             <translation>Raio de canto</translation>
+        </message>
+        <message>
+            <source>Corners</source>
+            <translation>Cantos</translation>
+        </message>
+        <message>
+            <source>Corners Angle</source>
+            <translation>Ângulo dos cantos</translation>
+        </message>
+        <message>
+            <source>Corners By</source>
+            <translation>Regra dos cantos</translation>
+        </message>
+        <message>
+            <source>Corners Distance</source>
+            <translation>Distância dos cantos</translation>
+        </message>
+        <message>
+            <source>Corners Feed Share</source>
+            <translation>Parte do avanço nos cantos</translation>
+        </message>
+        <message>
+            <source>Corners above</source>
+            <translation>Cantos acima de</translation>
+        </message>
+        <message>
+            <source>Corners that turn by more are cut slowly; 0: none</source>
+            <translation>Cantos que viram mais são cortados devagar; 0: nenhum</translation>
         </message>
         <message>
             <source>Count</source>
             <translation>Quantidade</translation>
         </message>
         <message>
+            <source>Current</source>
+            <translation>Corrente</translation>
+        </message>
+        <message>
             <source>Cut</source>
             <translation>Corte</translation>
+        </message>
+        <message>
+            <source>Cut Feed</source>
+            <translation>Avanço de corte</translation>
+        </message>
+        <message>
+            <source>Cut Height</source>
+            <translation>Altura de corte</translation>
+        </message>
+        <message>
+            <source>Cut Length</source>
+            <translation>Comprimento do corte</translation>
+        </message>
+        <message>
+            <source>Cut chart</source>
+            <translation>Tabela de corte</translation>
+        </message>
+        <message>
+            <source>Cut height</source>
+            <translation>Altura de corte</translation>
+        </message>
+        <message>
+            <source>Cut length</source>
+            <translation>Comprimento do corte</translation>
         </message>
         <message>
             <source>Cutting</source>
@@ -216,6 +352,14 @@
             <translation>Pausa</translation>
         </message>
         <message>
+            <source>Dynamic Power</source>
+            <translation>Potência dinâmica</translation>
+        </message>
+        <message>
+            <source>Dynamic power</source>
+            <translation>Potência dinâmica</translation>
+        </message>
+        <message>
             <source>Edge Margin</source>
             <translation>Margem da borda</translation>
         </message>
@@ -240,6 +384,14 @@
             <translation>Ângulo de contato máximo</translation>
         </message>
         <message>
+            <source>Enter From</source>
+            <translation>Entra por</translation>
+        </message>
+        <message>
+            <source>Enter from</source>
+            <translation>Entra por</translation>
+        </message>
+        <message>
             <source>Entry</source>
             <translation>Entrada</translation>
         </message>
@@ -248,8 +400,16 @@
             <translation>Ângulo de entrada</translation>
         </message>
         <message>
+            <source>Entry Slit</source>
+            <translation>Fenda de entrada</translation>
+        </message>
+        <message>
             <source>Entry angle</source>
             <translation>Ângulo de entrada</translation>
+        </message>
+        <message>
+            <source>Entry slit</source>
+            <translation>Fenda de entrada</translation>
         </message>
         <message>
             <source>Feed</source>
@@ -258,6 +418,18 @@
         <message>
             <source>Feed Used</source>
             <translation>Avanço usado</translation>
+        </message>
+        <message>
+            <source>Feed at corners</source>
+            <translation>Avanço nos cantos</translation>
+        </message>
+        <message>
+            <source>Feed of arcs</source>
+            <translation>Avanço dos arcos</translation>
+        </message>
+        <message>
+            <source>Feed of holes</source>
+            <translation>Avanço dos furos</translation>
         </message>
         <message>
             <source>Figures</source>
@@ -316,6 +488,10 @@
             <translation>Comprimento livre</translation>
         </message>
         <message>
+            <source>From Chart</source>
+            <translation>Da tabela</translation>
+        </message>
+        <message>
             <source>From X to the ellipse's first axis</source>
             <translation>De X até o primeiro eixo da elipse</translation>
         </message>
@@ -330,6 +506,10 @@
         <message>
             <source>From X to the lines of the pattern</source>
             <translation>De X às linhas do padrão</translation>
+        </message>
+        <message>
+            <source>From chart</source>
+            <translation>Da tabela</translation>
         </message>
         <message>
             <source>From here down the tool feeds</source>
@@ -350,6 +530,14 @@
         <message>
             <source>From the tip to the holder; 0: not given</source>
             <translation>Da ponta ao porta-ferramenta; 0: não informado</translation>
+        </message>
+        <message>
+            <source>Good Side</source>
+            <translation>Lado bom</translation>
+        </message>
+        <message>
+            <source>Good side</source>
+            <translation>Lado bom</translation>
         </message>
         <message>
             <source>Greatest chip load</source>
@@ -396,20 +584,72 @@
             <translation>Furos</translation>
         </message>
         <message>
+            <source>Holes below</source>
+            <translation>Furos abaixo de</translation>
+        </message>
+        <message>
+            <source>Holes of a smaller diameter are cut slowly; 0: none by diameter</source>
+            <translation>Furos de diâmetro menor são cortados devagar; 0: nenhum pelo diâmetro</translation>
+        </message>
+        <message>
+            <source>Holes of a smaller diameter get a spot at their centre, no cut</source>
+            <translation>Furos de diâmetro menor recebem um ponto no centro, sem corte</translation>
+        </message>
+        <message>
+            <source>Holes of a smaller diameter, as a multiple of the thickness; 0: none</source>
+            <translation>Furos de diâmetro menor, como múltiplo da espessura; 0: nenhum</translation>
+        </message>
+        <message>
+            <source>Holes with a shorter outline are cut slowly; 0: none by length</source>
+            <translation>Furos de contorno mais curto são cortados devagar; 0: nenhum pelo comprimento</translation>
+        </message>
+        <message>
+            <source>How deep a knife or point goes; 0: a knife through the sheet, a point 0.2 mm</source>
+            <translation>A profundidade de faca ou ponta; 0: a faca atravessa a chapa, a ponta 0,2 mm</translation>
+        </message>
+        <message>
             <source>How deep one peck goes</source>
             <translation>Quanto desce cada bicada</translation>
+        </message>
+        <message>
+            <source>How far a closed cut is followed with power beyond its begin</source>
+            <translation>Quanto um corte fechado segue com potência além do início</translation>
         </message>
         <message>
             <source>How far a closed line is followed beyond its begin</source>
             <translation>Quanto se segue uma linha fechada além do seu começo</translation>
         </message>
         <message>
+            <source>How far a drag knife's edge trails behind its axis</source>
+            <translation>Quanto o fio da faca de arrasto fica atrás do seu eixo</translation>
+        </message>
+        <message>
+            <source>How far a pierce stays from parts and cut edges; 0: that of the cut chart</source>
+            <translation>Quanto a perfuração se afasta de peças e bordas cortadas; 0: o da tabela de corte</translation>
+        </message>
+        <message>
             <source>How far an arc turns, or how far a line leans away from the contour</source>
             <translation>Quanto um arco gira, ou quanto uma linha se afasta do contorno</translation>
         </message>
         <message>
+            <source>How far apart joints are at most</source>
+            <translation>A maior distância entre as pontes</translation>
+        </message>
+        <message>
             <source>How far apart tabs are at most</source>
             <translation>A distância máxima entre as pontes</translation>
+        </message>
+        <message>
+            <source>How far before and behind a corner</source>
+            <translation>Quanto antes e depois de um canto</translation>
+        </message>
+        <message>
+            <source>How far before its end the cut runs on without power</source>
+            <translation>A que distância do fim o corte segue sem potência</translation>
+        </message>
+        <message>
+            <source>How far behind the pierce the power is full</source>
+            <translation>A que distância da perfuração a potência é plena</translation>
         </message>
         <message>
             <source>How far from the stock's edge cuts must stay; 0: the edge does not matter</source>
@@ -424,6 +664,14 @@
             <translation>Quanto a linha cortada pode se afastar da desenhada para ter menos movimentos; 0: nada</translation>
         </message>
         <message>
+            <source>How far the cut may be off the drawing</source>
+            <translation>Quanto o corte pode se afastar do desenho</translation>
+        </message>
+        <message>
+            <source>How far the kerf of a way through the scrap stays from every part</source>
+            <translation>Quanto o corte de um caminho pelo retalho se afasta de cada peça</translation>
+        </message>
+        <message>
             <source>How far the path may be off an ellipse or a B-spline; lines and arcs are exact</source>
             <translation>Quanto a trajetória pode desviar de uma elipse ou B-spline; retas e arcos são exatos</translation>
         </message>
@@ -432,12 +680,36 @@
             <translation>Quanto a borda da ferramenta passa da aresta</translation>
         </message>
         <message>
+            <source>How far the torch runs on over the begin of the cut without power</source>
+            <translation>Quanto a tocha segue sobre o início do corte sem potência</translation>
+        </message>
+        <message>
             <source>How far the wall may be off the drawing</source>
             <translation>Quanto a parede pode se afastar do desenho</translation>
         </message>
         <message>
             <source>How high a tab is above the bottom of the cut</source>
             <translation>A altura de uma ponte acima do fundo do corte</translation>
+        </message>
+        <message>
+            <source>How it is cut; the machine must be able to</source>
+            <translation>Como se corta; a máquina precisa ser capaz disso</translation>
+        </message>
+        <message>
+            <source>How long a spot has power</source>
+            <translation>Quanto tempo um ponto tem potência</translation>
+        </message>
+        <message>
+            <source>How long the flame heats before the pierce; 0: that of the chart</source>
+            <translation>Quanto tempo a chama aquece antes da perfuração; 0: o da tabela</translation>
+        </message>
+        <message>
+            <source>How long the tool stands with power; 0: that of the cut chart</source>
+            <translation>Quanto tempo a ferramenta fica parada com potência; 0: o da tabela de corte</translation>
+        </message>
+        <message>
+            <source>How long the wire stands where the way turns back; less at blunter corners</source>
+            <translation>Quanto tempo o fio para onde o caminho volta; menos em cantos mais abertos</translation>
         </message>
         <message>
             <source>How many corners and narrow places the tool does not reach into</source>
@@ -458,6 +730,14 @@
         <message>
             <source>How many holes are made</source>
             <translation>Quantos furos são feitos</translation>
+        </message>
+        <message>
+            <source>How many joints on each outline</source>
+            <translation>Quantas pontes em cada contorno</translation>
+        </message>
+        <message>
+            <source>How many parts are cut free</source>
+            <translation>Quantas peças são soltas</translation>
         </message>
         <message>
             <source>How many passes at each depth</source>
@@ -504,6 +784,14 @@
             <translation>Quanto do contorno pode estar no material, em ângulo; 0: não informado</translation>
         </message>
         <message>
+            <source>How often each line is cut</source>
+            <translation>Quantas vezes cada linha é cortada</translation>
+        </message>
+        <message>
+            <source>How often the tool pierces</source>
+            <translation>Quantas vezes a ferramenta perfura</translation>
+        </message>
+        <message>
             <source>How steeply a helix or ramp goes down</source>
             <translation>Inclinação com que a hélice ou rampa desce</translation>
         </message>
@@ -540,8 +828,16 @@
             <translation>Como a ferramenta deixa o contorno</translation>
         </message>
         <message>
+            <source>How the wire comes out at last: back the way it came, or on the shortest way to an edge</source>
+            <translation>Como o fio sai no fim: de volta pelo mesmo caminho, ou pelo caminho mais curto até uma borda</translation>
+        </message>
+        <message>
             <source>How wide a tab is at its top</source>
             <translation>A largura de uma ponte no topo</translation>
+        </message>
+        <message>
+            <source>How wide the material is that stays</source>
+            <translation>A largura do material que fica</translation>
         </message>
         <message>
             <source>Identity</source>
@@ -568,12 +864,20 @@
             <translation>Trabalho</translation>
         </message>
         <message>
+            <source>Joints that hold the part until it is broken out</source>
+            <translation>Pontes que seguram a peça até ela ser destacada</translation>
+        </message>
+        <message>
             <source>Kept</source>
             <translation>Pontos mantidos</translation>
         </message>
         <message>
             <source>Kerf</source>
             <translation>Largura do corte</translation>
+        </message>
+        <message>
+            <source>Kerf Used</source>
+            <translation>Largura de corte usada</translation>
         </message>
         <message>
             <source>Last hole</source>
@@ -590,6 +894,10 @@
         <message>
             <source>Lead In Angle</source>
             <translation>Ângulo de entrada</translation>
+        </message>
+        <message>
+            <source>Lead In By</source>
+            <translation>Regra das entradas</translation>
         </message>
         <message>
             <source>Lead In Kind</source>
@@ -632,8 +940,16 @@
             <translation>Entrada e saída</translation>
         </message>
         <message>
+            <source>Leads as usual for the process, or with values of your own</source>
+            <translation>Entradas e saídas usuais do processo, ou com valores próprios</translation>
+        </message>
+        <message>
             <source>Least chip load</source>
             <translation>Avanço por dente mínimo</translation>
+        </message>
+        <message>
+            <source>Leave</source>
+            <translation>Sai</translation>
         </message>
         <message>
             <source>Length</source>
@@ -684,6 +1000,34 @@
             <translation>Linhas</translation>
         </message>
         <message>
+            <source>Loop radius</source>
+            <translation>Raio do laço</translation>
+        </message>
+        <message>
+            <source>Loops</source>
+            <translation>Laços</translation>
+        </message>
+        <message>
+            <source>Loops Angle</source>
+            <translation>Ângulo dos laços</translation>
+        </message>
+        <message>
+            <source>Loops By</source>
+            <translation>Regra dos laços</translation>
+        </message>
+        <message>
+            <source>Loops Radius</source>
+            <translation>Raio dos laços</translation>
+        </message>
+        <message>
+            <source>Loops above</source>
+            <translation>Laços acima de</translation>
+        </message>
+        <message>
+            <source>Loops in the scrap, which make outside corners sharp</source>
+            <translation>Laços no retalho, que deixam vivos os cantos externos</translation>
+        </message>
+        <message>
             <source>Machine</source>
             <translation>Máquina</translation>
         </message>
@@ -712,6 +1056,18 @@
             <translation>Diâmetro maior</translation>
         </message>
         <message>
+            <source>Margin</source>
+            <translation>Margem</translation>
+        </message>
+        <message>
+            <source>Mark Power</source>
+            <translation>Potência de marcação</translation>
+        </message>
+        <message>
+            <source>Marking power</source>
+            <translation>Potência de marcação</translation>
+        </message>
+        <message>
             <source>Material</source>
             <translation>Material</translation>
         </message>
@@ -736,8 +1092,16 @@
             <translation>Diâmetro menor usado</translation>
         </message>
         <message>
+            <source>Narrow arcs</source>
+            <translation>Arcos estreitos</translation>
+        </message>
+        <message>
             <source>Note</source>
             <translation>Observação</translation>
+        </message>
+        <message>
+            <source>Nozzle, lens, wire or blade; empty: the first of the chart for this thickness</source>
+            <translation>Bico, lente, fio ou lâmina; vazio: o primeiro da tabela para esta espessura</translation>
         </message>
         <message>
             <source>Number</source>
@@ -766,6 +1130,10 @@
         <message>
             <source>Of the written program</source>
             <translation>Do programa gerado</translation>
+        </message>
+        <message>
+            <source>On which side of the cut the part lies, seen along it</source>
+            <translation>De que lado do corte fica a peça, visto ao longo dele</translation>
         </message>
         <message>
             <source>On which side of the lines the tool runs</source>
@@ -800,12 +1168,24 @@
             <translation>Contornos dos grampos</translation>
         </message>
         <message>
+            <source>Outside corners that turn by more get a loop</source>
+            <translation>Cantos externos que viram mais recebem um laço</translation>
+        </message>
+        <message>
+            <source>Over-burn</source>
+            <translation>Sobrecorte</translation>
+        </message>
+        <message>
             <source>Overcut</source>
             <translation>Sobrecorte</translation>
         </message>
         <message>
             <source>Overhang</source>
             <translation>Passagem da borda</translation>
+        </message>
+        <message>
+            <source>Parts</source>
+            <translation>Peças</translation>
         </message>
         <message>
             <source>Passes</source>
@@ -826,6 +1206,34 @@
         <message>
             <source>Peck</source>
             <translation>Bicada</translation>
+        </message>
+        <message>
+            <source>Pierce</source>
+            <translation>Perfuração</translation>
+        </message>
+        <message>
+            <source>Pierce Delay</source>
+            <translation>Espera na perfuração</translation>
+        </message>
+        <message>
+            <source>Pierce Height</source>
+            <translation>Altura de perfuração</translation>
+        </message>
+        <message>
+            <source>Pierce delay</source>
+            <translation>Espera na perfuração</translation>
+        </message>
+        <message>
+            <source>Pierce distance</source>
+            <translation>Distância da perfuração</translation>
+        </message>
+        <message>
+            <source>Pierce height</source>
+            <translation>Altura de perfuração</translation>
+        </message>
+        <message>
+            <source>Pierces</source>
+            <translation>Perfurações</translation>
         </message>
         <message>
             <source>Pitch</source>
@@ -916,12 +1324,44 @@
             <translation>Pontos mantidos</translation>
         </message>
         <message>
+            <source>Power</source>
+            <translation>Potência</translation>
+        </message>
+        <message>
+            <source>Power Ramp Begin Share</source>
+            <translation>Início da rampa de potência</translation>
+        </message>
+        <message>
+            <source>Power Ramp By</source>
+            <translation>Regra da rampa de potência</translation>
+        </message>
+        <message>
+            <source>Power Ramp Length</source>
+            <translation>Comprimento da rampa de potência</translation>
+        </message>
+        <message>
+            <source>Power on before the tool moves; 0: that of the chart</source>
+            <translation>Tempo ligado antes de a ferramenta se mover; 0: o da tabela</translation>
+        </message>
+        <message>
+            <source>Power ramp</source>
+            <translation>Rampa de potência</translation>
+        </message>
+        <message>
+            <source>Preheat</source>
+            <translation>Pré-aquecimento</translation>
+        </message>
+        <message>
             <source>Preview</source>
             <translation>Prévia</translation>
         </message>
         <message>
             <source>Problem</source>
             <translation>Problema</translation>
+        </message>
+        <message>
+            <source>Process</source>
+            <translation>Processo</translation>
         </message>
         <message>
             <source>Profile</source>
@@ -988,6 +1428,14 @@
             <translation>Rampa máxima</translation>
         </message>
         <message>
+            <source>Ramp begin</source>
+            <translation>Início da rampa</translation>
+        </message>
+        <message>
+            <source>Ramp length</source>
+            <translation>Comprimento da rampa</translation>
+        </message>
+        <message>
             <source>Rectangle</source>
             <translation>Retângulo</translation>
         </message>
@@ -1016,6 +1464,10 @@
             <translation>Cantos com resto</translation>
         </message>
         <message>
+            <source>Result</source>
+            <translation>Resultado</translation>
+        </message>
+        <message>
             <source>Retract</source>
             <translation>Retração</translation>
         </message>
@@ -1036,12 +1488,20 @@
             <translation>Linhas</translation>
         </message>
         <message>
+            <source>Rules</source>
+            <translation>Regras</translation>
+        </message>
+        <message>
             <source>Seconds at the bottom</source>
             <translation>Segundos no fundo</translation>
         </message>
         <message>
             <source>Shape</source>
             <translation>Forma</translation>
+        </message>
+        <message>
+            <source>Shorter than</source>
+            <translation>Mais curtos que</translation>
         </message>
         <message>
             <source>Side</source>
@@ -1054,6 +1514,42 @@
         <message>
             <source>Size</source>
             <translation>Tamanho</translation>
+        </message>
+        <message>
+            <source>Small Holes By</source>
+            <translation>Regra dos furos pequenos</translation>
+        </message>
+        <message>
+            <source>Small Holes Diameter</source>
+            <translation>Diâmetro dos furos pequenos</translation>
+        </message>
+        <message>
+            <source>Small Holes Feed Share</source>
+            <translation>Parte do avanço nos furos pequenos</translation>
+        </message>
+        <message>
+            <source>Small Holes Length</source>
+            <translation>Comprimento dos furos pequenos</translation>
+        </message>
+        <message>
+            <source>Small Holes Over Run</source>
+            <translation>Sobrecorte dos furos pequenos</translation>
+        </message>
+        <message>
+            <source>Small Holes Thickness Ratio</source>
+            <translation>Furos pequenos por espessura</translation>
+        </message>
+        <message>
+            <source>Small Holes Torch Off</source>
+            <translation>Desligar antes nos furos pequenos</translation>
+        </message>
+        <message>
+            <source>Small holes</source>
+            <translation>Furos pequenos</translation>
+        </message>
+        <message>
+            <source>Small holes at a feed of their own</source>
+            <translation>Furos pequenos com avanço próprio</translation>
         </message>
         <message>
             <source>Solids that hold the work down, which the tool must not touch</source>
@@ -1078,6 +1574,22 @@
         <message>
             <source>Spindle turns a minute; 0: those of the job's material</source>
             <translation>Rotações do spindle por minuto; 0: as do material do trabalho</translation>
+        </message>
+        <message>
+            <source>Spot</source>
+            <translation>Ponto</translation>
+        </message>
+        <message>
+            <source>Spot Below</source>
+            <translation>Marcar abaixo de</translation>
+        </message>
+        <message>
+            <source>Spot holes below</source>
+            <translation>Marca furos abaixo de</translation>
+        </message>
+        <message>
+            <source>Spot time</source>
+            <translation>Tempo do ponto</translation>
         </message>
         <message>
             <source>Start angle</source>
@@ -1144,6 +1656,10 @@
             <translation>Pontes</translation>
         </message>
         <message>
+            <source>Tabs By</source>
+            <translation>Pontes por</translation>
+        </message>
+        <message>
             <source>Tabs Count</source>
             <translation>Quantidade de pontes</translation>
         </message>
@@ -1172,6 +1688,10 @@
             <translation>O arquivo de G-code que ele é, sem relação com as operações do seu trabalho</translation>
         </message>
         <message>
+            <source>The S word with which a laser marks; 0: a twentieth of its power</source>
+            <translation>A palavra S com que o laser marca; 0: um vigésimo da potência</translation>
+        </message>
+        <message>
             <source>The T word of the program</source>
             <translation>A palavra T do programa</translation>
         </message>
@@ -1190,6 +1710,10 @@
         <message>
             <source>The corner where the grid begins, from the work zero</source>
             <translation>O canto onde a grade começa, a partir do zero da peça</translation>
+        </message>
+        <message>
+            <source>The cut chart gives this value; change it in the job</source>
+            <translation>A tabela de corte dá este valor; altere-o no trabalho</translation>
         </message>
         <message>
             <source>The depth below the top of the stock</source>
@@ -1228,6 +1752,10 @@
             <translation>O desenho que ela seguia, se foi excluído</translation>
         </message>
         <message>
+            <source>The edge of the sheet through which the wire comes in</source>
+            <translation>A borda da chapa por onde o fio entra</translation>
+        </message>
+        <message>
             <source>The feed of the last pass at the wall; 0: the tool's own feed</source>
             <translation>O avanço do último passe na parede; 0: o avanço da própria ferramenta</translation>
         </message>
@@ -1238,6 +1766,10 @@
         <message>
             <source>The feed of the program</source>
             <translation>O avanço do programa</translation>
+        </message>
+        <message>
+            <source>The file of a cut chart of your own; empty: the chart that ships</source>
+            <translation>O arquivo de uma tabela de corte própria; vazio: a tabela que acompanha o programa</translation>
         </message>
         <message>
             <source>The fingerprint of the job's program from which this one was edited</source>
@@ -1270,6 +1802,10 @@
         <message>
             <source>The last pass in depth, ap_acab; 0: none</source>
             <translation>O último passe em profundidade, ap_acab; 0: nenhum</translation>
+        </message>
+        <message>
+            <source>The length of all cuts</source>
+            <translation>O comprimento de todos os cortes</translation>
         </message>
         <message>
             <source>The length of all lines</source>
@@ -1336,12 +1872,32 @@
             <translation>O programa, guardado neste documento</translation>
         </message>
         <message>
+            <source>The radius of loops at sharp outside corners</source>
+            <translation>O raio dos laços em cantos externos vivos</translation>
+        </message>
+        <message>
             <source>The radius of the lead's arc</source>
             <translation>O raio do arco de entrada ou saída</translation>
         </message>
         <message>
+            <source>The share of the feed there</source>
+            <translation>A parte do avanço ali</translation>
+        </message>
+        <message>
+            <source>The share of the feed with which they are cut</source>
+            <translation>A parte do avanço com que são cortados</translation>
+        </message>
+        <message>
+            <source>The share of the power at the pierce</source>
+            <translation>A parte da potência na perfuração</translation>
+        </message>
+        <message>
             <source>The sketch, wire, B-spline or freehand line to follow</source>
             <translation>O esboço, arame, B-spline ou linha à mão livre a seguir</translation>
+        </message>
+        <message>
+            <source>The sketch, wires or faces whose lines are cut: closed ones are parts and holes in turn</source>
+            <translation>O esboço, arames ou faces cujas linhas são cortadas: as fechadas são alternadamente peças e furos</translation>
         </message>
         <message>
             <source>The sketch, wires or faces whose lines are followed</source>
@@ -1350,6 +1906,10 @@
         <message>
             <source>The speed of cutting moves; 0: that of the job's material</source>
             <translation>A velocidade dos movimentos de corte; 0: a do material do trabalho</translation>
+        </message>
+        <message>
+            <source>The speed of the cut; 0: that of the chart</source>
+            <translation>A velocidade do corte; 0: a da tabela</translation>
         </message>
         <message>
             <source>The speed straight down; 0: that of the job's material</source>
@@ -1388,12 +1948,36 @@
             <translation>As ferramentas que as operações podem escolher</translation>
         </message>
         <message>
+            <source>The torch above the sheet while it cuts; 0: that of the chart</source>
+            <translation>A tocha acima da chapa enquanto corta; 0: a altura da tabela</translation>
+        </message>
+        <message>
+            <source>The torch above the sheet while it pierces; 0: that of the chart</source>
+            <translation>A tocha acima da chapa enquanto perfura; 0: a altura da tabela</translation>
+        </message>
+        <message>
             <source>The width of one pass at most, ae</source>
             <translation>A largura máxima de um passe, ae</translation>
         </message>
         <message>
+            <source>The width of the cut</source>
+            <translation>A largura do corte</translation>
+        </message>
+        <message>
+            <source>The width of the cut where it is not the chart's; 0: the chart's, else the tool's</source>
+            <translation>A largura do corte quando não é a da tabela; 0: a da tabela, senão a da ferramenta</translation>
+        </message>
+        <message>
             <source>The width of the cut where it is not the tool's diameter; 0: the tool's own</source>
             <translation>A largura do corte onde não é o diâmetro da ferramenta; 0: a da própria ferramenta</translation>
+        </message>
+        <message>
+            <source>The width of the cut; 0: that of the chart</source>
+            <translation>A largura do corte; 0: a da tabela</translation>
+        </message>
+        <message>
+            <source>The width of the cut; 0: that of the cut chart or the tool</source>
+            <translation>A largura do corte; 0: a da tabela de corte ou da ferramenta</translation>
         </message>
         <message>
             <source>The wire stays this close to every drawn point; 0 keeps every point that bends the line</source>
@@ -1448,6 +2032,10 @@
             <translation>Ferramentas sem avanço ou rotação tomam os da sua tabela</translation>
         </message>
         <message>
+            <source>Torch off before</source>
+            <translation>Desliga antes</translation>
+        </message>
+        <message>
             <source>Turns</source>
             <translation>Voltas</translation>
         </message>
@@ -1470,6 +2058,10 @@
         <message>
             <source>What is cut, in this order</source>
             <translation>O que é usinado, nesta ordem</translation>
+        </message>
+        <message>
+            <source>What is set at the power source; 0: that of the chart</source>
+            <translation>O que se ajusta na fonte; 0: a corrente da tabela</translation>
         </message>
         <message>
             <source>What is switched on while cutting</source>
@@ -1516,8 +2108,24 @@
             <translation>Onde a fileira termina</translation>
         </message>
         <message>
+            <source>Where the way turns by less, the wire does not stand</source>
+            <translation>Onde o caminho vira menos, o fio não para</translation>
+        </message>
+        <message>
             <source>Where the work zero lies in this document</source>
             <translation>Onde fica o zero-peça neste documento</translation>
+        </message>
+        <message>
+            <source>Whether a laser's power follows its speed (M4)</source>
+            <translation>Se a potência do laser acompanha a velocidade (M4)</translation>
+        </message>
+        <message>
+            <source>Whether a slit through the part leads the wire into a closed hole</source>
+            <translation>Se uma fenda através da peça leva o fio a um furo fechado</translation>
+        </message>
+        <message>
+            <source>Whether form, kerf and feeds are those of the job's cut chart</source>
+            <translation>Se forma, largura do corte e avanços são os da tabela de corte do trabalho</translation>
         </message>
         <message>
             <source>Whether inner corners are opened, so that a square corner fits in</source>
@@ -1627,8 +2235,24 @@
             <translation>'{0}' é grande demais</translation>
         </message>
         <message>
+            <source>45° blade</source>
+            <translation>lâmina de 45°</translation>
+        </message>
+        <message>
+            <source>60° blade</source>
+            <translation>lâmina de 60°</translation>
+        </message>
+        <message>
+            <source>A chart's file…</source>
+            <translation>Um arquivo de tabela…</translation>
+        </message>
+        <message>
             <source>A controller is connected already.</source>
             <translation>Um controlador já está conectado.</translation>
+        </message>
+        <message>
+            <source>A cut chart</source>
+            <translation>Uma tabela de corte</translation>
         </message>
         <message>
             <source>A deleted drawing is checked: uncheck it to go on without it</source>
@@ -1655,12 +2279,24 @@
             <translation>Um trabalho está sendo cortado: espere o fim ou pare-o.</translation>
         </message>
         <message>
+            <source>A laser's power that rises behind the pierce</source>
+            <translation>Potência do laser que sobe depois da perfuração</translation>
+        </message>
+        <message>
             <source>A line for the controller, sent with Return. The arrow keys bring back the lines before.</source>
             <translation>Uma linha para o controlador, enviada com Enter. As setas trazem de volta as linhas anteriores.</translation>
         </message>
         <message>
             <source>A line of the program that was cut already.</source>
             <translation>Uma linha do programa que já foi cortada.</translation>
+        </message>
+        <message>
+            <source>A lower feed at corners</source>
+            <translation>Avanço menor nos cantos</translation>
+        </message>
+        <message>
+            <source>A lower feed on arcs of a small radius</source>
+            <translation>Avanço menor em arcos de raio pequeno</translation>
         </message>
         <message>
             <source>A machine's profile</source>
@@ -1673,6 +2309,10 @@
         <message>
             <source>A serial port, or an address as socket://192.168.0.7:23</source>
             <translation>Uma porta serial, ou um endereço como socket://192.168.0.7:23</translation>
+        </message>
+        <message>
+            <source>A share of the machine's greatest power; 0: that of the chart</source>
+            <translation>Uma parte da potência máxima da máquina; 0: a da tabela</translation>
         </message>
         <message>
             <source>A shipped profile's name, or a profile's file</source>
@@ -1799,6 +2439,14 @@
             <translation>Aplicar</translation>
         </message>
         <message>
+            <source>Arcs below</source>
+            <translation>Arcos abaixo de</translation>
+        </message>
+        <message>
+            <source>Arcs of a smaller radius are cut slowly; 0: none</source>
+            <translation>Arcos de raio menor são cortados devagar; 0: nenhum</translation>
+        </message>
+        <message>
             <source>Arcs within a tolerance, or the published points</source>
             <translation>Arcos dentro de uma tolerância, ou os pontos publicados</translation>
         </message>
@@ -1851,6 +2499,10 @@
             <translation>Começa em</translation>
         </message>
         <message>
+            <source>Below thickness times</source>
+            <translation>Abaixo de × espessura</translation>
+        </message>
+        <message>
             <source>Belt's pitch</source>
             <translation>Passo da correia</translation>
         </message>
@@ -1869,6 +2521,10 @@
         <message>
             <source>Beyond</source>
             <translation>Além</translation>
+        </message>
+        <message>
+            <source>Blade offset</source>
+            <translation>Recuo da lâmina</translation>
         </message>
         <message>
             <source>Boring</source>
@@ -1907,6 +2563,10 @@
             <translation>Ajusta o valor programado durante o corte, em porcento.</translation>
         </message>
         <message>
+            <source>Chart</source>
+            <translation>Tabela</translation>
+        </message>
+        <message>
             <source>Check a G-code file with the job's machine, stock, tools and clamps, and send it.</source>
             <translation>Verificar um arquivo de G-code com a máquina, o bloco, as ferramentas e os grampos do trabalho, e enviá-lo.</translation>
         </message>
@@ -1925,6 +2585,10 @@
         <message>
             <source>Choose a line, an entry of the list, or click a cut in the 3D view. All before it counts as cut: if unsure, choose an earlier one.</source>
             <translation>Escolha uma linha, uma entrada da lista ou clique em um corte na vista 3D. Tudo antes conta como cortado: na dúvida, escolha um lugar anterior.</translation>
+        </message>
+        <message>
+            <source>Choose a material: the chart then gives feed and kerf</source>
+            <translation>Escolha um material: a tabela dá então o avanço e a largura do corte</translation>
         </message>
         <message>
             <source>Choose a port, or type an address.</source>
@@ -2011,6 +2675,10 @@
             <translation>Console</translation>
         </message>
         <message>
+            <source>Consumable</source>
+            <translation>Consumível</translation>
+        </message>
+        <message>
             <source>Containers</source>
             <translation>Recipientes</translation>
         </message>
@@ -2051,16 +2719,56 @@
             <translation>Diâmetro do núcleo</translation>
         </message>
         <message>
+            <source>Corner angle</source>
+            <translation>Ângulo do canto</translation>
+        </message>
+        <message>
+            <source>Corner distance</source>
+            <translation>Distância do canto</translation>
+        </message>
+        <message>
+            <source>Corner dwell</source>
+            <translation>Espera no canto</translation>
+        </message>
+        <message>
             <source>Corner radius</source>
             <translation>Raio de canto</translation>
+        </message>
+        <message>
+            <source>Corners</source>
+            <translation>Cantos</translation>
+        </message>
+        <message>
+            <source>Corners above</source>
+            <translation>Cantos acima de</translation>
+        </message>
+        <message>
+            <source>Corners that turn by more are cut slowly; 0: none</source>
+            <translation>Cantos que viram mais são cortados devagar; 0: nenhum</translation>
         </message>
         <message>
             <source>Count</source>
             <translation>Quantidade</translation>
         </message>
         <message>
+            <source>Current</source>
+            <translation>Corrente</translation>
+        </message>
+        <message>
             <source>Cut</source>
             <translation>Corte</translation>
+        </message>
+        <message>
+            <source>Cut chart</source>
+            <translation>Tabela de corte</translation>
+        </message>
+        <message>
+            <source>Cut charts (*.toml *.cfg)</source>
+            <translation>Tabelas de corte (*.toml *.cfg)</translation>
+        </message>
+        <message>
+            <source>Cut height</source>
+            <translation>Altura de corte</translation>
         </message>
         <message>
             <source>Cut in this order; what is not checked is left out of the program</source>
@@ -2073,6 +2781,10 @@
         <message>
             <source>Cut it before the one above</source>
             <translation>Usinar antes da anterior</translation>
+        </message>
+        <message>
+            <source>Cut length</source>
+            <translation>Comprimento do corte</translation>
         </message>
         <message>
             <source>Cutting</source>
@@ -2167,6 +2879,10 @@
             <translation>Arraste um ponto para movê-lo, a linha para adicionar um; Delete exclui o ponto sob o cursor. Esc: terminar.</translation>
         </message>
         <message>
+            <source>Drag knife</source>
+            <translation>Faca de arrasto</translation>
+        </message>
+        <message>
             <source>Draw a freehand line</source>
             <translation>Desenhar linha à mão livre</translation>
         </message>
@@ -2185,6 +2901,18 @@
         <message>
             <source>Duplicate operations</source>
             <translation>Duplicar operações</translation>
+        </message>
+        <message>
+            <source>Dynamic power</source>
+            <translation>Potência dinâmica</translation>
+        </message>
+        <message>
+            <source>EPP foam</source>
+            <translation>espuma de EPP</translation>
+        </message>
+        <message>
+            <source>EPS foam</source>
+            <translation>isopor (EPS)</translation>
         </message>
         <message>
             <source>Earlier</source>
@@ -2243,12 +2971,20 @@
             <translation>Gravação</translation>
         </message>
         <message>
+            <source>Enter from</source>
+            <translation>Entra por</translation>
+        </message>
+        <message>
             <source>Entry</source>
             <translation>Entrada</translation>
         </message>
         <message>
             <source>Entry angle</source>
             <translation>Ângulo de entrada</translation>
+        </message>
+        <message>
+            <source>Entry slit</source>
+            <translation>Fenda de entrada</translation>
         </message>
         <message>
             <source>Error</source>
@@ -2285,6 +3021,18 @@
         <message>
             <source>Feed</source>
             <translation>Avanço</translation>
+        </message>
+        <message>
+            <source>Feed at corners</source>
+            <translation>Avanço nos cantos</translation>
+        </message>
+        <message>
+            <source>Feed of arcs</source>
+            <translation>Avanço dos arcos</translation>
+        </message>
+        <message>
+            <source>Feed of holes</source>
+            <translation>Avanço dos furos</translation>
         </message>
         <message>
             <source>Feeding in air</source>
@@ -2435,6 +3183,10 @@
             <translation>De X às linhas do padrão</translation>
         </message>
         <message>
+            <source>From chart</source>
+            <translation>Da tabela</translation>
+        </message>
+        <message>
             <source>From contour {0}</source>
             <translation>A partir do contorno {0}</translation>
         </message>
@@ -2575,12 +3327,20 @@
             <translation>Continua com</translation>
         </message>
         <message>
+            <source>Good side</source>
+            <translation>Lado bom</translation>
+        </message>
+        <message>
             <source>Greatest chip load</source>
             <translation>Avanço por dente máximo</translation>
         </message>
         <message>
             <source>Greatest engagement</source>
             <translation>Ângulo de contato máximo</translation>
+        </message>
+        <message>
+            <source>Grey values are from the chart; what you type wins</source>
+            <translation>Valores em cinza são da tabela; o que você digita prevalece</translation>
         </message>
         <message>
             <source>HDPE plastic</source>
@@ -2643,6 +3403,26 @@
             <translation>Furos</translation>
         </message>
         <message>
+            <source>Holes below</source>
+            <translation>Furos abaixo de</translation>
+        </message>
+        <message>
+            <source>Holes of a smaller diameter are cut slowly; 0: none by diameter</source>
+            <translation>Furos de diâmetro menor são cortados devagar; 0: nenhum pelo diâmetro</translation>
+        </message>
+        <message>
+            <source>Holes of a smaller diameter get a spot at their centre, no cut</source>
+            <translation>Furos de diâmetro menor recebem um ponto no centro, sem corte</translation>
+        </message>
+        <message>
+            <source>Holes of a smaller diameter, as a multiple of the thickness; 0: none</source>
+            <translation>Furos de diâmetro menor, como múltiplo da espessura; 0: nenhum</translation>
+        </message>
+        <message>
+            <source>Holes with a shorter outline are cut slowly; 0: none by length</source>
+            <translation>Furos de contorno mais curto são cortados devagar; 0: nenhum pelo comprimento</translation>
+        </message>
+        <message>
             <source>Home</source>
             <translation>Referenciar</translation>
         </message>
@@ -2655,20 +3435,56 @@
             <translation>Só é possível referenciar com a máquina pronta ou em alarme.</translation>
         </message>
         <message>
+            <source>Hot wire</source>
+            <translation>Fio quente</translation>
+        </message>
+        <message>
+            <source>How deep a knife or point goes; 0: a knife through the sheet, a point 0.2 mm</source>
+            <translation>A profundidade de faca ou ponta; 0: a faca atravessa a chapa, a ponta 0,2 mm</translation>
+        </message>
+        <message>
             <source>How deep one peck goes</source>
             <translation>Quanto desce cada bicada</translation>
+        </message>
+        <message>
+            <source>How far a closed cut is followed with power beyond its begin</source>
+            <translation>Quanto um corte fechado segue com potência além do início</translation>
         </message>
         <message>
             <source>How far a closed line is followed beyond its begin</source>
             <translation>Quanto se segue uma linha fechada além do seu começo</translation>
         </message>
         <message>
+            <source>How far a drag knife's edge trails behind its axis</source>
+            <translation>Quanto o fio da faca de arrasto fica atrás do seu eixo</translation>
+        </message>
+        <message>
+            <source>How far a pierce stays from parts and cut edges; 0: that of the cut chart</source>
+            <translation>Quanto a perfuração se afasta de peças e bordas cortadas; 0: o da tabela de corte</translation>
+        </message>
+        <message>
             <source>How far an arc turns, or how far a line leans away from the contour</source>
             <translation>Quanto um arco gira, ou quanto uma linha se afasta do contorno</translation>
         </message>
         <message>
+            <source>How far apart joints are at most</source>
+            <translation>A maior distância entre as pontes</translation>
+        </message>
+        <message>
             <source>How far apart tabs are at most</source>
             <translation>A distância máxima entre as pontes</translation>
+        </message>
+        <message>
+            <source>How far before and behind a corner</source>
+            <translation>Quanto antes e depois de um canto</translation>
+        </message>
+        <message>
+            <source>How far before its end the cut runs on without power</source>
+            <translation>A que distância do fim o corte segue sem potência</translation>
+        </message>
+        <message>
+            <source>How far behind the pierce the power is full</source>
+            <translation>A que distância da perfuração a potência é plena</translation>
         </message>
         <message>
             <source>How far from the stock's edge cuts must stay; 0: the edge does not matter</source>
@@ -2695,12 +3511,24 @@
             <translation>Quanto a linha cortada pode se afastar da desenhada para ter menos movimentos; 0: nada</translation>
         </message>
         <message>
+            <source>How far the cut may be off the drawing</source>
+            <translation>Quanto o corte pode se afastar do desenho</translation>
+        </message>
+        <message>
+            <source>How far the kerf of a way through the scrap stays from every part</source>
+            <translation>Quanto o corte de um caminho pelo retalho se afasta de cada peça</translation>
+        </message>
+        <message>
             <source>How far the path may be off an ellipse or a B-spline; lines and arcs are exact</source>
             <translation>Quanto a trajetória pode desviar de uma elipse ou B-spline; retas e arcos são exatos</translation>
         </message>
         <message>
             <source>How far the tool's rim runs over the edge</source>
             <translation>Quanto a borda da ferramenta passa da aresta</translation>
+        </message>
+        <message>
+            <source>How far the torch runs on over the begin of the cut without power</source>
+            <translation>Quanto a tocha segue sobre o início do corte sem potência</translation>
         </message>
         <message>
             <source>How far the wall may be off the drawing</source>
@@ -2717,6 +3545,26 @@
         <message>
             <source>How high a tab is above the bottom of the cut</source>
             <translation>A altura de uma ponte acima do fundo do corte</translation>
+        </message>
+        <message>
+            <source>How it is cut; the machine must be able to</source>
+            <translation>Como se corta; a máquina precisa ser capaz disso</translation>
+        </message>
+        <message>
+            <source>How long a spot has power</source>
+            <translation>Quanto tempo um ponto tem potência</translation>
+        </message>
+        <message>
+            <source>How long the flame heats before the pierce; 0: that of the chart</source>
+            <translation>Quanto tempo a chama aquece antes da perfuração; 0: o da tabela</translation>
+        </message>
+        <message>
+            <source>How long the tool stands with power; 0: that of the cut chart</source>
+            <translation>Quanto tempo a ferramenta fica parada com potência; 0: o da tabela de corte</translation>
+        </message>
+        <message>
+            <source>How long the wire stands where the way turns back; less at blunter corners</source>
+            <translation>Quanto tempo o fio para onde o caminho volta; menos em cantos mais abertos</translation>
         </message>
         <message>
             <source>How many corners and narrow places the tool does not reach into</source>
@@ -2737,6 +3585,14 @@
         <message>
             <source>How many holes are made</source>
             <translation>Quantos furos são feitos</translation>
+        </message>
+        <message>
+            <source>How many joints on each outline</source>
+            <translation>Quantas pontes em cada contorno</translation>
+        </message>
+        <message>
+            <source>How many parts are cut free</source>
+            <translation>Quantas peças são soltas</translation>
         </message>
         <message>
             <source>How many passes at each depth</source>
@@ -2791,6 +3647,14 @@
             <translation>Quanto do contorno pode estar no material, em ângulo; 0: não informado</translation>
         </message>
         <message>
+            <source>How often each line is cut</source>
+            <translation>Quantas vezes cada linha é cortada</translation>
+        </message>
+        <message>
+            <source>How often the tool pierces</source>
+            <translation>Quantas vezes a ferramenta perfura</translation>
+        </message>
+        <message>
             <source>How steeply a helix or ramp goes down</source>
             <translation>Inclinação com que a hélice ou rampa desce</translation>
         </message>
@@ -2827,8 +3691,16 @@
             <translation>Como a ferramenta deixa o contorno</translation>
         </message>
         <message>
+            <source>How the wire comes out at last: back the way it came, or on the shortest way to an edge</source>
+            <translation>Como o fio sai no fim: de volta pelo mesmo caminho, ou pelo caminho mais curto até uma borda</translation>
+        </message>
+        <message>
             <source>How wide a tab is at its top</source>
             <translation>A largura de uma ponte no topo</translation>
+        </message>
+        <message>
+            <source>How wide the material is that stays</source>
+            <translation>A largura do material que fica</translation>
         </message>
         <message>
             <source>Identity</source>
@@ -2895,6 +3767,10 @@
             <translation>O movimento manual só funciona com a máquina pronta.</translation>
         </message>
         <message>
+            <source>Joints that hold the part until it is broken out</source>
+            <translation>Pontes que seguram a peça até ela ser destacada</translation>
+        </message>
+        <message>
             <source>Keep as mesh</source>
             <translation>Guardar como malha</translation>
         </message>
@@ -2917,6 +3793,10 @@
         <message>
             <source>Killed</source>
             <translation>Interrompido</translation>
+        </message>
+        <message>
+            <source>Laser</source>
+            <translation>Laser</translation>
         </message>
         <message>
             <source>Last hole</source>
@@ -2951,8 +3831,16 @@
             <translation>Entrada e saída</translation>
         </message>
         <message>
+            <source>Leads as usual for the process, or with values of your own</source>
+            <translation>Entradas e saídas usuais do processo, ou com valores próprios</translation>
+        </message>
+        <message>
             <source>Least chip load</source>
             <translation>Avanço por dente mínimo</translation>
+        </message>
+        <message>
+            <source>Leave</source>
+            <translation>Sai</translation>
         </message>
         <message>
             <source>Leave out of the program</source>
@@ -3039,6 +3927,22 @@
             <translation>Procurando um Python…</translation>
         </message>
         <message>
+            <source>Loop radius</source>
+            <translation>Raio do laço</translation>
+        </message>
+        <message>
+            <source>Loops</source>
+            <translation>Laços</translation>
+        </message>
+        <message>
+            <source>Loops above</source>
+            <translation>Laços acima de</translation>
+        </message>
+        <message>
+            <source>Loops in the scrap, which make outside corners sharp</source>
+            <translation>Laços no retalho, que deixam vivos os cantos externos</translation>
+        </message>
+        <message>
             <source>MDF board</source>
             <translation>MDF</translation>
         </message>
@@ -3071,6 +3975,14 @@
             <translation>Faz desta posição o zero-peça do eixo.</translation>
         </message>
         <message>
+            <source>Margin</source>
+            <translation>Margem</translation>
+        </message>
+        <message>
+            <source>Marking power</source>
+            <translation>Potência de marcação</translation>
+        </message>
+        <message>
             <source>Material</source>
             <translation>Material</translation>
         </message>
@@ -3089,6 +4001,10 @@
         <message>
             <source>Microsteps</source>
             <translation>Micropassos</translation>
+        </message>
+        <message>
+            <source>Milling</source>
+            <translation>Fresamento</translation>
         </message>
         <message>
             <source>Minor</source>
@@ -3149,6 +4065,10 @@
         <message>
             <source>Move…</source>
             <translation>Mover…</translation>
+        </message>
+        <message>
+            <source>Narrow arcs</source>
+            <translation>Arcos estreitos</translation>
         </message>
         <message>
             <source>Never farther off than, mm</source>
@@ -3227,6 +4147,10 @@
             <translation>Nada foi encontrado: o programa pode ser enviado.</translation>
         </message>
         <message>
+            <source>Nozzle, lens, wire or blade; empty: the first of the chart for this thickness</source>
+            <translation>Bico, lente, fio ou lâmina; vazio: o primeiro da tabela para esta espessura</translation>
+        </message>
+        <message>
             <source>Number</source>
             <translation>Número</translation>
         </message>
@@ -3277,6 +4201,10 @@
         <message>
             <source>On the path</source>
             <translation>No caminho</translation>
+        </message>
+        <message>
+            <source>On which side of the cut the part lies, seen along it</source>
+            <translation>De que lado do corte fica a peça, visto ao longo dele</translation>
         </message>
         <message>
             <source>On which side of the lines the tool runs</source>
@@ -3339,6 +4267,14 @@
             <translation>Saídas</translation>
         </message>
         <message>
+            <source>Outside corners that turn by more get a loop</source>
+            <translation>Cantos externos que viram mais recebem um laço</translation>
+        </message>
+        <message>
+            <source>Over-burn</source>
+            <translation>Sobrecorte</translation>
+        </message>
+        <message>
             <source>Overcut</source>
             <translation>Sobrecorte</translation>
         </message>
@@ -3359,12 +4295,20 @@
             <translation>Os ajustes só funcionam com a máquina pronta ou usinando.</translation>
         </message>
         <message>
+            <source>Oxyfuel</source>
+            <translation>Oxicorte</translation>
+        </message>
+        <message>
             <source>POM (acetal)</source>
             <translation>POM (acetal)</translation>
         </message>
         <message>
             <source>PVC foam board</source>
             <translation>PVC expandido</translation>
+        </message>
+        <message>
+            <source>Parts</source>
+            <translation>Peças</translation>
         </message>
         <message>
             <source>Passes</source>
@@ -3391,6 +4335,22 @@
             <translation>Bicada</translation>
         </message>
         <message>
+            <source>Pierce delay</source>
+            <translation>Espera na perfuração</translation>
+        </message>
+        <message>
+            <source>Pierce distance</source>
+            <translation>Distância da perfuração</translation>
+        </message>
+        <message>
+            <source>Pierce height</source>
+            <translation>Altura de perfuração</translation>
+        </message>
+        <message>
+            <source>Pierces</source>
+            <translation>Perfurações</translation>
+        </message>
+        <message>
             <source>Pitch</source>
             <translation>Passo</translation>
         </message>
@@ -3401,6 +4361,10 @@
         <message>
             <source>Places</source>
             <translation>Lugares</translation>
+        </message>
+        <message>
+            <source>Plasma</source>
+            <translation>Plasma</translation>
         </message>
         <message>
             <source>Play or pause</source>
@@ -3439,6 +4403,22 @@
             <translation>Posição</translation>
         </message>
         <message>
+            <source>Power</source>
+            <translation>Potência</translation>
+        </message>
+        <message>
+            <source>Power on before the tool moves; 0: that of the chart</source>
+            <translation>Tempo ligado antes de a ferramenta se mover; 0: o da tabela</translation>
+        </message>
+        <message>
+            <source>Power ramp</source>
+            <translation>Rampa de potência</translation>
+        </message>
+        <message>
+            <source>Preheat</source>
+            <translation>Pré-aquecimento</translation>
+        </message>
+        <message>
             <source>Preview</source>
             <translation>Prévia</translation>
         </message>
@@ -3449,6 +4429,10 @@
         <message>
             <source>Problem</source>
             <translation>Problema</translation>
+        </message>
+        <message>
+            <source>Process</source>
+            <translation>Processo</translation>
         </message>
         <message>
             <source>Profile</source>
@@ -3537,6 +4521,14 @@
         <message>
             <source>Ramp</source>
             <translation>Rampa</translation>
+        </message>
+        <message>
+            <source>Ramp begin</source>
+            <translation>Início da rampa</translation>
+        </message>
+        <message>
+            <source>Ramp length</source>
+            <translation>Comprimento da rampa</translation>
         </message>
         <message>
             <source>Rapid</source>
@@ -3639,6 +4631,10 @@
             <translation>Reiniciar…</translation>
         </message>
         <message>
+            <source>Result</source>
+            <translation>Resultado</translation>
+        </message>
+        <message>
             <source>Resume</source>
             <translation>Retomar</translation>
         </message>
@@ -3665,6 +4661,10 @@
         <message>
             <source>Rows</source>
             <translation>Linhas</translation>
+        </message>
+        <message>
+            <source>Rules</source>
+            <translation>Regras</translation>
         </message>
         <message>
             <source>Running</source>
@@ -3713,6 +4713,10 @@
         <message>
             <source>Screw speed</source>
             <translation>Rotação do fuso</translation>
+        </message>
+        <message>
+            <source>Scribe</source>
+            <translation>Riscador</translation>
         </message>
         <message>
             <source>Seconds at the bottom</source>
@@ -3771,6 +4775,14 @@
             <translation>Forma</translation>
         </message>
         <message>
+            <source>Sheet cut</source>
+            <translation>Corte de chapa</translation>
+        </message>
+        <message>
+            <source>Shorter than</source>
+            <translation>Mais curtos que</translation>
+        </message>
+        <message>
             <source>Show the tool's path</source>
             <translation>Mostra a trajetória da ferramenta</translation>
         </message>
@@ -3795,6 +4807,14 @@
             <translation>Tamanho</translation>
         </message>
         <message>
+            <source>Small holes</source>
+            <translation>Furos pequenos</translation>
+        </message>
+        <message>
+            <source>Small holes at a feed of their own</source>
+            <translation>Furos pequenos com avanço próprio</translation>
+        </message>
+        <message>
             <source>Solids that hold the work down, which the tool must not touch</source>
             <translation>Sólidos que prendem a peça e em que a ferramenta não pode tocar</translation>
         </message>
@@ -3817,6 +4837,14 @@
         <message>
             <source>Spindle turns a minute; 0: those of the job's material</source>
             <translation>Rotações do spindle por minuto; 0: as do material do trabalho</translation>
+        </message>
+        <message>
+            <source>Spot holes below</source>
+            <translation>Marca furos abaixo de</translation>
+        </message>
+        <message>
+            <source>Spot time</source>
+            <translation>Tempo do ponto</translation>
         </message>
         <message>
             <source>Start</source>
@@ -3919,6 +4947,10 @@
             <translation>Retira o alarme sem referenciar: só quando a posição está certa com certeza.</translation>
         </message>
         <message>
+            <source>Take the chart's value again</source>
+            <translation>Voltar ao valor da tabela</translation>
+        </message>
+        <message>
             <source>Take the line numbers out</source>
             <translation>Tirar os números de linha</translation>
         </message>
@@ -3933,6 +4965,10 @@
         <message>
             <source>The G-code file that it is, which has nothing to do with the operations of its job</source>
             <translation>O arquivo de G-code que ele é, sem relação com as operações do seu trabalho</translation>
+        </message>
+        <message>
+            <source>The S word with which a laser marks; 0: a twentieth of its power</source>
+            <translation>A palavra S com que o laser marca; 0: um vigésimo da potência</translation>
         </message>
         <message>
             <source>The T word of the program</source>
@@ -3987,6 +5023,10 @@
             <translation>O canto onde a grade começa, a partir do zero da peça</translation>
         </message>
         <message>
+            <source>The cut chart gives this value; change it in the job</source>
+            <translation>A tabela de corte dá este valor; altere-o no trabalho</translation>
+        </message>
+        <message>
             <source>The cut goes on without FreeCAD; the controller's panel finds it again the next time it is opened.</source>
             <translation>O corte continua sem o FreeCAD; o painel do controlador o reencontra na próxima vez que for aberto.</translation>
         </message>
@@ -4031,6 +5071,10 @@
             <translation>O desenho que ela seguia, se foi excluído</translation>
         </message>
         <message>
+            <source>The edge of the sheet through which the wire comes in</source>
+            <translation>A borda da chapa por onde o fio entra</translation>
+        </message>
+        <message>
             <source>The feed of the last pass at the wall; 0: the tool's own feed</source>
             <translation>O avanço do último passe na parede; 0: o avanço da própria ferramenta</translation>
         </message>
@@ -4041,6 +5085,10 @@
         <message>
             <source>The feed of the program</source>
             <translation>O avanço do programa</translation>
+        </message>
+        <message>
+            <source>The file of a cut chart of your own; empty: the chart that ships</source>
+            <translation>O arquivo de uma tabela de corte própria; vazio: a tabela que acompanha o programa</translation>
         </message>
         <message>
             <source>The fingerprint of the job's program from which this one was edited</source>
@@ -4093,6 +5141,10 @@
         <message>
             <source>The last pass in depth, ap_acab; 0: none</source>
             <translation>O último passe em profundidade, ap_acab; 0: nenhum</translation>
+        </message>
+        <message>
+            <source>The length of all cuts</source>
+            <translation>O comprimento de todos os cortes</translation>
         </message>
         <message>
             <source>The length of all lines</source>
@@ -4251,6 +5303,10 @@
             <translation>O programa, guardado neste documento</translation>
         </message>
         <message>
+            <source>The radius of loops at sharp outside corners</source>
+            <translation>O raio dos laços em cantos externos vivos</translation>
+        </message>
+        <message>
             <source>The radius of the lead's arc</source>
             <translation>O raio do arco de entrada ou saída</translation>
         </message>
@@ -4259,8 +5315,24 @@
             <translation>O reinício está sendo criado e verificado…</translation>
         </message>
         <message>
+            <source>The share of the feed there</source>
+            <translation>A parte do avanço ali</translation>
+        </message>
+        <message>
+            <source>The share of the feed with which they are cut</source>
+            <translation>A parte do avanço com que são cortados</translation>
+        </message>
+        <message>
+            <source>The share of the power at the pierce</source>
+            <translation>A parte da potência na perfuração</translation>
+        </message>
+        <message>
             <source>The sketch, wire, B-spline or freehand line to follow</source>
             <translation>O esboço, arame, B-spline ou linha à mão livre a seguir</translation>
+        </message>
+        <message>
+            <source>The sketch, wires or faces whose lines are cut: closed ones are parts and holes in turn</source>
+            <translation>O esboço, arames ou faces cujas linhas são cortadas: as fechadas são alternadamente peças e furos</translation>
         </message>
         <message>
             <source>The sketch, wires or faces whose lines are followed</source>
@@ -4269,6 +5341,10 @@
         <message>
             <source>The speed of cutting moves; 0: that of the job's material</source>
             <translation>A velocidade dos movimentos de corte; 0: a do material do trabalho</translation>
+        </message>
+        <message>
+            <source>The speed of the cut; 0: that of the chart</source>
+            <translation>A velocidade do corte; 0: a da tabela</translation>
         </message>
         <message>
             <source>The speed straight down; 0: that of the job's material</source>
@@ -4335,6 +5411,14 @@
             <translation>As ferramentas que as operações podem escolher</translation>
         </message>
         <message>
+            <source>The torch above the sheet while it cuts; 0: that of the chart</source>
+            <translation>A tocha acima da chapa enquanto corta; 0: a altura da tabela</translation>
+        </message>
+        <message>
+            <source>The torch above the sheet while it pierces; 0: that of the chart</source>
+            <translation>A tocha acima da chapa enquanto perfura; 0: a altura da tabela</translation>
+        </message>
+        <message>
             <source>The way along the cut is being checked…</source>
             <translation>O caminho ao longo do corte está sendo verificado…</translation>
         </message>
@@ -4347,8 +5431,24 @@
             <translation>A largura máxima de um passe, ae</translation>
         </message>
         <message>
+            <source>The width of the cut</source>
+            <translation>A largura do corte</translation>
+        </message>
+        <message>
+            <source>The width of the cut where it is not the chart's; 0: the chart's, else the tool's</source>
+            <translation>A largura do corte quando não é a da tabela; 0: a da tabela, senão a da ferramenta</translation>
+        </message>
+        <message>
             <source>The width of the cut where it is not the tool's diameter; 0: the tool's own</source>
             <translation>A largura do corte onde não é o diâmetro da ferramenta; 0: a da própria ferramenta</translation>
+        </message>
+        <message>
+            <source>The width of the cut; 0: that of the chart</source>
+            <translation>A largura do corte; 0: a da tabela</translation>
+        </message>
+        <message>
+            <source>The width of the cut; 0: that of the cut chart or the tool</source>
+            <translation>A largura do corte; 0: a da tabela de corte ou da ferramenta</translation>
         </message>
         <message>
             <source>The wire stays this close to every drawn point; 0 keeps every point that bends the line</source>
@@ -4369,6 +5469,10 @@
         <message>
             <source>There is no restart to send yet.</source>
             <translation>Ainda não há reinício para enviar.</translation>
+        </message>
+        <message>
+            <source>This is cut by: {0}. The job's process is: {1}</source>
+            <translation>Isto se corta por: {0}. O processo do trabalho é: {1}</translation>
         </message>
         <message>
             <source>This machine has no homing switches set up ($22=0).</source>
@@ -4459,6 +5563,10 @@
             <translation>Correia dentada</translation>
         </message>
         <message>
+            <source>Torch off before</source>
+            <translation>Desliga antes</translation>
+        </message>
+        <message>
             <source>Travel for a turn of the screw; with several starts its lead</source>
             <translation>Percurso por volta do fuso; com várias entradas, o avanço da rosca</translation>
         </message>
@@ -4527,6 +5635,10 @@
             <translation>Avisos</translation>
         </message>
         <message>
+            <source>Water jet</source>
+            <translation>Jato de água</translation>
+        </message>
+        <message>
             <source>What happened to the job's own program since</source>
             <translation>O que aconteceu desde então com o programa do próprio trabalho</translation>
         </message>
@@ -4537,6 +5649,10 @@
         <message>
             <source>What is one step: a line of the program, a move, or a pulse of the motors</source>
             <translation>O que é um passo: uma linha do programa, um movimento ou um pulso dos motores</translation>
+        </message>
+        <message>
+            <source>What is set at the power source; 0: that of the chart</source>
+            <translation>O que se ajusta na fonte; 0: a corrente da tabela</translation>
         </message>
         <message>
             <source>What is switched on while cutting</source>
@@ -4595,8 +5711,24 @@
             <translation>Não se sabe onde a mesa está: referencie a máquina ou defina de novo o zero-peça.</translation>
         </message>
         <message>
+            <source>Where the way turns by less, the wire does not stand</source>
+            <translation>Onde o caminho vira menos, o fio não para</translation>
+        </message>
+        <message>
             <source>Where the work zero lies in this document</source>
             <translation>Onde fica o zero-peça neste documento</translation>
+        </message>
+        <message>
+            <source>Whether a laser's power follows its speed (M4)</source>
+            <translation>Se a potência do laser acompanha a velocidade (M4)</translation>
+        </message>
+        <message>
+            <source>Whether a slit through the part leads the wire into a closed hole</source>
+            <translation>Se uma fenda através da peça leva o fio a um furo fechado</translation>
+        </message>
+        <message>
+            <source>Whether form, kerf and feeds are those of the job's cut chart</source>
+            <translation>Se forma, largura do corte e avanços são os da tabela de corte do trabalho</translation>
         </message>
         <message>
             <source>Whether inner corners are opened, so that a square corner fits in</source>
@@ -4633,6 +5765,10 @@
         <message>
             <source>Width</source>
             <translation>Largura</translation>
+        </message>
+        <message>
+            <source>Wire cut</source>
+            <translation>Corte com fio</translation>
         </message>
         <message>
             <source>Work</source>
@@ -4719,6 +5855,10 @@
             <translation>paralelo</translation>
         </message>
         <message>
+            <source>aluminium</source>
+            <translation>alumínio</translation>
+        </message>
+        <message>
             <source>aluminium 6061</source>
             <translation>alumínio 6061</translation>
         </message>
@@ -4803,6 +5943,10 @@
             <translation>como o programa</translation>
         </message>
         <message>
+            <source>back the way it came</source>
+            <translation>de volta pelo mesmo caminho</translation>
+        </message>
+        <message>
             <source>ball end mill</source>
             <translation>fresa de topo esférico</translation>
         </message>
@@ -4851,6 +5995,14 @@
             <translation>fibra de carbono</translation>
         </message>
         <message>
+            <source>cardboard</source>
+            <translation>papelão</translation>
+        </message>
+        <message>
+            <source>cardstock</source>
+            <translation>cartolina</translation>
+        </message>
+        <message>
             <source>centre of the top</source>
             <translation>centro do topo</translation>
         </message>
@@ -4881,6 +6033,10 @@
         <message>
             <source>coordinates are steps from where the tool is</source>
             <translation>as coordenadas são passos a partir de onde está a ferramenta</translation>
+        </message>
+        <message>
+            <source>copper</source>
+            <translation>cobre</translation>
         </message>
         <message>
             <source>count</source>
@@ -4943,6 +6099,14 @@
             <translation>avanço</translation>
         </message>
         <message>
+            <source>felt</source>
+            <translation>feltro</translation>
+        </message>
+        <message>
+            <source>first of the chart</source>
+            <translation>o primeiro da tabela</translation>
+        </message>
+        <message>
             <source>flat end mill</source>
             <translation>fresa de topo reto</translation>
         </message>
@@ -4959,8 +6123,20 @@
             <translation>jato ligado</translation>
         </message>
         <message>
+            <source>foam</source>
+            <translation>espuma</translation>
+        </message>
+        <message>
+            <source>foam board</source>
+            <translation>placa de espuma</translation>
+        </message>
+        <message>
             <source>follows the path exactly</source>
             <translation>segue a trajetória exatamente</translation>
+        </message>
+        <message>
+            <source>front</source>
+            <translation>frente</translation>
         </message>
         <message>
             <source>front left corner of the top</source>
@@ -4969,6 +6145,10 @@
         <message>
             <source>full diameter</source>
             <translation>diâmetro pleno</translation>
+        </message>
+        <message>
+            <source>glass</source>
+            <translation>vidro</translation>
         </message>
         <message>
             <source>goes beyond what the machine can travel; at most {0}</source>
@@ -4995,12 +6175,20 @@
             <translation>vai ao segundo lugar guardado</translation>
         </message>
         <message>
+            <source>granite</source>
+            <translation>granito</translation>
+        </message>
+        <message>
             <source>grid</source>
             <translation>grade</translation>
         </message>
         <message>
             <source>hardwood</source>
             <translation>madeira dura</translation>
+        </message>
+        <message>
+            <source>heat transfer film</source>
+            <translation>filme termotransferível</translation>
         </message>
         <message>
             <source>helix</source>
@@ -5045,6 +6233,10 @@
         <message>
             <source>leads the program elsewhere</source>
             <translation>leva o programa a outro lugar</translation>
+        </message>
+        <message>
+            <source>leather</source>
+            <translation>couro</translation>
         </message>
         <message>
             <source>left</source>
@@ -5131,6 +6323,10 @@
             <translation>dá nome ao lugar atual</translation>
         </message>
         <message>
+            <source>nichrome wire, 0.4 mm</source>
+            <translation>fio de níquel-cromo, 0,4 mm</translation>
+        </message>
+        <message>
             <source>no cutter compensation</source>
             <translation>sem compensação da ferramenta</translation>
         </message>
@@ -5189,6 +6385,14 @@
         <message>
             <source>outside</source>
             <translation>por fora</translation>
+        </message>
+        <message>
+            <source>own values</source>
+            <translation>valores próprios</translation>
+        </message>
+        <message>
+            <source>paper</source>
+            <translation>papel</translation>
         </message>
         <message>
             <source>pauses until it is told to go on</source>
@@ -5279,6 +6483,10 @@
             <translation>rápido: reto, tão rápido quanto a máquina pode</translation>
         </message>
         <message>
+            <source>rear</source>
+            <translation>fundo</translation>
+        </message>
+        <message>
             <source>returns from a subprogram</source>
             <translation>retorna de um subprograma</translation>
         </message>
@@ -5289,6 +6497,14 @@
         <message>
             <source>rounds corners off to keep its speed</source>
             <translation>arredonda cantos para manter a velocidade</translation>
+        </message>
+        <message>
+            <source>rubber</source>
+            <translation>borracha</translation>
+        </message>
+        <message>
+            <source>sandblast film</source>
+            <translation>filme para jateamento</translation>
         </message>
         <message>
             <source>sets offsets or tools</source>
@@ -5367,6 +6583,14 @@
             <translation>o da máquina</translation>
         </message>
         <message>
+            <source>the nearest edge</source>
+            <translation>a borda mais próxima</translation>
+        </message>
+        <message>
+            <source>the one that ships</source>
+            <translation>a que acompanha o programa</translation>
+        </message>
+        <message>
             <source>the point</source>
             <translation>a ponta</translation>
         </message>
@@ -5395,12 +6619,28 @@
             <translation>tempo, número ou voltas, conforme o código</translation>
         </message>
         <message>
+            <source>titanium</source>
+            <translation>titânio</translation>
+        </message>
+        <message>
+            <source>to the nearest edge</source>
+            <translation>pela borda mais próxima</translation>
+        </message>
+        <message>
             <source>tool {0}</source>
             <translation>ferramenta {0}</translation>
         </message>
         <message>
+            <source>usual for the process</source>
+            <translation>usuais do processo</translation>
+        </message>
+        <message>
             <source>value {0}</source>
             <translation>valor {0}</translation>
+        </message>
+        <message>
+            <source>vinyl</source>
+            <translation>vinil</translation>
         </message>
         <message>
             <source>wire</source>
@@ -5429,6 +6669,10 @@
         <message>
             <source>{0} = 0</source>
             <translation>{0} = 0</translation>
+        </message>
+        <message>
+            <source>{0} does not name this process</source>
+            <translation>{0} não tem este processo</translation>
         </message>
         <message>
             <source>{0} errors</source>
@@ -5694,6 +6938,10 @@
             <translation>o D de {code} é o número de uma ferramenta</translation>
         </message>
         <message>
+            <source>Drag knife</source>
+            <translation>Faca de arrasto</translation>
+        </message>
+        <message>
             <source>EXISTS asks for a parameter</source>
             <translation>EXISTS pergunta por um parâmetro</translation>
         </message>
@@ -5792,6 +7040,10 @@
         <message>
             <source>G80 leaves no motion for the axis words</source>
             <translation>G80 não deixa movimento para as palavras de eixo</translation>
+        </message>
+        <message>
+            <source>Hot wire</source>
+            <translation>Fio quente</translation>
         </message>
         <message>
             <source>I of G76 may not be 0</source>
@@ -5924,6 +7176,10 @@
         <message>
             <source>T selects an extruder: pause with M0 where the tool is to be changed</source>
             <translation>T seleciona um extrusor: faça uma pausa com M0 onde a ferramenta deve ser trocada</translation>
+        </message>
+        <message>
+            <source>Water jet</source>
+            <translation>Jato de água</translation>
         </message>
         <message>
             <source>[ is missing after {keyword}</source>
@@ -7086,6 +8342,10 @@
             <translation>escolha outro nome</translation>
         </message>
         <message>
+            <source>choose another process in the job, or delete the operation</source>
+            <translation>escolha outro processo no trabalho, ou apague a operação</translation>
+        </message>
+        <message>
             <source>choose another side</source>
             <translation>escolha outro lado</translation>
         </message>
@@ -7112,6 +8372,10 @@
         <message>
             <source>choose other values, or try again</source>
             <translation>escolha outros valores, ou tente de novo</translation>
+        </message>
+        <message>
+            <source>choose the job's material</source>
+            <translation>escolha o material do trabalho</translation>
         </message>
         <message>
             <source>choose the pass yourself: the program sends lines again, so line {line} alone is no place</source>
@@ -10662,10 +11926,6 @@
             <translation>o arquivo não contém um objeto</translation>
         </message>
         <message>
-            <source>the file is cut short</source>
-            <translation>o arquivo está incompleto</translation>
-        </message>
-        <message>
             <source>the file is empty</source>
             <translation>o arquivo está vazio</translation>
         </message>
@@ -10772,6 +12032,10 @@
         <message>
             <source>the job is about to go on</source>
             <translation>o trabalho está prestes a continuar</translation>
+        </message>
+        <message>
+            <source>the job names no material, so the chart gives no tool</source>
+            <translation>o trabalho não indica material, por isso a tabela não dá ferramenta</translation>
         </message>
         <message>
             <source>the job still runs, on {port}</source>
@@ -13530,6 +14794,10 @@
             <translation>{obj} não tem ferramenta</translation>
         </message>
         <message>
+            <source>{obj} is not cut by {process}</source>
+            <translation>{obj} não se corta por {process}</translation>
+        </message>
+        <message>
             <source>{one} cuts into a piece that {other} has set free: nothing holds it</source>
             <translation>{one} corta uma peça que {other} já soltou: nada a segura</translation>
         </message>
@@ -13920,6 +15188,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_SheetCut</name>
+        <message>
+            <source>Cuts parts out of sheet by torch, laser, jet, knife or point</source>
+            <translation>Corta peças de uma chapa com tocha, laser, jato, faca ou ponta</translation>
+        </message>
+        <message>
+            <source>Sheet cut</source>
+            <translation>Corte de chapa</translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_Simulate</name>
         <message>
             <source>Check and simulate</source>
@@ -13939,6 +15218,17 @@
         <message>
             <source>Thread</source>
             <translation>Rosquear</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_WireCut</name>
+        <message>
+            <source>Cuts parts out of foam with a hot wire, in from the edge</source>
+            <translation>Corta peças de espuma com fio quente, a partir da borda</translation>
+        </message>
+        <message>
+            <source>Wire cut</source>
+            <translation>Corte com fio</translation>
         </message>
     </context>
 </TS>
