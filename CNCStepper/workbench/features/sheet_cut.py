@@ -42,10 +42,7 @@ CHOOSERS = (
     _chooser("power_ramp", RULES, later("Power ramp"), later("A laser's power that rises behind the pierce"),
              (NONE, OWN)),
 )  # fmt: skip
-BY_TABLE = {
-    "tabs": {"tabs_count": ("count",), "tabs_spacing_mm": ("spacing",), "tabs_width_mm": ("count", "spacing")},
-    "lead_out": "lead_in_by",
-}
+BY_TABS = {"tabs_count": ("count",), "tabs_spacing_mm": ("spacing",), "tabs_width_mm": ("count", "spacing")}
 BY_PROCESS = {
     "pierce_mm": PIERCING,
     "pierce_delay_s": PIERCING,
@@ -73,8 +70,9 @@ def _with_what_decides(entry: Property) -> Property:
     if not table or entry.only or entry.key.endswith("_by"):
         return entry
     if table == "tabs":
-        return replace(entry, only=("tabs_by", BY_TABLE["tabs"][entry.key]))  # type: ignore[index]
-    return replace(entry, only=(BY_TABLE.get(table, f"{table}_by"), (OWN,)))
+        return replace(entry, only=("tabs_by", BY_TABS[entry.key]))
+    chooser = "lead_in_by" if table == "lead_out" else f"{table}_by"
+    return replace(entry, only=(chooser, (OWN,)))
 
 
 def _properties() -> tuple[Property, ...]:
