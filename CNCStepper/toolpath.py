@@ -138,6 +138,25 @@ class Toolpath:
         return per_state[self.table().state]
 
 
+def chunk_of_rows(rows: list[tuple], first: int, axes: int) -> Chunk:
+    """Return the chunk of rows (kind, end, centre, plane, turns, feed, state, line), each end of `axes` numbers in mm.
+
+    first: index of the first row in the table.
+    """
+    kind, end, centre, plane, turns, feed, state, line = zip(*rows, strict=True) if rows else ((),) * 8
+    return Chunk(
+        first,
+        np.array(kind, np.uint8),
+        np.array(end, float).reshape(-1, axes),
+        np.array(centre, float).reshape(-1, 3),
+        np.array(plane, np.uint8),
+        np.array(turns, np.uint16),
+        np.array(feed, float),
+        np.array(state, np.int32),
+        np.array(line, np.int32),
+    )
+
+
 def join_chunks(chunks: list[Chunk]) -> Chunk:
     """Return consecutive chunks as one."""
     if not chunks:
@@ -272,14 +291,17 @@ class TableBuilder:
         """Note a span of rows that are there already."""
         self.spans.append(Span(kind, name, first, last))
 
-    def add_cuts(self, kind: np.ndarray, end: np.ndarray, centre: np.ndarray, feed_mm_min: float) -> None:
-        """Add feed moves and arcs in the XY plane as columns of a chunk; they name the state that is in force here."""
-        first = 0
+    def add_cuts(self, kind: np.ndarray, end: np.ndarray, centre: np.ndarray, feed_mm_min: float | np.ndarray) -> None:
+        """Add feed moves and arcs in the XY plane as columns of a chunk; they name the state that is in force here.
+
+        feed_mm_min: of all rows, or of each.
+        """
+        first, feeds = 0, np.broadcast_to(np.asarray(feed_mm_min, float), len(kind))
         while first < len(kind):
             some = slice(first, first + self.room)
             count = len(kind[some])
             none, state = np.zeros(count, np.uint8), np.full(count, len(self.states) - 1, np.int32)
-            turns, feed = (kind[some] != LINE).astype(np.uint16), np.full(count, feed_mm_min)
+            turns, feed = (kind[some] != LINE).astype(np.uint16), feeds[some].copy()
             self.extend((kind[some], end[some], centre[some], none, turns, feed, state, none.astype(np.int32)))
             first += count
 
@@ -350,7 +372,7 @@ class TableBuilder:
 
     def empty(self) -> Chunk:
         """Return a chunk without rows."""
-        return self._chunk(0, [])
+        return chunk_of_rows([], 0, self.axes)
 
     def _row(self, kind, end_mm, centre_mm, plane, turns, feed_mm_min, line) -> None:
         checkpoint()
@@ -374,7 +396,7 @@ class TableBuilder:
     def _collect(self) -> None:
         """Make a piece of the single rows."""
         if self._rows:
-            self._pieces.append(self._chunk(self.index - len(self._rows), self._rows))
+            self._pieces.append(chunk_of_rows(self._rows, self.index - len(self._rows), self.axes))
             self._rows = []
 
     def _flush(self) -> None:
@@ -383,17 +405,3 @@ class TableBuilder:
             self._chunks.append(self._pieces[0] if len(self._pieces) == 1 else join_chunks(self._pieces))
             self._pieces = []
         self._begin = self.index
-
-    def _chunk(self, first: int, rows: list[tuple]) -> Chunk:
-        kind, end, centre, plane, turns, feed, state, line = zip(*rows, strict=True) if rows else ((),) * 8
-        return Chunk(
-            first,
-            np.array(kind, np.uint8),
-            np.array(end, float).reshape(-1, self.axes),
-            np.array(centre, float).reshape(-1, 3),
-            np.array(plane, np.uint8),
-            np.array(turns, np.uint16),
-            np.array(feed, float),
-            np.array(state, np.int32),
-            np.array(line, np.int32),
-        )

@@ -16,7 +16,8 @@ from pathlib import Path
 import numpy as np
 
 from CNCStepper.machine.tools.tool import Tool
-from CNCStepper.simulation.cutter_solid import Tools, form_of
+from CNCStepper.machine.tools.tool_profile import form_of
+from CNCStepper.simulation.cutter_solid import Tools
 from CNCStepper.simulation.removal.engagement import engagement
 from CNCStepper.simulation.removal.heightmap import Grid, Part
 from CNCStepper.simulation.removal.removal_moves import Moves

@@ -40,6 +40,7 @@ FAMILIES = {  # folder of the verbs' modules: title in the help, and its verbs
         "Calculate",
         {
             "tools": "List the tools of a FreeCAD library or a LinuxCNC table, and convert them.",
+            "chart": "List, show and convert cut charts; write kerf and speed tests.",
             "feeds": "Print feed and speed of a tool in a material.",
             "axis": "Print steps per mm, pulse rate, motor speed and resolution of an axis.",
         },

@@ -9,11 +9,11 @@ import numpy as np
 
 from CNCStepper.errors import CycleError, Text
 from CNCStepper.machine.tools.tool import Tool
+from CNCStepper.tolerances import NO_MATERIAL_MM
 
 MOST_PASSES = 10_000
 MOST_BLOCKS = 1_000_000  # of one operation
 MOST_TOLD = 1e9  # larger numbers say no more to a person
-THINNEST_MM = 1e-6  # what is left to rough below this is rounding
 
 
 def whole_passes(total_mm: float, step_mm: float, finish_mm: float, name: str) -> list[float]:
@@ -23,7 +23,7 @@ def whole_passes(total_mm: float, step_mm: float, finish_mm: float, name: str) -
     for more than MOST_PASSES; `name` is that of the step's key.
     """
     rough_mm = total_mm - finish_mm
-    if rough_mm < THINNEST_MM:
+    if rough_mm < NO_MATERIAL_MM:
         raise CycleError(
             "finish-large",
             Text("finish_{name} leaves nothing to rough", name=name),

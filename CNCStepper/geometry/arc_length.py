@@ -8,8 +8,9 @@ import math
 import numpy as np
 
 from CNCStepper.geometry.box_tree import direction_at, place_at, rows_of
-from CNCStepper.geometry.curve_columns import COINCIDENT_MM, FLAT_RAD, STRAIGHT_MM
+from CNCStepper.geometry.curve_columns import FLAT_RAD, STRAIGHT_MM
 from CNCStepper.kernels import njit
+from CNCStepper.tolerances import COINCIDENT_MM
 
 
 @njit

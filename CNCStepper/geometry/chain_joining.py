@@ -20,8 +20,8 @@ import shapely
 from CNCStepper.errors import GeometryError, Text
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.curve_columns import Segments, complex_of
+from CNCStepper.tolerances import JOINED_ENDS_MM
 
-SAME_MM = 1e-4
 NEAR_MM = 1.0
 MOST_PAIRS = 2_000_000  # of ends that lie close together
 
@@ -35,7 +35,7 @@ class Gap:
 
 
 def chained(
-    pieces: Sequence[Curve], same_mm: float = SAME_MM, near_mm: float = NEAR_MM
+    pieces: Sequence[Curve], same_mm: float = JOINED_ENDS_MM, near_mm: float = NEAR_MM
 ) -> tuple[tuple[Curve, ...], tuple[Gap, ...]]:
     """Return the pieces as chains, in the order of their first pieces, and the gaps left, the smallest first.
 

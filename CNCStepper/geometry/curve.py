@@ -37,10 +37,11 @@ import numpy as np
 
 from CNCStepper.errors import GeometryError, Text
 from CNCStepper.geometry.arc_length import area_of, measured, places_along, stretch, with_vertices
-from CNCStepper.geometry.curve_columns import COINCIDENT_MM, LIMIT_MM, Columns, pairs_of, require_lengths, xy_of
+from CNCStepper.geometry.curve_columns import LIMIT_MM, Columns, pairs_of, require_lengths, xy_of
 from CNCStepper.geometry.nearest_point import nearest, nearest_of
 from CNCStepper.geometry.proximity_tree import spines_of
 from CNCStepper.geometry.winding_number import windings
+from CNCStepper.tolerances import COINCIDENT_MM
 
 __all__ = ["COINCIDENT_MM", "LIMIT_MM", "Curve", "circle", "from_points", "joined", "straight"]
 

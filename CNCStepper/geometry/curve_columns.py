@@ -20,6 +20,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from CNCStepper.errors import GeometryError, Text
+from CNCStepper.tolerances import COINCIDENT_MM
 
 Row = np.ndarray | slice | int
 
@@ -126,7 +127,6 @@ def xy_of(places: np.ndarray) -> np.ndarray:
 
 
 LIMIT_MM = 1e6  # coordinates beyond a kilometre are mistakes
-COINCIDENT_MM = 1e-9
 STRAIGHT_MM = 1e-7  # an arc that rises less above its chord is kept as a line: its centre would be noise
 FLAT_RAD = 1e-3  # below, the area under an arc is sweep / 12 of its chord's square to eight digits
 

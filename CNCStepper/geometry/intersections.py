@@ -15,8 +15,8 @@ import numpy as np
 from CNCStepper.geometry.box_tree import DEEPEST, LEAF
 from CNCStepper.geometry.proximity_tree import FAR, distance, look, near_neighbours
 from CNCStepper.kernels import njit
+from CNCStepper.tolerances import SAME_MM
 
-NODE_MM = 1e-6  # places that are no farther apart are one
 FOUND = 12  # most crossings of two rows: two, and four ends, with room
 
 
@@ -91,7 +91,7 @@ def _one_side(rows, i, j):
     if (begin > 0.0) != (end > 0.0) or abs(rows[j, 4]) > math.pi:
         return False
     square = (ex - bx) ** 2 + (ey - by) ** 2
-    reach = 0.25 * abs(rows[j, 5]) * square + 2.0 * NODE_MM
+    reach = 0.25 * abs(rows[j, 5]) * square + 2.0 * SAME_MM
     return min(abs(begin), abs(end)) > 0.25 * abs(k) * square + reach * (2.0 + abs(k) * reach)
 
 
@@ -104,12 +104,12 @@ def place_on(rows, row, x, y):
     way = lx
     if k != 0.0:
         turn = math.atan2(k * lx, 1.0 - k * ly)
-        if abs(turn) > NODE_MM * abs(k) and turn * k < 0.0:
+        if abs(turn) > SAME_MM * abs(k) and turn * k < 0.0:
             turn += math.copysign(2.0 * math.pi, k)
         way = turn / k
-    if abs(way) <= NODE_MM:
+    if abs(way) <= SAME_MM:
         return 0.0
-    if abs(way - whole) <= NODE_MM:
+    if abs(way - whole) <= SAME_MM:
         return whole
     return way if 0.0 < way < whole else -1.0
 
@@ -119,7 +119,7 @@ def _at_end(rows, row, x, y):
     """Return whether a place on a row is surely one of its ends: mostly neighbours meet there, and it is soon told."""
     begin = abs(x - rows[row, 0]) + abs(y - rows[row, 1])
     end = abs(x - rows[row, 2]) + abs(y - rows[row, 3])
-    return min(begin, end) <= 0.5 * NODE_MM
+    return min(begin, end) <= 0.5 * SAME_MM
 
 
 @njit
@@ -129,7 +129,7 @@ def _meet(rows, i, j, boxes, pair):
     for one, other in ((i, j), (j, i)):
         for end in (0, 2):
             x, y = rows[one, end], rows[one, end + 1]
-            if _inside(boxes, other, x, y) and distance(rows, other, x, y) <= NODE_MM:
+            if _inside(boxes, other, x, y) and distance(rows, other, x, y) <= SAME_MM:
                 pair[count, 0], pair[count, 1] = x, y
                 count += 1
     if rows[i, 5] == 0.0 and rows[j, 5] == 0.0:
@@ -139,9 +139,9 @@ def _meet(rows, i, j, boxes, pair):
 
 @njit
 def _inside(boxes, row, x, y):
-    """Return whether a place is no farther than NODE_MM from a row's box."""
-    across = boxes[row, 0] - NODE_MM <= x <= boxes[row, 2] + NODE_MM
-    return across and boxes[row, 1] - NODE_MM <= y <= boxes[row, 3] + NODE_MM
+    """Return whether a place is no farther than SAME_MM from a row's box."""
+    across = boxes[row, 0] - SAME_MM <= x <= boxes[row, 2] + SAME_MM
+    return across and boxes[row, 1] - SAME_MM <= y <= boxes[row, 3] + SAME_MM
 
 
 @njit
@@ -150,7 +150,7 @@ def _lines_meet(rows, i, j, pair, count):
     cross = rows[i, 6] * rows[j, 7] - rows[i, 7] * rows[j, 6]
     if abs(cross) > 1e-12:
         way = (dx * rows[j, 7] - dy * rows[j, 6]) / cross
-        if -NODE_MM <= way <= rows[i, 10] + NODE_MM:
+        if -SAME_MM <= way <= rows[i, 10] + SAME_MM:
             pair[count, 0], pair[count, 1] = rows[i, 0] + way * rows[i, 6], rows[i, 1] + way * rows[i, 7]
             return count + 1
     return count

@@ -13,19 +13,20 @@ import math
 import numpy as np
 
 from CNCStepper.geometry.box_tree import DEEPEST, LEAF, tree_of
-from CNCStepper.geometry.intersections import NODE_MM, overlap, place_on
+from CNCStepper.geometry.intersections import overlap, place_on
 from CNCStepper.geometry.nearest_point import nearest
 from CNCStepper.geometry.offset import raw_parallel, source_of
 from CNCStepper.geometry.winding_number import windings
 from CNCStepper.kernels import njit
+from CNCStepper.tolerances import SAME_MM
 
 
 @njit
 def barrier_of(xy, bulge, counts, edge_mm):
     """Return the rows that a way out of the region of a bundle must cross, their boxes and the tree over these."""
-    rows, follower, _ = source_of(xy, bulge, counts, NODE_MM)
+    rows, follower, _ = source_of(xy, bulge, counts, SAME_MM)
     barrier, _ = raw_parallel(rows, follower, -edge_mm)
-    boxes, tree = tree_of(barrier, NODE_MM)
+    boxes, tree = tree_of(barrier, SAME_MM)
     return barrier, boxes, tree
 
 

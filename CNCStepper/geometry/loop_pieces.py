@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Kernels: lines and arcs cut where they cross, and loops made of the pieces that a caller keeps.
 
-Places no farther apart than NODE_MM are one node. What is kept must arrive at each node as often as it leaves it:
+Places no farther apart than SAME_MM are one node. What is kept must arrive at each node as often as it leaves it:
 then every piece lies on a loop, and where several leave a node the loop turns as far left as it can, so that
 loops touch but never cross.
 """
@@ -15,12 +15,12 @@ import numpy as np
 
 from CNCStepper.geometry.box_tree import direction_at, place_at, tree_of
 from CNCStepper.geometry.curve_columns import STRAIGHT_MM
-from CNCStepper.geometry.intersections import NODE_MM, crossings
+from CNCStepper.geometry.intersections import crossings
 from CNCStepper.kernels import njit
+from CNCStepper.tolerances import SAME_MM, SAME_PIECE_MM
 
 LOOKED_AT = 0.382  # of a piece: its very middle may touch something by symmetry, this place by no such chance
-SHORT_MM = 4.0 * NODE_MM  # what is shorter and returns to its node is nothing
-TWINS_MM = 1e-5  # pieces between the same nodes whose middles are no farther apart are one
+SHORT_MM = 4.0 * SAME_MM  # what is shorter and returns to its node is nothing
 
 
 class LoopPieces(NamedTuple):
@@ -51,7 +51,7 @@ def crossed(rows, own, near, spines, limit_mm):
 
     own, spines: as for `crossings`.
     """
-    boxes, tree = tree_of(rows, NODE_MM)
+    boxes, tree = tree_of(rows, SAME_MM)
     return cut(rows, crossings(rows, own, boxes, tree, near, spines, limit_mm))
 
 
@@ -129,11 +129,11 @@ def merged(places):
     for index in range(len(order)):
         here = order[index]
         node[here] = -1
-        while askew[here] - askew[order[open_]] > NODE_MM:
+        while askew[here] - askew[order[open_]] > SAME_MM:
             open_ += 1
         for before in range(index - 1, open_ - 1, -1):
             there = order[before]
-            if math.hypot(places[here, 0] - places[there, 0], places[here, 1] - places[there, 1]) <= NODE_MM:
+            if math.hypot(places[here, 0] - places[there, 0], places[here, 1] - places[there, 1]) <= SAME_MM:
                 node[here] = node[there]
                 break
         if node[here] < 0:
@@ -183,7 +183,7 @@ def _settle(rows, pieces, group, keep):
         for after in range(index + 1, len(group)):
             one, other = group[index], group[after]
             away = math.hypot(middle[index, 0] - middle[after, 0], middle[index, 1] - middle[after, 1])
-            if keep[one] and keep[other] and away <= TWINS_MM:
+            if keep[one] and keep[other] and away <= SAME_PIECE_MM:
                 keep[other] = False
                 keep[one] = pieces.begin[one] == pieces.begin[other]
 
@@ -237,7 +237,7 @@ def _lay_chain(rows, pieces, nodes, chain, xy, bulge):
 @njit
 def _goes_on(pieces, one, other):
     """Return whether a piece begins on its row where another ends."""
-    return pieces.row[one] == pieces.row[other] and abs(pieces.last_mm[one] - pieces.first_mm[other]) <= NODE_MM
+    return pieces.row[one] == pieces.row[other] and abs(pieces.last_mm[one] - pieces.first_mm[other]) <= SAME_MM
 
 
 @njit

@@ -28,13 +28,11 @@ from CNCStepper.errors import GeometryError
 from CNCStepper.geometry.box_tree import WIDTH, place_at, write_row
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.curve_bundle import Bundle, bundle_of, long_enough
-from CNCStepper.geometry.curve_columns import COINCIDENT_MM
-from CNCStepper.geometry.intersections import NODE_MM
 from CNCStepper.geometry.loop_pieces import LOOKED_AT, chained, crossed, looked_at_mm
 from CNCStepper.geometry.proximity_tree import DEAD, FAR, looks, spines_of
 from CNCStepper.kernels import njit
+from CNCStepper.tolerances import COINCIDENT_MM, OFFSET_ROUNDING_MM, SAME_MM
 
-SAME_MM = 1e-8  # by so much a piece may be too near: what rounding does to coordinates
 CUSP_RAD = 1e-6  # so near to a half turn the curvatures say which way a corner turns
 STROKE_RAD = 1e-9  # so near to it the line runs back on itself
 FLAT_MM = 1e-6  # an arc that rises less is taken for its chord
@@ -51,7 +49,7 @@ def left_loops(source: Bundle, distance_mm: float, tolerance_mm: float) -> Bundl
     """
     for share, trial in itertools.product(SHORT, TRIALS):
         tried_mm = distance_mm + trial * STEP * tolerance_mm
-        closes, found = _parallel(source, max(share * tolerance_mm, NODE_MM), tried_mm)
+        closes, found = _parallel(source, max(share * tolerance_mm, SAME_MM), tried_mm)
         if closes:
             return found
     raise GeometryError(
@@ -71,11 +69,11 @@ def parallels(curve: Curve, distance_mm: float, tolerance_mm: float) -> list[Cur
     """
     if not (tolerance_mm > 0 and np.isfinite(distance_mm)):
         raise GeometryError("offset-tolerance", "a tolerance must be above 0", value=f"{tolerance_mm:g} mm")
-    if abs(distance_mm) <= NODE_MM:
+    if abs(distance_mm) <= SAME_MM:
         return [curve]
     if distance_mm < 0:
         return [found.reversed() for found in parallels(curve.reversed(), -distance_mm, tolerance_mm)]
-    _, found = _parallel(bundle_of([curve]), NODE_MM, distance_mm, both_sides=True)
+    _, found = _parallel(bundle_of([curve]), SAME_MM, distance_mm, both_sides=True)
     return [piece for piece in found.curves() if piece.length_mm > tolerance_mm]
 
 
@@ -92,14 +90,14 @@ def _parallel(source: Bundle, shortest_mm: float, distance_mm: float, both_sides
         right, beside = raw_parallel(rows, follower, -distance_mm)
         caps = _caps(rows, follower, distance_mm)
         raw, own = np.concatenate([raw, right, caps]), np.concatenate([own, beside, np.zeros(len(caps), int)])
-    seen = _seen(raw, own, rows, spines, distance_mm - SAME_MM)
+    seen = _seen(raw, own, rows, spines, distance_mm - OFFSET_ROUNDING_MM)
     alive = np.flatnonzero(seen != DEAD)
     lefts = int(np.searchsorted(alive, lefts))
     if not lefts:
         return True, Bundle(np.zeros((0, 2)), np.zeros(0), np.zeros(0, int))
     raw, own, seen = raw[alive], own[alive], seen[alive]
-    pieces, nodes = crossed(raw, own, rows, spines, distance_mm - 10.0 * SAME_MM)
-    far = _far(pieces, raw, own, seen, lefts, rows, spines, distance_mm - SAME_MM)
+    pieces, nodes = crossed(raw, own, rows, spines, distance_mm - 10.0 * OFFSET_ROUNDING_MM)
+    far = _far(pieces, raw, own, seen, lefts, rows, spines, distance_mm - OFFSET_ROUNDING_MM)
     closes, *found = chained(raw, pieces, far, nodes)
     return closes, Bundle(*found)
 
@@ -204,7 +202,7 @@ def raw_parallel(rows, follower, distance_mm):
             count += 1
         if follower[row] >= 0:
             turn = _corner(rows, row, follower[row], math.copysign(1.0, distance_mm))
-            if turn * distance_mm < -NODE_MM:
+            if turn * distance_mm < -SAME_MM:
                 _lay_round(raw[count], rows[row], rows[follower[row]], turn, distance_mm)
                 own[count] = row
                 count += 1

@@ -26,14 +26,14 @@ from CNCStepper.geometry.boundary_loops import bounds
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.curve_bundle import Bundle, areas, bundle_of, bundled_rows, short_ones
 from CNCStepper.geometry.curve_columns import pairs_of
-from CNCStepper.geometry.intersections import NODE_MM
 from CNCStepper.geometry.nearest_point import nearest
 from CNCStepper.geometry.offset import left_loops
 from CNCStepper.geometry.proximity_tree import spines_of
 from CNCStepper.geometry.winding_number import windings
+from CNCStepper.tolerances import SAME_MM
 
 SMALL_MM = (1e-4, 2e-4, 5e-4, 1e-3)  # how long a step of an outline must be to count; more where that tangles
-BESIDE_MM = (4.0 * NODE_MM, 1.2 * NODE_MM)  # how far beside a piece its two sides are looked at
+BESIDE_MM = (4.0 * SAME_MM, 1.2 * SAME_MM)  # how far beside a piece its two sides are looked at
 NOTHING_MM2 = 1e-9  # a loop round less is rounding
 
 
@@ -121,7 +121,7 @@ class Region:
             raise GeometryError("offset-tolerance", "a tolerance must be above 0", value=f"{tolerance_mm:g} mm")
         if not np.isfinite(distance_mm):
             raise GeometryError("offset-distance", "a distance must be a number", value=f"{distance_mm:g} mm")
-        if self.empty or abs(distance_mm) <= NODE_MM:
+        if self.empty or abs(distance_mm) <= SAME_MM:
             return self
         if distance_mm < 0:
             return Region.trusted(left_loops(self.bundle, -distance_mm, tolerance_mm))

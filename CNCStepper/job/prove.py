@@ -11,7 +11,7 @@ from dataclasses import asdict, dataclass, replace
 from functools import reduce
 from itertools import groupby, islice, takewhile
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypedDict, TypeVar, Unpack
 
 import numpy as np
 
@@ -55,6 +55,15 @@ Tell = Callable[[str], None]
 Share = Callable[[float], None]
 See = Callable[[HeightMap], None]
 AnyProof = TypeVar("AnyProof", "Proof", "FileProof")
+
+
+class ProofOptions(TypedDict, total=False):
+    """What every proof takes, whatever is proven; `prove` has the meanings and the defaults."""
+
+    dialect: str
+    tell: Tell
+    share: Share
+    see: See
 
 
 @dataclass(frozen=True)
@@ -245,19 +254,18 @@ def prove_job(
     text: str,
     file: str = "",
     start: Start | None = None,
-    tell: Tell = lambda stage: None,
-    share: Share = lambda share: None,
-    dialect: str = "",
-    see: See = lambda part: None,
+    *,
     earlier: Sequence[Proof] = (),
     answers: Sequence[Answer] | None = None,
+    **options: Unpack[ProofOptions],
 ) -> Proof:
     """Return the proof of a job's program text, as `prove` does, against the shapes that the job wants removed.
 
     earlier: the proofs of the programs that the job was split into and that are run before this one, in their order.
     answers: what the program's own operations answered, where somebody has just cut them; else they are cut anew.
     """
-    tell("make")
+    if tell := options.get("tell"):
+        tell("make")
     answers = answers_of(job, machine, len(earlier)) if answers is None else answers
     own = [removal for answer in answers for removal in answer.removals]
     proof = prove_operations(
@@ -270,10 +278,7 @@ def prove_job(
         before=PriorPrograms.of(earlier),
         file=file,
         start=start,
-        tell=tell,
-        share=share,
-        dialect=dialect,
-        see=see,
+        **options,
     )
     return with_findings(proof, list(_refused(earlier, file)))
 
@@ -289,10 +294,7 @@ def prove_operations(
     before: PriorPrograms | None,
     file: str = "",
     start: Start | None = None,
-    tell: Tell = lambda stage: None,
-    share: Share = lambda share: None,
-    dialect: str = "",
-    see: See = lambda part: None,
+    **options: Unpack[ProofOptions],
 ) -> Proof:
     """Return the proof of a text that runs some of a job's operations, on the stock that others may have cut before.
 
@@ -304,10 +306,9 @@ def prove_operations(
         text,
         machine,
         file=file,
-        dialect=dialect,
         start=job.started(start, machine),
         stock=job.stock.stock(),
-        tools=cut.tools,
+        tools=tools_of(cut),
         process=job.cutting,
         cut_data=cut.cut_data,
         parts=[part for answer in answers for part in answer.parts],
@@ -315,13 +316,17 @@ def prove_operations(
         keep_out=job.clamps,
         edge_mm=job.stock.edge_mm,
         before=before,
-        tell=tell,
-        share=share,
-        see=see,
+        **options,
     )
     lines, spans = FirstLines.of(proof.toolpath), proof.toolpath.spans
     own = list(findings_of(job, machine, lines, spans, answers, file, first))
     return with_findings(with_answers(proof, answers), own)
+
+
+def tools_of(job: Job) -> dict[int, Tool] | Tool:
+    """Return a job's tools by number; the one jet or wire of a job is its tool whatever T says, or where none is."""
+    tools = list(job.tools.values())
+    return tools[0] if job.cutting.cuts_through and len(tools) == 1 else job.tools
 
 
 def operations_before(job: Job, parts: int) -> int:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from CNCStepper.job.findings import findings_of
 from CNCStepper.job.model import Job
-from CNCStepper.job.prove import answers_of, with_answers, with_findings
+from CNCStepper.job.prove import answers_of, tools_of, with_answers, with_findings
 from CNCStepper.job.prove_file import FileProof, prove_file
 from CNCStepper.machine.profile import Machine
 from CNCStepper.state import Start
@@ -38,7 +38,7 @@ def prove_job_file(
         dialect=dialect,
         start=job.started(start, machine),
         stock=job.stock.stock(),
-        tools=cut.tools,
+        tools=tools_of(cut),
         process=job.cutting,
         cut_data=cut.cut_data,
         parts=[part for answer in answers for part in answer.parts],

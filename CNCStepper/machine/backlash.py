@@ -19,8 +19,7 @@ from collections.abc import Container, Sequence
 from dataclasses import dataclass, replace
 
 from CNCStepper.machine.profile import Machine
-
-SAME_MM = 1e-7  # two places of a motor that are one
+from CNCStepper.tolerances import SAME_SUM_MM
 
 
 @dataclass(frozen=True)
@@ -102,6 +101,6 @@ class Motors:
                 before[axis], after[axis] = begin + ahead, end + ahead
             else:
                 after[axis] = end + (self.at_mm[axis] - begin)
-        takes_up = any(abs(one - now) > SAME_MM for one, now in zip(before, self.at_mm, strict=True))
+        takes_up = any(abs(one - now) > SAME_SUM_MM for one, now in zip(before, self.at_mm, strict=True))
         self.at_mm = after
         return tuple(before) if takes_up else None

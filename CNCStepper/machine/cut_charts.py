@@ -31,8 +31,8 @@ from CNCStepper.machine.profile import validated
 from CNCStepper.machine.qtplasmac_materials import read_materials, write_materials
 from CNCStepper.quantities import MOST_ITEMS
 from CNCStepper.safe_text import printable
+from CNCStepper.tolerances import SAME_THICKNESS_MM
 
-SAME_MM = 0.005  # a thickness of the chart, as a person writes it
 MATERIAL_ALIASES = {
     "aluminum": "aluminium",
     "birch-plywood": "plywood",
@@ -142,7 +142,7 @@ def _by_consumable(rows: Sequence[CutData], consumable: str) -> list[list[CutDat
 
 def _of_thickness(group: Sequence[CutData], thickness_mm: float) -> CutData | None:
     for row in group:
-        if abs(row.thickness_mm - thickness_mm) <= SAME_MM:
+        if abs(row.thickness_mm - thickness_mm) <= SAME_THICKNESS_MM:
             return row
     for thin, thick in pairwise(group):
         if thin.thickness_mm < thickness_mm < thick.thickness_mm:

@@ -7,9 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from CNCStepper.tolerances import FULL_CIRCLE_RAD
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, PLANE_AXES, Chunk
-
-FULL_CIRCLE_RAD = 5e-7  # an arc of at most this angle is a whole circle, as in grbl
 
 
 def arcs_of(table: Chunk, begin: np.ndarray, end: np.ndarray, centre: np.ndarray) -> list[Arcs]:

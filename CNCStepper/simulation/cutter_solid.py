@@ -9,15 +9,9 @@
 '--------'  tip               drop|  gap
                                   x   the point, below the tip
 
-The form of a cutter as material removal sees it: one profile, the height over the tip at a radius.
-
-             |           |
-      corner '.         .'  corner    a flat floor of `tip_mm`, then either a round corner (flat: none,
-               `-------'              ball: no floor, bull-nose: both) or a cone of `slope` (V, drill,
-               |<-tip->|              engraver, jet and wire with taper), up to `radius_mm`
-
-The profile is convex and never falls: along a straight move the lowest height over a point is
-therefore one minimum, and `lead` says where it lies.
+Its profile is the tool's `Form` (`machine/tools/tool_profile.py`), which is convex and never falls. The kernels give
+the height over the tip at a radius; along a straight move the lowest height over a point is therefore one minimum,
+and `lead` is its place.
 """
 
 from __future__ import annotations
@@ -25,49 +19,16 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import NamedTuple
 
 import numpy as np
 
 from CNCStepper.kernels import njit
-from CNCStepper.machine.tools.tool import DRILL_POINT_DEG, Tool
+from CNCStepper.machine.tools.tool import Tool
+from CNCStepper.machine.tools.tool_profile import Form
 
 NEWTON = 60  # steps at most; three are usual
 WIDER = 1.01  # what is `CLOSE` only is taken that much larger where nothing may be left out
 CLOSE = 1e-2  # a step of that share is the last: the next would be its square, and the height is at its minimum
-
-
-class Form(NamedTuple):
-    """The profile: 0 up to tip_mm, then a corner of that radius or `slope` mm a mm, up to radius_mm."""
-
-    radius_mm: float
-    tip_mm: float
-    corner_mm: float = 0.0
-    slope: float = 0.0
-
-
-def form_of(tool: Tool, through_mm: float = 0.0) -> Form:
-    """Return the form of a tool; one whose shape's own keys are not given is a flat of its diameter.
-
-    through_mm: the thickness that a jet or a wire goes through; its tip is then the lower end of the kerf.
-    """
-    radius = tool.radius_mm
-    if tool.shape == "ball":
-        return Form(radius, 0.0, radius)
-    if tool.shape == "bullnose" and tool.corner_radius_mm:
-        return Form(radius, radius - tool.corner_radius_mm, tool.corner_radius_mm)
-    if tool.shape == "drill":
-        return _cone(radius, 0.0, tool.point_angle_deg or DRILL_POINT_DEG)
-    if tool.shape in ("v", "engraver") and tool.tip_angle_deg:
-        return _cone(radius, (tool.tip_diameter_mm or 0.0) / 2, tool.tip_angle_deg)
-    if tool.taper_deg:
-        narrow = max(radius - through_mm * math.tan(math.radians(tool.taper_deg)), 0.0)
-        return _cone(radius, narrow, 2 * tool.taper_deg)
-    return Form(radius, radius)
-
-
-def _cone(radius_mm: float, tip_mm: float, angle_deg: float) -> Form:
-    return Form(radius_mm, tip_mm, slope=1 / math.tan(math.radians(angle_deg / 2)))
 
 
 @njit
@@ -185,14 +146,12 @@ class Cutter:
     @property
     def is_flat(self) -> bool:
         """Whether it is a cylinder, as wide at its tip as anywhere."""
-        return self.floor_mm >= self.radius_mm
+        return self.form.is_flat
 
     @property
     def rise_mm(self) -> float:
         """The height over the tip from which it is as wide as anywhere."""
-        if self.is_flat:
-            return 0.0
-        return self.form.corner_mm or (self.radius_mm - self.floor_mm) * self.form.slope
+        return self.form.rise_mm
 
     def discs(self, up_to_mm: float = np.inf, step_mm: float = DISC_STEP_MM) -> tuple[np.ndarray, np.ndarray]:
         """Return heights above the tip and radii of discs that approximate the cutter, rising.
@@ -213,12 +172,7 @@ class Cutter:
 
     def radius_at(self, height_mm: np.ndarray) -> np.ndarray:
         """Return the radius that the cutter has at heights above its tip."""
-        height = np.clip(height_mm, 0.0, self.rise_mm)
-        if self.is_flat:
-            return np.full_like(height, self.radius_mm)
-        if self.form.corner_mm:
-            return self.floor_mm + np.sqrt(height * (2 * self.form.corner_mm - height))
-        return self.floor_mm + height / self.form.slope
+        return self.form.radius_at(height_mm)  # type: ignore[no-any-return]
 
     def heights_at(self, beside_mm: np.ndarray) -> np.ndarray:
         """Return the height over the tip of its lower face at distances from the axis; infinite beyond its radius."""

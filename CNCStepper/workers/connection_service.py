@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The desk's process: `python -m CNCStepper.workers.connection_service DESK_FILE PORT BAUD`.
+"""The service's process: `python -m CNCStepper.workers.connection_service DESK_FILE PORT BAUD`.
 
 It lives as long as somebody is attached, a job runs or something moves; SIGTERM stops all safely. How it ended
 stands in its outcome file: {"error": ... or null}.
@@ -34,7 +34,7 @@ def main(arguments: list[str]) -> int:
     path, port, baud = Path(arguments[0]), arguments[1], int(arguments[2])
     service_file = ServiceFile(path)
     server = SessionServer(path, each_turn=service_file.keep)
-    desk = ConnectionService(
+    service = ConnectionService(
         port,
         baud,
         job_file=path.with_suffix(WIRE),
@@ -46,30 +46,30 @@ def main(arguments: list[str]) -> int:
         kept=PositionTrustFile.of_port(path.parent, port),
         during_job=partial(inhibit_sleep, partial(server.tell, "warning")),
     )
-    stop_on_signals(desk.stop)
+    stop_on_signals(service.stop)
     service_file.write(server.address(port) | {"port_identity": identify(port).to_json()})
     warn_of_closed(partial(server.tell, "warning"), path.parent)
-    server.start(desk)
-    error = _run(desk, service_file)
+    server.start(service)
+    error = _run(service, service_file)
     try:
         write_private(path.with_suffix(OUTCOME), {"error": error_to_json(error) if error else None})
-    finally:  # who listens hears the end, also where the disk takes nothing any more
+    finally:  # who listens gets the end, also where the disk takes nothing any more
         server.finish()
         unlink_with_retries(path.with_suffix(WIRE))
         service_file.remove()
     return 1 if error else 0
 
 
-def _run(desk: ConnectionService, service_file: ServiceFile) -> CNCStepperError | None:
-    """Return the error that ended the desk, if one did; a fault of this program goes to the log too."""
+def _run(service: ConnectionService, service_file: ServiceFile) -> CNCStepperError | None:
+    """Return the error that ended the service, if one did; a fault of this program goes to the log too."""
     try:
-        if service_file.previous_service(desk.port):
+        if service_file.previous_service(service.port):
             raise LinkError(
                 "port-busy",
-                Text("{port} is in use by another window's connection", port=desk.port),
+                Text("{port} is in use by another window's connection", port=service.port),
                 advice="attach to that one",
             )
-        desk.run()
+        service.run()
     except CNCStepperError as error:
         return error
     except Exception:

@@ -2,7 +2,7 @@
 """The process that cuts operations and writes programs for the panels: `python -m CNCStepper.workers.cycle_cutting`.
 
 It knows nothing of FreeCAD. Each line on standard input is a question in JSON; a newer one ends the work on the one
-before. Each line on standard output tells something of the newest:
+before. Each line on standard output is about the newest:
 
     {"mark": 3, "compiled": true, "parts": {KEY: PART, ...}}      what is asked; compiled: kernels may be compiled
 

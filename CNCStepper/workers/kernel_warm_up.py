@@ -2,7 +2,7 @@
 """Compiles the kernels by making and reading small cuts: `python -m CNCStepper.workers.kernel_warm_up`.
 
 A window starts it in a process of its own, so that it need not wait for its first cut. The machine code stays in the
-user's cache folder, for this version of Python; the last thing written is the stamp that says that all is there.
+user's cache folder, for this version of Python; the stamp that all is there is written last.
 When its standard input is closed the window is gone: it ends, and what is compiled by then is kept.
 """
 

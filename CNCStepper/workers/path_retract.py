@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The process that leads a held job back along its cut for a window: `python -m CNCStepper.workers.path_retract`.
 
-Each line on standard input asks for one thing, in JSON, of the job that the desk of the file "desk" runs; each is
+Each line on standard input asks for one thing, in JSON, of the job that the service of the file "desk" runs; each is
 answered by one line on standard output, in the same order:
 
     {"desk": FILE, "find": true}         where on its cut the tool stands; nothing moves
@@ -50,26 +50,26 @@ def answered(question: dict[str, Any]) -> dict[str, Any]:
         return {"refused": error_to_json(error)}
 
 
-def _answer(desk: str, **wish: Any) -> dict[str, Any]:
+def _answer(desk: str, **request: Any) -> dict[str, Any]:
     from CNCStepper.control.service.connection_session import ConnectionSession
     from CNCStepper.recovery.retract.client import RetractClient
 
     with ConnectionSession.attach(Path(desk)) as session:
         back = RetractClient(session)
-        if "find" in wish:
+        if "find" in request:
             return _place(back.held())
         back.hold()
         held = back.held()
-        if "resume" in wish:
+        if "resume" in request:
             back.go(held.rest())
             return {"resumed": True}
-        back.go(held.aside() if "aside" in wish else held.along(_target(held, **wish)))
+        back.go(held.aside() if "aside" in request else held.along(_target(held, **request)))
         back.wait_for_leg()
         return _place(back.held())
 
 
-def _target(held: Any, **wish: Any) -> Any:
-    """Return the place that is wished for."""
+def _target(held: Any, **request: Any) -> Any:
+    """Return the requested place."""
     ways: dict[str, Callable[[Any], Any]] = {
         "back_mm": held.back_by,
         "line": held.back_to_line,
@@ -77,9 +77,9 @@ def _target(held: Any, **wish: Any) -> Any:
         "forward_mm": held.forward_by,
     }
     for kind, way in ways.items():
-        if kind in wish:
-            return way(wish[kind])
-    raise JobError("back-question", "nothing is known that could be asked so", value=str(wish))
+        if kind in request:
+            return way(request[kind])
+    raise JobError("back-question", "nothing is known that could be asked so", value=str(request))
 
 
 def _place(held: Any) -> dict[str, Any]:

@@ -135,7 +135,7 @@ class ProgramText:
         )
 
     def _time(self, tell: Tell, go_on: GoOn) -> None:
-        """Tell how long it takes, and the lines for a 3D view."""
+        """Answer with the time that it takes, and the lines for a 3D view."""
         reading = self._reading
         assert reading is not None
         duration_s = self._times(reading)
@@ -148,14 +148,14 @@ class ProgramText:
         self._todo.append(self._send)
 
     def _send(self, tell: Tell, go_on: GoOn) -> None:
-        """Tell what only fails in the text as it is sent, of a program that can be read."""
+        """Answer with the errors of the text as it is sent, of a program that can be read."""
         assert self._reading is not None
         if not self._reading.refused:
             told = [self._told(error) for error in unsendable(self.lines, self.dialect, self.file, self.start, go_on)]
             tell({"sendable": self.mark, "refusals": told})
 
     def _times(self, reading: Reading) -> float | None:
-        """Find out when every row ends; return how long all takes, None where the machine cannot say it."""
+        """Find out when every row ends; return how long all takes, None where the machine cannot be planned."""
         if self.machine is None:
             return None
         try:

@@ -2,7 +2,7 @@
 """The process that proves: `python -m CNCStepper.workers.proof FOLDER NAME`, the folder as in `proof_folder`,
 with what `proof_folder` adds where the restart of a program is proven.
 
-It tells on standard output the stage that begins, one a line, and `part` once the cut part stands in the folder.
+It prints the stage that begins, one a line, and `part` once the cut part is in the folder.
 When its standard input is closed nobody waits for the answer any more: it takes the folder away and ends. NAME is the
 program's in findings. Its exit status is 0 when an answer stands in the folder, else 1: then `error.json` says why.
 """

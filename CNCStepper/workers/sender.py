@@ -52,7 +52,7 @@ def main(arguments: list[str]) -> int:
     finally:
         try:
             write_private(session.with_suffix(OUTCOME), outcome.to_json())
-        finally:  # who listens hears it, also where the disk takes nothing any more
+        finally:  # who listens gets it, also where the disk takes nothing any more
             own_file.remove()
             unlink_with_retries(wire)
             server.notify_outcome(outcome)
@@ -61,7 +61,7 @@ def main(arguments: list[str]) -> int:
 
 
 def _fault(sender: Sender) -> Outcome:
-    """Return the outcome that stands unless the sender gives its own: a fault of this program."""
+    """Return the outcome where the sender gives none of its own: a fault of this program."""
     error = CNCStepperError("sender-fault", "the sender failed by a fault of its own", advice="see its log, report it")
     return Outcome(FAILED, Text("{error}. Now {state}", error=error, state=LOST), False, sender.status(), error)
 

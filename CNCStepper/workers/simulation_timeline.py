@@ -10,7 +10,7 @@ each is answered by one line on standard output, in the same order:
     what cannot be answered           {"error": {...}}, and the process ends with exit status 1
 
 tiles.bin holds the corners of all faces and then their colours (`coloured_faces.DrawnFaces`), of those tiles alone that
-differ from the last ones told; at first that is every tile. It is written before its line, and not again before the
+differ from the last answer's; at first that is every tile. It is written before its line, and not again before the
 next question. When standard input is closed nobody asks any more, and the process ends at once.
 """
 

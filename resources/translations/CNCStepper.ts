@@ -4,6 +4,10 @@
     <context>
         <name>App::Property</name>
         <message>
+            <source>A laser's S word for marks; 0: a twentieth of its power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A laser's power that rises behind the pierce</source>
             <translation type="unfinished"></translation>
         </message>
@@ -89,6 +93,10 @@
         </message>
         <message>
             <source>Arcs within a tolerance, or the published points</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>As a multiple of the thickness; 0: none by thickness</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -596,15 +604,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Holes of a smaller diameter, as a multiple of the thickness; 0: none</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>Holes with a shorter outline are cut slowly; 0: none by length</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>How deep a knife or point goes; 0: a knife through the sheet, a point 0.2 mm</source>
+            <source>How deep a knife or point goes; 0: through the sheet, a point 0.2 mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1688,10 +1692,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The S word with which a laser marks; 0: a twentieth of its power</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>The T word of the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2279,6 +2279,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A laser's S word for marks; 0: a twentieth of its power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A laser's power that rises behind the pierce</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2448,6 +2452,10 @@
         </message>
         <message>
             <source>Arcs within a tolerance, or the published points</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>As a multiple of the thickness; 0: none by thickness</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3415,10 +3423,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Holes of a smaller diameter, as a multiple of the thickness; 0: none</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>Holes with a shorter outline are cut slowly; 0: none by length</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3439,7 +3443,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>How deep a knife or point goes; 0: a knife through the sheet, a point 0.2 mm</source>
+            <source>How deep a knife or point goes; 0: through the sheet, a point 0.2 mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4964,10 +4968,6 @@
         </message>
         <message>
             <source>The G-code file that it is, which has nothing to do with the operations of its job</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The S word with which a laser marks; 0: a twentieth of its power</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6886,7 +6886,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{value}' is no feed for programs without F</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{words}' is no length or angle that is known</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>(nu=7, ph=3.8, pd=0.4, ch=1.5, fr=3850, kw=1.5)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6898,7 +6906,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>0 to {most}, or -1</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>0 to {size_mm:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>0 without an entry slit</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7082,7 +7098,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Kerf test: S = {0} mm, kerf used {1} mm. {2}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>L may not be negative</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>LinuxCNC with QtPlasmaC</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>M3 starts one tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7158,6 +7186,30 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>QtPlasmaC changes feed and end of small holes itself: that is not in this reading</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>QtPlasmaC cuts a tube, with the program's own moves of Z: they are not in this reading</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>QtPlasmaC has no key {key}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>QtPlasmaC keeps the program's own moves of Z: they are not in this reading</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>QtPlasmaC moves Z itself: arcs are in XY</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>QtPlasmaC pierces only and cuts nothing: that is not in this reading</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>R lies below {normal}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7171,6 +7223,10 @@
         </message>
         <message>
             <source>SetThreadExecutionState was refused</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Speed test {0} of {1}: {2} mm/min, {3} %</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7274,6 +7330,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a cut chart holds [[cut]] tables and nothing else</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a cut goes into stock while the spindle stands</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7374,6 +7434,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a lead or a cut goes through a part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a limit switch is pressed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7455,6 +7519,22 @@
         </message>
         <message>
             <source>a macro has stopped with an error of its own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a margin of {margin_mm:.3g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a material file has no {key}: left out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a material file holds no rows of {process}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a material number stands twice</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7570,6 +7650,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a rapid crosses the sheet, which a wire cannot</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a rapid crosses the stock with the beam on</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7579,6 +7663,10 @@
         </message>
         <message>
             <source>a rapid goes through stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a rapid goes with the power on</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7754,6 +7842,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a {shape} does not cut from the edge</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a {shape} tool has no {key}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7839,6 +7931,10 @@
         </message>
         <message>
             <source>add yourself to its group (sudo usermod -aG dialout $USER) and log in again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>add {key} = and its value</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7966,6 +8062,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>ask for fewer or narrower joints</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>ask for it again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7986,11 +8086,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>at least the kerf of {kerf_mm:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>at least {chord:.4f} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>at least {depth_mm:.3g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at least {least:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8027,6 +8135,10 @@
         </message>
         <message>
             <source>at most {longest:g} times</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at most {most_mm:.2f} mm there</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8082,6 +8194,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>begin beside the sheet and enter at its edge</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>begin farther away</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8099,6 +8215,10 @@
         </message>
         <message>
             <source>begin the comment with ;</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>begin the file with the line '# units: {other}', or say that unit</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8126,11 +8246,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>below {room_mm:.2f} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>below {total_mm:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>belt_pitch_mm and pulley_teeth belong together</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>between curves {one} and {other} the kerf does not fit, at X{x:.3f} Y{y:.3f}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8179,6 +8307,10 @@
         </message>
         <message>
             <source>change_ms is so small that there are more than {most_waits} waits</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>charts are there for: {processes}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8287,6 +8419,10 @@
         </message>
         <message>
             <source>choose a line that was cut after the last tool change and before this one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose a machine with a Z axis</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8494,6 +8630,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>corner_a = [{0}, {1}], corner_b = [{2}, {3}]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>corner_radius_mm must not exceed half of diameter_mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8526,6 +8666,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>correct that line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>correct that line of the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8551,6 +8695,10 @@
         </message>
         <message>
             <source>correct the centre or the end point</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct the comment</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8610,6 +8758,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>correct the path, the lead-in or the kerf</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>correct the path, the tool's diameter or the depth</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8654,6 +8806,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>curve {number}, which begins at X{x:.3f} Y{y:.3f}, crosses itself or encloses nothing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>curves do not meet</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8666,11 +8822,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>cut holes before the outline round them, or hold the piece by tabs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>cut in more levels, or take a longer tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>cut it before, or hold the piece by tabs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>cut it in one way, or with a machine whose language has M3 and M5</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8682,7 +8846,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>cut some of the curves in an operation of their own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>cut the kerf test at that feed and add a row to kerf_by_feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>cut them together as a pocket, or this one with an operation of its own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>cut with a kerf of at most {most_mm:.3f} mm, or draw that place wider</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8715,6 +8891,10 @@
         </message>
         <message>
             <source>draw a circle, or cut it as an elliptical pocket</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>draw an outline that encloses one area</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8759,6 +8939,10 @@
         </message>
         <message>
             <source>draw something in it, or choose another drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>draw the hole wider, spot it for drilling (spot_below_mm), or cut with a narrower kerf</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9030,6 +9214,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give each material its own number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give each row its own number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give either screw_pitch_mm, or belt_pitch_mm and pulley_teeth</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9047,6 +9239,10 @@
         </message>
         <message>
             <source>give heights over the bottom, and the largest as the stock's Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give it another number</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9083,6 +9279,10 @@
         </message>
         <message>
             <source>give the height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give the material its number and name</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9174,6 +9374,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>go round the sheet, or cut with G1</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>goes down at {plunge_mm_min:g} mm/min</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9206,6 +9410,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>half of the kerf, {half_mm:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>heights belong to a stock of the form 'height_field', and to no other</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9223,6 +9431,10 @@
         </message>
         <message>
             <source>hold or stop it where it was started, or wait until it has ended</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>hole {0} of part {1}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9398,11 +9610,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it is cut short</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it is damaged</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>it is empty</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it is for {processes}: choose another chart or process</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9550,7 +9770,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>keep half a kerf beside the part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>kept only if the controller has had power ever since and was not reset in motion; a greeting, an alarm or a place that is not right says that it was: then {home}; {until_homed}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>kerf = kerf used + (S - part + hole - S / 2) / 2</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>kerf = kerf used + S - part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>kerf_by_feed: feeds must rise from row to row, and kerfs must not</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9586,6 +9822,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>lead in and out through scrap</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lead it round the part, through what becomes scrap</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>leads had to be made smaller to stay in the scrap, down to {smallest:.0%} of their size</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9595,6 +9839,10 @@
         </message>
         <message>
             <source>leave '{name}' out, if the machine's operator does it by hand</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>leave blade_offset_mm out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9634,6 +9882,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>leave {key} out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>leaves the spindle off, as the program has it there</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9666,6 +9918,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>less than a kerf is left of a part between two cuts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>let Z always rise or always fall</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9674,11 +9930,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>let it stand shorter, or cut more slowly</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>let the tool stick out farther</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>let them coincide, or keep them {small_mm:g} mm apart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lift the head higher, or go round the piece</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9699,6 +9963,10 @@
         </message>
         <message>
             <source>line numbers begin at 0 or above and grow</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>line {0} back</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9902,6 +10170,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>make its side longer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>make resolution_mm larger</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9938,6 +10210,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>make the lead-in longer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>make the leads or the tool smaller, move the parts apart, or do without leads</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9970,11 +10246,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>margin {margin_mm:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>material is left where it should be removed{islands}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>material stays in {gaps} gap(s) between walls that are narrower than the tool, the deepest one before X{x:.3f} Y{y:.3f}; a smaller tool takes it away</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>material {number} has no {key}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10018,6 +10302,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>more than ten times the whole is a slip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>more than {most} lines</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10038,6 +10326,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>move it {in_mm:.3f} mm inwards, or take a larger sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>move one of the corners</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10046,11 +10338,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>move the holes apart, join them, or draw a slit yourself</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>move the line away from the part, or leave it out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>move the machine off it, then home</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>move the machine off the switch, reset, then home it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>move the parts farther apart, enter from another edge, or use a thinner wire</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>move the parts farther apart, or cut them in several operations</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10070,7 +10378,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>move them apart, or cut with a narrower kerf</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>move them or the work zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>move them {more_mm:.3f} mm farther apart, or cut with a kerf of at most {gap_mm:.3f} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10110,6 +10426,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>name it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>name it once</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10130,6 +10450,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>name the material, or write a [[tool]]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>named parameters are not part of this dialect</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10139,6 +10463,14 @@
         </message>
         <message>
             <source>next is line {line}: {text}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>nichrome 0.4 mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no arc or wire stands at more than 10 kV</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10207,6 +10539,10 @@
         </message>
         <message>
             <source>no input may be read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no jet is driven by more than 10 kbar</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10298,6 +10634,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no straight slit leads into the hole at X{x:.3f} Y{y:.3f} past the part's other holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no tab fits on any contour</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10315,6 +10655,14 @@
         </message>
         <message>
             <source>no tooth takes more than 10 mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no torch or wire draws more than 10 kA</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no way through the scrap leads to what lies at X{x:.3f} Y{y:.3f}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10354,7 +10702,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>not a line of a material file: '{line}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>not a number: {text}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>not a parameter of a material's comment</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10554,6 +10910,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>only a drag knife has a blade offset</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>only arcs of G17 can be turned about Z</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10567,6 +10927,10 @@
         </message>
         <message>
             <source>only {written} of {data} bytes were taken</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>open line {line} cuts into a part at X{x:.3f} Y{y:.3f}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10606,11 +10970,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>part {number} goes beyond the sheet at X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>peck_mm {peck_mm:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>pick it again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>pierce farther away from earlier cuts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>pierce in scrap, and lead in to the contour</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10691,6 +11067,10 @@
         </message>
         <message>
             <source>prepare this program's own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>process must be a text</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10914,6 +11294,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>rows must be a list of tables</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>run 'make setup' beside the workbench, or let Tools &gt; Addon Manager install them, or install them for Python {version_info}.{version_info2} into a folder of their own (pip install --target FOLDER) and name it in the environment variable CNCSTEPPER_PACKAGES</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11018,6 +11402,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>set F by the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set Z by the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set a lead_in, or pierce_mm to half of the kerf</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>set again at the pause at line {line}: {places} (machine, mm); what comes after counts from there, what was before from the old one</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11026,11 +11422,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>set entry_slit = true, which cuts a slit through the part into each hole, or leave the holes out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>set it again, and do not start before it is right</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>set its zero again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set margin_mm to at most {margin_mm:.3g}, or move the parts apart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set pierce_mm to that limit or less, or leave {short_mm:.2f} mm more scrap there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set process to "plasma", "oxyfuel", "laser", "waterjet", "drag-knife" or "scribe"</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11090,6 +11502,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>sheet_cut does not cut by {process}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>short slice</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11146,6 +11562,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>split the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>split the file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>split the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>start it with cncstepper send</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11159,6 +11587,10 @@
         </message>
         <message>
             <source>start the spindle with M3 and S before it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>start the torch with M3 $0 S1, the scribe with M3 $1 S1, a spot with M3 $2 S1</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11226,7 +11658,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>switch it off with M5 sooner</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>switch it on with M3 and S before it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>switch it on with M3 beside the sheet</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11262,6 +11702,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>take a thickness within it, another consumable, or give a chart of your own with this row</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>take it out</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11278,11 +11722,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>take it out, or use one of: NAME, {keys}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>take one of them out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>take one out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take one out, or give them different consumables</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>take out R</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take out the G4, or switch the power off with M5 before it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11294,6 +11754,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>take the kerf from the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>taken as a flat mill: '{name}' names no shape that a table's words can tell</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11302,11 +11766,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>test a torch, a laser, a jet or a wire</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the $ command is not known</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the N word must be the first of its line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the NAME of material {number} names no material and thickness</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11422,6 +11894,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the certificate's findings are damaged</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the changed line would lead elsewhere than it must</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11438,6 +11914,30 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the chart has no consumable '{consumable}' for it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the chart has no kerf of {material} at this feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the chart has no row of {process}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the chart has too many rows</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the chart of {process} does not cover this thickness of {material}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the chart of {process} has no material '{material}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the checksum is wrong</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11451,6 +11951,14 @@
         </message>
         <message>
             <source>the comment is not closed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the comment of a material lacks nu= or na=</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the comment of a material lacks {key}=</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11678,6 +12186,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the cut begins without its pierce delay</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the cut begins without waiting for the spindle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11695,6 +12207,10 @@
         </message>
         <message>
             <source>the cut goes into {hurt} outline(s) that other contours leave standing, most at X{x:.3f} Y{y:.3f}, by {radius_mm:.3f} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the cut height is not the cut chart's</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11874,6 +12390,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the feed is not the cut chart's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the feed would be another</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11919,6 +12439,10 @@
         </message>
         <message>
             <source>the file ended</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the file has too many materials</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11990,6 +12514,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the head goes over a piece that is free and may stand up</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the heights cannot be read: {reason}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12035,6 +12563,10 @@
         </message>
         <message>
             <source>the job names no material, so the chart gives no tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the job of {process} names no material and has no tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12107,6 +12639,34 @@
         </message>
         <message>
             <source>the journal of the job cannot be written: {why}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the kerf closes a narrow place in the outline of part {number}, which begins at X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the kerf goes beyond the drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the kerf goes beyond the drawing into a part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the kerf is wider than a place in the hole of part {number} that begins at X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the kerf is wider than hole {number} at X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the kerf of {kerf_mm:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the kerf test is too small for its kerf and leads</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12263,6 +12823,10 @@
         </message>
         <message>
             <source>the machine finds its own zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine has no such spindle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12450,6 +13014,34 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the piece that is cut came free at line {line}: it has fallen or moved</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the pierce delay is not the chart's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the pierce height is not the cut chart's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the pierce heights make no sense in {units}: the file seems to be in {other}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the pierce is nearer to a part than the chart's lead-in is long: its spatter reaches the part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the pierce lies on a part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the pierce lies on an edge that is cut already</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the pins of the machine are not known to this reader</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12503,6 +13095,10 @@
         </message>
         <message>
             <source>the position stored for {code} is not known</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the power stands at the pierce for much longer than the chart's delay</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12566,6 +13162,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the program begins at X{x:g} Y{y:g}, which is over the sheet: move the wire out of the sheet, to X{begin_x:.3f} Y{begin_y:.3f}, before it is started</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the program begins with the tool at the work zero: bring it there before this one is sent</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12626,6 +13226,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the program is too long for it to be known which pieces fall</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the program moves nothing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12638,11 +13242,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the program pauses with the power on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the program runs on and on: is there a loop without an end?</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the program waits or asks for what pulses cannot give</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the program waits with the power on in the middle of a cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12671,6 +13283,10 @@
         </message>
         <message>
             <source>the program was read as {dialect}: to {firmware} its lines may mean other moves, or nothing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the program's file cannot be read any more: {why}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12775,6 +13391,10 @@
         </message>
         <message>
             <source>the safety door was opened while homing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the scribe is tool {number} of LinuxCNC's table, whose X and Y are its place beside the torch</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12962,6 +13582,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the thickness of material {number}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the timeline</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12983,6 +13607,10 @@
         </message>
         <message>
             <source>the tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the tool ${tool} still runs</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13074,6 +13702,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the tool's width is not the cut chart's kerf</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the torch may not be taken off</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the turn of the work system went into the coordinates</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13083,6 +13719,10 @@
         </message>
         <message>
             <source>the value must be a whole number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the velocity may not be reduced</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13115,6 +13755,34 @@
         </message>
         <message>
             <source>the way would be bent otherwise</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the wire begins to cut inside the sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the wire goes through a part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the wire goes through the sheet without power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the wire has no entry into the closed hole at X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the wire is too thick for {corners} inner corner(s) or narrow place(s); up to {thick_mm:.3f} mm stays, most at X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the wire moves before it is hot</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the wire would stand too long at corners and melt a hole</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13254,11 +13922,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>there is no process '{name}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there is no room for a helix or ramp, and the tool does not cut over its centre</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>there is no room for a {entry} at {others} of {kinds} places</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no scrap for the pierce and lead-in of {chain} near X{x:.3f} Y{y:.3f}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13362,7 +14038,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this machine has no Z axis: arcs are in XY</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine has no Z axis: take it out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine has no spindle whose speed is chosen: write M3 alone</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine has nothing that is switched (knife and point have no power): take it out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this material number is none of a material file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this one is made by itself when that is done, in about a minute</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this pin of the machine is not known to this reader</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13518,6 +14218,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>two parts lie too close to each other for the wire to pass, at X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>two rows are for {thickness:g} mm of {material}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>two self-squaring axes cannot be homed at the same time</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13630,6 +14338,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use a smaller kerf, or widen the web</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use a smaller tool</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13670,6 +14382,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use a wire</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use a work offset (G54) instead</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13698,11 +14414,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use o, nu, na, {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use one of carbide</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>use one of those that `$#` lists</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use one of: {consumables}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13726,7 +14450,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use one of: {materials}, or give a chart of your own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use one of: {operations}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use one of: {processes}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use one of: {shapes}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13830,6 +14566,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>way out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>what #{number} will hold is known only when the program runs</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13850,11 +14590,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>what lies at X{x:.3f} Y{y:.3f} would come loose before it is cut, in any order</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>what lies inside an outline is faced with it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>what stands here is no word that can be edited</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>what the material that QtPlasmaC has chosen says is not in the text</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13915,6 +14663,10 @@
         </message>
         <message>
             <source>without a file, {total} lines to send</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>without a lead-in the pierce lies on the cut, beside the part</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13990,6 +14742,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write G4 P{delay_s:g} behind M3</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write G4 P{needed_s:g} after the spindle starts</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14030,11 +14786,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write M5 ${0} before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write M5 before</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>write M5 before M0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write M5 before M0, and pierce again behind it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14047,6 +14811,10 @@
         </message>
         <message>
             <source>write X and the seconds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write [MATERIAL_NUMBER_n] and below it lines such as: CUT_SPEED = 3850</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14106,7 +14874,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write both, as in: NAME = mild-steel 3 mm 45A</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write endsub, or M99 in a subprogram of Fanuc's form</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write feed= and mm/min, for example feed=900</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14146,6 +14922,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write its comment before, such as {example}, or name material and thickness</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write its end point</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14182,6 +14962,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write ph=, pd=, ch= and fr=</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write plain moves, each in a line of its own, in coordinates that are not turned</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14195,6 +14979,10 @@
         </message>
         <message>
             <source>write the arc with more decimals</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write the chart as TOML</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14242,6 +15030,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write those</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write to another one</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14255,6 +15047,10 @@
         </message>
         <message>
             <source>write x,y in mm, or x;y where the comma is the decimal sign</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write {0} to {1}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14290,6 +15086,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} mm/min</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} to {1} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} to {1} mm/min</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0}, program {1} of {2}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14302,11 +15110,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{away_mm:.3f} mm away</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{beyond_mm:.3f} mm beyond</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{body} goes into clamp {number}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{centre_word} is no centre word in plane {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{chain}: the kerf does not get into a slot or corner at X{x:.3f} Y{y:.3f}; {left_mm:.2f} mm stay</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14330,11 +15150,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{count} joints do not fit on {chain}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{crossing} rapid(s) lead over parts that are already free</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{deep_mm:.3f} mm deep</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{dialect} answers {answer}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{dialect} cannot switch the power off between two cuts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14406,11 +15238,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{gap_mm:g} mm each, the kerf included</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{hanging} piece(s) stay joined to others, for the tool does not fit between them; the tightest place is at X{x:.3f} Y{y:.3f}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{high:g} by {high2:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{holes} closed hole(s)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14431,6 +15271,10 @@
         </message>
         <message>
             <source>{keeper} was refused</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{kerf_mm:g} mm from the other holes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14510,6 +15354,34 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{key} needs a laser: {process} has one power and pierces anew</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key} of material {number}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key} of material {number} has no such value</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key} stands twice in one material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key}= of a material has no such value</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key}= of a material is out of its bounds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key}= stands twice in a material's comment</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{lacks} became lines, at most {chord_mm:g} mm away</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14519,6 +15391,10 @@
         </message>
         <message>
             <source>{left:g} {operator} {right:g} is no finite number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{left_out} corner(s) get no loop: there is no scrap for it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14618,11 +15494,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{machine} does not cut by {process}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{match} is no number</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{meaning} (error:{error})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{missing} cut(s) end without a lead-out: there is no scrap for it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14639,6 +15523,10 @@
         </message>
         <message>
             <source>{more} {rest_mm:.3f} mm of material stays in {corners} inside corner(s) that are sharper than the tool; {told}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{most_mm:.2f} mm each</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14830,6 +15718,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{pierce_mm:g} mm from parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{pierce_mm:g} mm from parts and cut edges</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{places} of {wanted} tabs fit on the contour that begins at X{x:.3f} Y{y:.3f}; make them narrower to have more</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14859,6 +15755,26 @@
         </message>
         <message>
             <source>{problem} in {table}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{process} does not cut with a {shape} tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{process} does not cut with a {shape} tool; its shape is one of: {shapes}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{process} has no kerf and no power to test</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{process} is lowered and lifted, but the machine has no Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{process} takes no cut chart</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14919,6 +15835,10 @@
         </message>
         <message>
             <source>{title} blunts tools of HSS at once</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{twice} curve(s) are drawn twice and are cut once</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

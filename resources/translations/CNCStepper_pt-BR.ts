@@ -4,6 +4,10 @@
     <context>
         <name>App::Property</name>
         <message>
+            <source>A laser's S word for marks; 0: a twentieth of its power</source>
+            <translation>A palavra S do laser para marcas; 0: um vigésimo da potência</translation>
+        </message>
+        <message>
             <source>A laser's power that rises behind the pierce</source>
             <translation>Potência do laser que sobe depois da perfuração</translation>
         </message>
@@ -90,6 +94,10 @@
         <message>
             <source>Arcs within a tolerance, or the published points</source>
             <translation>Arcos dentro de uma tolerância, ou os pontos publicados</translation>
+        </message>
+        <message>
+            <source>As a multiple of the thickness; 0: none by thickness</source>
+            <translation>Como múltiplo da espessura; 0: nenhum pela espessura</translation>
         </message>
         <message>
             <source>Below thickness times</source>
@@ -596,16 +604,12 @@
             <translation>Furos de diâmetro menor recebem um ponto no centro, sem corte</translation>
         </message>
         <message>
-            <source>Holes of a smaller diameter, as a multiple of the thickness; 0: none</source>
-            <translation>Furos de diâmetro menor, como múltiplo da espessura; 0: nenhum</translation>
-        </message>
-        <message>
             <source>Holes with a shorter outline are cut slowly; 0: none by length</source>
             <translation>Furos de contorno mais curto são cortados devagar; 0: nenhum pelo comprimento</translation>
         </message>
         <message>
-            <source>How deep a knife or point goes; 0: a knife through the sheet, a point 0.2 mm</source>
-            <translation>A profundidade de faca ou ponta; 0: a faca atravessa a chapa, a ponta 0,2 mm</translation>
+            <source>How deep a knife or point goes; 0: through the sheet, a point 0.2 mm</source>
+            <translation>A profundidade de faca ou ponta; 0: através da chapa, a ponta 0,2 mm</translation>
         </message>
         <message>
             <source>How deep one peck goes</source>
@@ -1688,10 +1692,6 @@
             <translation>O arquivo de G-code que ele é, sem relação com as operações do seu trabalho</translation>
         </message>
         <message>
-            <source>The S word with which a laser marks; 0: a twentieth of its power</source>
-            <translation>A palavra S com que o laser marca; 0: um vigésimo da potência</translation>
-        </message>
-        <message>
             <source>The T word of the program</source>
             <translation>A palavra T do programa</translation>
         </message>
@@ -2279,6 +2279,10 @@
             <translation>Um trabalho está sendo cortado: espere o fim ou pare-o.</translation>
         </message>
         <message>
+            <source>A laser's S word for marks; 0: a twentieth of its power</source>
+            <translation>A palavra S do laser para marcas; 0: um vigésimo da potência</translation>
+        </message>
+        <message>
             <source>A laser's power that rises behind the pierce</source>
             <translation>Potência do laser que sobe depois da perfuração</translation>
         </message>
@@ -2449,6 +2453,10 @@
         <message>
             <source>Arcs within a tolerance, or the published points</source>
             <translation>Arcos dentro de uma tolerância, ou os pontos publicados</translation>
+        </message>
+        <message>
+            <source>As a multiple of the thickness; 0: none by thickness</source>
+            <translation>Como múltiplo da espessura; 0: nenhum pela espessura</translation>
         </message>
         <message>
             <source>As many as can be made at most, in Hz</source>
@@ -3415,10 +3423,6 @@
             <translation>Furos de diâmetro menor recebem um ponto no centro, sem corte</translation>
         </message>
         <message>
-            <source>Holes of a smaller diameter, as a multiple of the thickness; 0: none</source>
-            <translation>Furos de diâmetro menor, como múltiplo da espessura; 0: nenhum</translation>
-        </message>
-        <message>
             <source>Holes with a shorter outline are cut slowly; 0: none by length</source>
             <translation>Furos de contorno mais curto são cortados devagar; 0: nenhum pelo comprimento</translation>
         </message>
@@ -3439,8 +3443,8 @@
             <translation>Fio quente</translation>
         </message>
         <message>
-            <source>How deep a knife or point goes; 0: a knife through the sheet, a point 0.2 mm</source>
-            <translation>A profundidade de faca ou ponta; 0: a faca atravessa a chapa, a ponta 0,2 mm</translation>
+            <source>How deep a knife or point goes; 0: through the sheet, a point 0.2 mm</source>
+            <translation>A profundidade de faca ou ponta; 0: através da chapa, a ponta 0,2 mm</translation>
         </message>
         <message>
             <source>How deep one peck goes</source>
@@ -4965,10 +4969,6 @@
         <message>
             <source>The G-code file that it is, which has nothing to do with the operations of its job</source>
             <translation>O arquivo de G-code que ele é, sem relação com as operações do seu trabalho</translation>
-        </message>
-        <message>
-            <source>The S word with which a laser marks; 0: a twentieth of its power</source>
-            <translation>A palavra S com que o laser marca; 0: um vigésimo da potência</translation>
         </message>
         <message>
             <source>The T word of the program</source>
@@ -6886,8 +6886,16 @@
             <translation>'{text}' move como só o controlador sabe</translation>
         </message>
         <message>
+            <source>'{value}' is no feed for programs without F</source>
+            <translation>'{value}' não é um avanço para programas sem F</translation>
+        </message>
+        <message>
             <source>'{words}' is no length or angle that is known</source>
             <translation>'{words}' não é um comprimento ou ângulo conhecido</translation>
+        </message>
+        <message>
+            <source>(nu=7, ph=3.8, pd=0.4, ch=1.5, fr=3850, kw=1.5)</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>(program {number} of {count}, tool {tool})</source>
@@ -6898,8 +6906,16 @@
             <translation>/ (bloco opcional) só pode ficar no início de uma linha</translation>
         </message>
         <message>
+            <source>0 to {most}, or -1</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>0 to {size_mm:g} mm</source>
             <translation>0 a {size_mm:g} mm</translation>
+        </message>
+        <message>
+            <source>0 without an entry slit</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>= is missing after the parameter</source>
@@ -7082,8 +7098,20 @@
             <translation>o K de G76 deve ser maior que J</translation>
         </message>
         <message>
+            <source>Kerf test: S = {0} mm, kerf used {1} mm. {2}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>L may not be negative</source>
             <translation>L não pode ser negativo</translation>
+        </message>
+        <message>
+            <source>LinuxCNC with QtPlasmaC</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>M3 starts one tool</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>M6 depends on the machine's configuration: pause with M0, or split at tool changes</source>
@@ -7158,6 +7186,30 @@
             <translation>o Q de M19 deve ser maior que 0</translation>
         </message>
         <message>
+            <source>QtPlasmaC changes feed and end of small holes itself: that is not in this reading</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>QtPlasmaC cuts a tube, with the program's own moves of Z: they are not in this reading</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>QtPlasmaC has no key {key}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>QtPlasmaC keeps the program's own moves of Z: they are not in this reading</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>QtPlasmaC moves Z itself: arcs are in XY</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>QtPlasmaC pierces only and cuts nothing: that is not in this reading</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>R lies below {normal}</source>
             <translation>R fica abaixo de {normal}</translation>
         </message>
@@ -7172,6 +7224,10 @@
         <message>
             <source>SetThreadExecutionState was refused</source>
             <translation>SetThreadExecutionState foi recusado</translation>
+        </message>
+        <message>
+            <source>Speed test {0} of {1}: {2} mm/min, {3} %</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>T selects an extruder: pause with M0 where the tool is to be changed</source>
@@ -7274,6 +7330,10 @@
             <translation>uma curva precisa de ao menos dois pontos e de um bulge por segmento</translation>
         </message>
         <message>
+            <source>a cut chart holds [[cut]] tables and nothing else</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a cut goes into stock while the spindle stands</source>
             <translation>um corte entra no material com o spindle parado</translation>
         </message>
@@ -7374,6 +7434,10 @@
             <translation>uma entrada ou saída do tipo 'line' precisa de length_mm e não de radius_mm</translation>
         </message>
         <message>
+            <source>a lead or a cut goes through a part</source>
+            <translation>uma entrada ou um corte atravessa uma peça</translation>
+        </message>
+        <message>
             <source>a limit switch is pressed</source>
             <translation>um fim de curso está acionado</translation>
         </message>
@@ -7456,6 +7520,22 @@
         <message>
             <source>a macro has stopped with an error of its own</source>
             <translation>uma macro parou com um erro próprio</translation>
+        </message>
+        <message>
+            <source>a margin of {margin_mm:.3g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a material file has no {key}: left out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a material file holds no rows of {process}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a material number stands twice</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>a mesh and no line</source>
@@ -7570,6 +7650,10 @@
             <translation>um programa com sub-rotinas, laços ou desvios não é reescrito</translation>
         </message>
         <message>
+            <source>a rapid crosses the sheet, which a wire cannot</source>
+            <translation>um rápido atravessa a chapa, o que um fio não pode</translation>
+        </message>
+        <message>
             <source>a rapid crosses the stock with the beam on</source>
             <translation>um deslocamento rápido atravessa o bloco com o feixe ligado</translation>
         </message>
@@ -7580,6 +7664,10 @@
         <message>
             <source>a rapid goes through stock</source>
             <translation>um rápido atravessa o material</translation>
+        </message>
+        <message>
+            <source>a rapid goes with the power on</source>
+            <translation>um rápido anda com a potência ligada</translation>
         </message>
         <message>
             <source>a rapid with the tool running is not above all cuts</source>
@@ -7754,6 +7842,10 @@
             <translation>uma palavra aparece duas vezes na linha</translation>
         </message>
         <message>
+            <source>a {shape} does not cut from the edge</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a {shape} tool has no {key}</source>
             <translation>uma ferramenta {shape} não tem {key}</translation>
         </message>
@@ -7840,6 +7932,10 @@
         <message>
             <source>add yourself to its group (sudo usermod -aG dialout $USER) and log in again</source>
             <translation>entre no grupo dela (sudo usermod -aG dialout $USER) e faça login de novo</translation>
+        </message>
+        <message>
+            <source>add {key} = and its value</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>add {letter} to the line</source>
@@ -7966,6 +8062,10 @@
             <translation>arcos fora do plano XY</translation>
         </message>
         <message>
+            <source>ask for fewer or narrower joints</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>ask for it again</source>
             <translation>peça-o de novo</translation>
         </message>
@@ -7986,12 +8086,20 @@
             <translation>no mínimo</translation>
         </message>
         <message>
+            <source>at least the kerf of {kerf_mm:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>at least {chord:.4f} mm</source>
             <translation>ao menos {chord:.4f} mm</translation>
         </message>
         <message>
             <source>at least {depth_mm:.3g} mm</source>
             <translation>ao menos {depth_mm:.3g} mm</translation>
+        </message>
+        <message>
+            <source>at least {least:g} mm</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>at least {least_mm:.3g} mm</source>
@@ -8028,6 +8136,10 @@
         <message>
             <source>at most {longest:g} times</source>
             <translation>no máximo {longest:g} vezes</translation>
+        </message>
+        <message>
+            <source>at most {most_mm:.2f} mm there</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>at most {narrowest_mm:.3f} mm</source>
@@ -8082,6 +8194,10 @@
             <translation>antes de iniciá-lo, defina o zero de Z com a ferramenta dele</translation>
         </message>
         <message>
+            <source>begin beside the sheet and enter at its edge</source>
+            <translation>comece ao lado da chapa e entre pela borda</translation>
+        </message>
+        <message>
             <source>begin farther away</source>
             <translation>comece mais longe</translation>
         </message>
@@ -8100,6 +8216,10 @@
         <message>
             <source>begin the comment with ;</source>
             <translation>comece o comentário com ;</translation>
+        </message>
+        <message>
+            <source>begin the file with the line '# units: {other}', or say that unit</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>begin the program with a rapid to a safe Z</source>
@@ -8126,12 +8246,20 @@
             <translation>abaixo de {narrowest_mm:g} mm</translation>
         </message>
         <message>
+            <source>below {room_mm:.2f} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>below {total_mm:g} mm</source>
             <translation>abaixo de {total_mm:g} mm</translation>
         </message>
         <message>
             <source>belt_pitch_mm and pulley_teeth belong together</source>
             <translation>belt_pitch_mm e pulley_teeth andam juntos</translation>
+        </message>
+        <message>
+            <source>between curves {one} and {other} the kerf does not fit, at X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>beyond a million nothing of the shape is left</source>
@@ -8180,6 +8308,10 @@
         <message>
             <source>change_ms is so small that there are more than {most_waits} waits</source>
             <translation>change_ms é tão pequeno que há mais de {most_waits} esperas</translation>
+        </message>
+        <message>
+            <source>charts are there for: {processes}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>check both switches</source>
@@ -8288,6 +8420,10 @@
         <message>
             <source>choose a line that was cut after the last tool change and before this one</source>
             <translation>escolha uma linha cortada depois da última troca de ferramenta e antes desta</translation>
+        </message>
+        <message>
+            <source>choose a machine with a Z axis</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>choose a sketch with circles or points, or give the places by numbers</source>
@@ -8494,6 +8630,10 @@
             <translation>core_diameter_mm não pode exceder diameter_mm</translation>
         </message>
         <message>
+            <source>corner_a = [{0}, {1}], corner_b = [{2}, {3}]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>corner_radius_mm must not exceed half of diameter_mm</source>
             <translation>corner_radius_mm não pode passar da metade de diameter_mm</translation>
         </message>
@@ -8526,6 +8666,10 @@
             <translation>corrija essa chave</translation>
         </message>
         <message>
+            <source>correct that line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>correct that line of the program</source>
             <translation>corrija essa linha do programa</translation>
         </message>
@@ -8552,6 +8696,10 @@
         <message>
             <source>correct the centre or the end point</source>
             <translation>corrija o centro ou o ponto final</translation>
+        </message>
+        <message>
+            <source>correct the comment</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>correct the diameters or pitch_mm</source>
@@ -8610,6 +8758,10 @@
             <translation>corrija o caminho ou as permissões do arquivo</translation>
         </message>
         <message>
+            <source>correct the path, the lead-in or the kerf</source>
+            <translation>corrija o percurso, a entrada ou a largura do corte</translation>
+        </message>
+        <message>
             <source>correct the path, the tool's diameter or the depth</source>
             <translation>corrija a trajetória, o diâmetro da ferramenta ou a profundidade</translation>
         </message>
@@ -8654,6 +8806,10 @@
             <translation>a curva {number} é aberta, não tem {side}</translation>
         </message>
         <message>
+            <source>curve {number}, which begins at X{x:.3f} Y{y:.3f}, crosses itself or encloses nothing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>curves do not meet</source>
             <translation>as curvas não se encontram</translation>
         </message>
@@ -8666,12 +8822,20 @@
             <translation>corte os dois em uma só operação, que deixa o vão intacto, ou use uma ferramenta menor</translation>
         </message>
         <message>
+            <source>cut holes before the outline round them, or hold the piece by tabs</source>
+            <translation>corte os furos antes do contorno em volta deles, ou segure a peça com pontes</translation>
+        </message>
+        <message>
             <source>cut in more levels, or take a longer tool</source>
             <translation>usine em mais níveis, ou use uma ferramenta mais longa</translation>
         </message>
         <message>
             <source>cut it before, or hold the piece by tabs</source>
             <translation>corte antes, ou segure a peça com pontes</translation>
+        </message>
+        <message>
+            <source>cut it in one way, or with a machine whose language has M3 and M5</source>
+            <translation>corte em um só percurso, ou com uma máquina cuja linguagem tenha M3 e M5</translation>
         </message>
         <message>
             <source>cut on the stock that the moves before it have left, and judged against the shapes of the job</source>
@@ -8682,8 +8846,20 @@
             <translation>cortado no material que os movimentos anteriores deixaram; a forma desejada não é conhecida, por isso não é julgado</translation>
         </message>
         <message>
+            <source>cut some of the curves in an operation of their own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>cut the kerf test at that feed and add a row to kerf_by_feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>cut them together as a pocket, or this one with an operation of its own</source>
             <translation>usine-os juntos como um bolsão, ou este com uma operação própria</translation>
+        </message>
+        <message>
+            <source>cut with a kerf of at most {most_mm:.3f} mm, or draw that place wider</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>cuts {overlap_mm:.3g} mm before the place again</source>
@@ -8716,6 +8892,10 @@
         <message>
             <source>draw a circle, or cut it as an elliptical pocket</source>
             <translation>desenhe um círculo ou corte-a como bolsão elíptico</translation>
+        </message>
+        <message>
+            <source>draw an outline that encloses one area</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>draw at least two points</source>
@@ -8760,6 +8940,10 @@
         <message>
             <source>draw something in it, or choose another drawing</source>
             <translation>desenhe algo nele, ou escolha outro desenho</translation>
+        </message>
+        <message>
+            <source>draw the hole wider, spot it for drilling (spot_below_mm), or cut with a narrower kerf</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>drop it</source>
@@ -9030,6 +9214,14 @@
             <translation>indique dwell_s ou use G81</translation>
         </message>
         <message>
+            <source>give each material its own number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give each row its own number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give either screw_pitch_mm, or belt_pitch_mm and pulley_teeth</source>
             <translation>informe screw_pitch_mm, ou então belt_pitch_mm e pulley_teeth</translation>
         </message>
@@ -9048,6 +9240,10 @@
         <message>
             <source>give heights over the bottom, and the largest as the stock's Z</source>
             <translation>dê alturas acima do fundo, e a maior como Z do bloco</translation>
+        </message>
+        <message>
+            <source>give it another number</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>give its centre</source>
@@ -9084,6 +9280,10 @@
         <message>
             <source>give the height</source>
             <translation>informe a altura</translation>
+        </message>
+        <message>
+            <source>give the material its number and name</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>give the path of a file</source>
@@ -9174,6 +9374,10 @@
             <translation>continue, ou pare o trabalho</translation>
         </message>
         <message>
+            <source>go round the sheet, or cut with G1</source>
+            <translation>contorne a chapa, ou corte com G1</translation>
+        </message>
+        <message>
             <source>goes down at {plunge_mm_min:g} mm/min</source>
             <translation>desce a {plunge_mm_min:g} mm/min</translation>
         </message>
@@ -9206,6 +9410,10 @@
             <translation>o grblHAL só aceita centros de arco a partir do ponto inicial (G91.1)</translation>
         </message>
         <message>
+            <source>half of the kerf, {half_mm:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>heights belong to a stock of the form 'height_field', and to no other</source>
             <translation>alturas pertencem a um bloco da forma 'height_field', e a nenhum outro</translation>
         </message>
@@ -9224,6 +9432,10 @@
         <message>
             <source>hold or stop it where it was started, or wait until it has ended</source>
             <translation>pause-o ou pare-o onde foi iniciado, ou espere até terminar</translation>
+        </message>
+        <message>
+            <source>hole {0} of part {1}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>home all axes with $H</source>
@@ -9398,12 +9610,20 @@
             <translation>é uma pasta</translation>
         </message>
         <message>
+            <source>it is cut short</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it is damaged</source>
             <translation>está danificado</translation>
         </message>
         <message>
             <source>it is empty</source>
             <translation>ele está vazio</translation>
+        </message>
+        <message>
+            <source>it is for {processes}: choose another chart or process</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>it is one program</source>
@@ -9550,8 +9770,24 @@
             <translation>junte-os em um só contorno, ou mova um deles</translation>
         </message>
         <message>
+            <source>keep half a kerf beside the part</source>
+            <translation>fique meia largura de corte ao lado da peça</translation>
+        </message>
+        <message>
             <source>kept only if the controller has had power ever since and was not reset in motion; a greeting, an alarm or a place that is not right says that it was: then {home}; {until_homed}</source>
             <translation>mantida só se o controlador ficou ligado desde então e não foi reiniciado em movimento; uma saudação, um alarme ou um lugar errado dizem que foi: então {home}; {until_homed}</translation>
+        </message>
+        <message>
+            <source>kerf = kerf used + (S - part + hole - S / 2) / 2</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>kerf = kerf used + S - part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>kerf_by_feed: feeds must rise from row to row, and kerfs must not</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>kerf_mm is not what this tool cuts</source>
@@ -9586,6 +9822,14 @@
             <translation>alinhe a peça com os eixos da máquina</translation>
         </message>
         <message>
+            <source>lead in and out through scrap</source>
+            <translation>entre e saia pelo retalho</translation>
+        </message>
+        <message>
+            <source>lead it round the part, through what becomes scrap</source>
+            <translation>passe o fio em volta da peça, pelo que vira retalho</translation>
+        </message>
+        <message>
             <source>leads had to be made smaller to stay in the scrap, down to {smallest:.0%} of their size</source>
             <translation>entradas e saídas tiveram de ser diminuídas para ficar na sobra, até {smallest:.0%} do seu tamanho</translation>
         </message>
@@ -9596,6 +9840,10 @@
         <message>
             <source>leave '{name}' out, if the machine's operator does it by hand</source>
             <translation>omita '{name}' se o operador da máquina o faz à mão</translation>
+        </message>
+        <message>
+            <source>leave blade_offset_mm out</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>leave it out: Marlin has only this mode</source>
@@ -9634,6 +9882,10 @@
             <translation>deixe-os de fora</translation>
         </message>
         <message>
+            <source>leave {key} out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>leaves the spindle off, as the program has it there</source>
             <translation>deixa o fuso desligado, como o programa o tem ali</translation>
         </message>
@@ -9666,6 +9918,10 @@
             <translation>os comprimentos das ferramentas entraram nas coordenadas</translation>
         </message>
         <message>
+            <source>less than a kerf is left of a part between two cuts</source>
+            <translation>entre dois cortes sobra da peça menos do que a largura do corte</translation>
+        </message>
+        <message>
             <source>let Z always rise or always fall</source>
             <translation>faça Z sempre subir ou sempre descer</translation>
         </message>
@@ -9674,12 +9930,20 @@
             <translation>faça-a mergulhar no início do contorno</translation>
         </message>
         <message>
+            <source>let it stand shorter, or cut more slowly</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>let the tool stick out farther</source>
             <translation>deixe a ferramenta mais para fora do porta-ferramenta</translation>
         </message>
         <message>
             <source>let them coincide, or keep them {small_mm:g} mm apart</source>
             <translation>faça-os coincidir ou mantenha-os a {small_mm:g} mm um do outro</translation>
+        </message>
+        <message>
+            <source>lift the head higher, or go round the piece</source>
+            <translation>levante mais o cabeçote, ou contorne a peça</translation>
         </message>
         <message>
             <source>lift the tool before it</source>
@@ -9700,6 +9964,10 @@
         <message>
             <source>line numbers begin at 0 or above and grow</source>
             <translation>os números de linha começam em 0 ou acima e crescem</translation>
+        </message>
+        <message>
+            <source>line {0} back</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>line {file_line} is run from its begin</source>
@@ -9902,6 +10170,10 @@
             <translation>diminua-a, ou sobram ilhas</translation>
         </message>
         <message>
+            <source>make its side longer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>make resolution_mm larger</source>
             <translation>aumente resolution_mm</translation>
         </message>
@@ -9938,6 +10210,10 @@
             <translation>gere o trabalho de novo</translation>
         </message>
         <message>
+            <source>make the lead-in longer</source>
+            <translation>aumente a entrada</translation>
+        </message>
+        <message>
             <source>make the leads or the tool smaller, move the parts apart, or do without leads</source>
             <translation>diminua as entradas e saídas ou a ferramenta, afaste as peças ou fique sem entradas e saídas</translation>
         </message>
@@ -9970,12 +10246,20 @@
             <translation>aumente {name}</translation>
         </message>
         <message>
+            <source>margin {margin_mm:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>material is left where it should be removed{islands}</source>
             <translation>sobra material onde deveria ser removido{islands}</translation>
         </message>
         <message>
             <source>material stays in {gaps} gap(s) between walls that are narrower than the tool, the deepest one before X{x:.3f} Y{y:.3f}; a smaller tool takes it away</source>
             <translation>fica material em {gaps} fresta(s) entre paredes mais estreita(s) que a ferramenta, a mais funda diante de X{x:.3f} Y{y:.3f}; uma ferramenta menor o remove</translation>
+        </message>
+        <message>
+            <source>material {number} has no {key}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>measure the width of its cut, or leave kerf_mm out</source>
@@ -10018,6 +10302,10 @@
             <translation>mais de um milhão de qualquer coisa é um engano</translation>
         </message>
         <message>
+            <source>more than ten times the whole is a slip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>more than {most} lines</source>
             <translation>mais de {most} linhas</translation>
         </message>
@@ -10038,6 +10326,10 @@
             <translation>monte-o antes</translation>
         </message>
         <message>
+            <source>move it {in_mm:.3f} mm inwards, or take a larger sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>move one of the corners</source>
             <translation>mova um dos cantos</translation>
         </message>
@@ -10046,12 +10338,28 @@
             <translation>mova os outros eixos antes</translation>
         </message>
         <message>
+            <source>move the holes apart, join them, or draw a slit yourself</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>move the line away from the part, or leave it out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>move the machine off it, then home</source>
             <translation>afaste a máquina dele e referencie</translation>
         </message>
         <message>
             <source>move the machine off the switch, reset, then home it</source>
             <translation>afaste a máquina do fim de curso, reinicie e referencie-a</translation>
+        </message>
+        <message>
+            <source>move the parts farther apart, enter from another edge, or use a thinner wire</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>move the parts farther apart, or cut them in several operations</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>move the shape inwards, or take a larger sheet</source>
@@ -10070,8 +10378,16 @@
             <translation>mova o zero-peça ({word}) no eixo {name} ou diminua o programa</translation>
         </message>
         <message>
+            <source>move them apart, or cut with a narrower kerf</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>move them or the work zero</source>
             <translation>mova-os ou mova o zero da peça</translation>
+        </message>
+        <message>
+            <source>move them {more_mm:.3f} mm farther apart, or cut with a kerf of at most {gap_mm:.3f} mm</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>move there first with absolute coordinates, or give the start</source>
@@ -10110,6 +10426,10 @@
             <translation>indique os dois eixos</translation>
         </message>
         <message>
+            <source>name it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>name it once</source>
             <translation>nomeie-a uma só vez</translation>
         </message>
@@ -10130,6 +10450,10 @@
             <translation>indique a máquina (--machine)</translation>
         </message>
         <message>
+            <source>name the material, or write a [[tool]]</source>
+            <translation>indique o material, ou escreva um [[tool]]</translation>
+        </message>
+        <message>
             <source>named parameters are not part of this dialect</source>
             <translation>parâmetros com nome não fazem parte deste dialeto</translation>
         </message>
@@ -10140,6 +10464,14 @@
         <message>
             <source>next is line {line}: {text}</source>
             <translation>a próxima é a linha {line}: {text}</translation>
+        </message>
+        <message>
+            <source>nichrome 0.4 mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no arc or wire stands at more than 10 kV</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>no axis is set up for homing</source>
@@ -10208,6 +10540,10 @@
         <message>
             <source>no input may be read</source>
             <translation>nenhuma entrada pode ser lida</translation>
+        </message>
+        <message>
+            <source>no jet is driven by more than 10 kbar</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>no job is held</source>
@@ -10298,6 +10634,10 @@
             <translation>nenhum motor de passo dá mais que 10 kNm</translation>
         </message>
         <message>
+            <source>no straight slit leads into the hole at X{x:.3f} Y{y:.3f} past the part's other holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no tab fits on any contour</source>
             <translation>nenhuma ponte cabe em nenhum contorno</translation>
         </message>
@@ -10316,6 +10656,14 @@
         <message>
             <source>no tooth takes more than 10 mm</source>
             <translation>nenhum dente tira mais que 10 mm</translation>
+        </message>
+        <message>
+            <source>no torch or wire draws more than 10 kA</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no way through the scrap leads to what lies at X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>nobody has confirmed the work zero</source>
@@ -10354,8 +10702,16 @@
             <translation>não é um trabalho para enviar: {error}</translation>
         </message>
         <message>
+            <source>not a line of a material file: '{line}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>not a number: {text}</source>
             <translation>não é um número: {text}</translation>
+        </message>
+        <message>
+            <source>not a parameter of a material's comment</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>not a point: '{line}'</source>
@@ -10554,6 +10910,10 @@
             <translation>só X, Y e Z são editados, e não {letter}</translation>
         </message>
         <message>
+            <source>only a drag knife has a blade offset</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>only arcs of G17 can be turned about Z</source>
             <translation>só arcos de G17 podem ser girados em torno de Z</translation>
         </message>
@@ -10568,6 +10928,10 @@
         <message>
             <source>only {written} of {data} bytes were taken</source>
             <translation>só {written} de {data} bytes foram aceitos</translation>
+        </message>
+        <message>
+            <source>open line {line} cuts into a part at X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>operation '{cycle}' uses tool {tool}, which the job does not have</source>
@@ -10606,12 +10970,24 @@
             <translation>parte da forma desenhada fica fora do bloco</translation>
         </message>
         <message>
+            <source>part {number} goes beyond the sheet at X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>peck_mm {peck_mm:g} mm</source>
             <translation>peck_mm {peck_mm:g} mm</translation>
         </message>
         <message>
             <source>pick it again</source>
             <translation>escolha-o de novo</translation>
+        </message>
+        <message>
+            <source>pierce farther away from earlier cuts</source>
+            <translation>perfure mais longe dos cortes anteriores</translation>
+        </message>
+        <message>
+            <source>pierce in scrap, and lead in to the contour</source>
+            <translation>perfure no retalho e entre até o contorno</translation>
         </message>
         <message>
             <source>pin '{pin}' is no pin of a controller; there are {controller_pins}</source>
@@ -10692,6 +11068,10 @@
         <message>
             <source>prepare this program's own</source>
             <translation>prepare as linhas deste próprio programa</translation>
+        </message>
+        <message>
+            <source>process must be a text</source>
+            <translation>process deve ser um texto</translation>
         </message>
         <message>
             <source>programs are not written in the dialect {dialect}</source>
@@ -10914,6 +11294,10 @@
             <translation>modo de recuo: plano R</translation>
         </message>
         <message>
+            <source>rows must be a list of tables</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>run 'make setup' beside the workbench, or let Tools &gt; Addon Manager install them, or install them for Python {version_info}.{version_info2} into a folder of their own (pip install --target FOLDER) and name it in the environment variable CNCSTEPPER_PACKAGES</source>
             <translation>rode 'make setup' na pasta da bancada, ou instale-os por Ferramentas &gt; Gerenciador de extensões, ou instale-os para Python {version_info}.{version_info2} em uma pasta própria (pip install --target PASTA) e indique-a na variável de ambiente CNCSTEPPER_PACKAGES</translation>
         </message>
@@ -11018,6 +11402,18 @@
             <translation>use $32=0 ou um firmware com PWM</translation>
         </message>
         <message>
+            <source>set F by the chart</source>
+            <translation>ajuste F pela tabela</translation>
+        </message>
+        <message>
+            <source>set Z by the chart</source>
+            <translation>ajuste Z pela tabela</translation>
+        </message>
+        <message>
+            <source>set a lead_in, or pierce_mm to half of the kerf</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>set again at the pause at line {line}: {places} (machine, mm); what comes after counts from there, what was before from the old one</source>
             <translation>definido de novo na pausa da linha {line}: {places} (máquina, mm); o que vem depois conta a partir daí, o que veio antes, a partir do antigo</translation>
         </message>
@@ -11026,12 +11422,28 @@
             <translation>ponha backlash_mm em 0 no perfil da máquina</translation>
         </message>
         <message>
+            <source>set entry_slit = true, which cuts a slit through the part into each hole, or leave the holes out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>set it again, and do not start before it is right</source>
             <translation>defina-o de novo, e não inicie antes que esteja certo</translation>
         </message>
         <message>
             <source>set its zero again</source>
             <translation>defina o zero dela de novo</translation>
+        </message>
+        <message>
+            <source>set margin_mm to at most {margin_mm:.3g}, or move the parts apart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set pierce_mm to that limit or less, or leave {short_mm:.2f} mm more scrap there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set process to "plasma", "oxyfuel", "laser", "waterjet", "drag-knife" or "scribe"</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>set ramp_deg and no tabs, or use a mill that cuts over its centre</source>
@@ -11090,6 +11502,10 @@
             <translation>forma '{name}': duas pontas ficam a {size_mm:.3g} mm uma da outra em X{x:.3f} Y{y:.3f}</translation>
         </message>
         <message>
+            <source>sheet_cut does not cut by {process}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>short slice</source>
             <translation>fatia curta</translation>
         </message>
@@ -11146,6 +11562,18 @@
             <translation>divida essa linha em duas</translation>
         </message>
         <message>
+            <source>split the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>split the file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>split the program</source>
+            <translation>divida o programa</translation>
+        </message>
+        <message>
             <source>start it with cncstepper send</source>
             <translation>inicie-o com cncstepper send</translation>
         </message>
@@ -11160,6 +11588,10 @@
         <message>
             <source>start the spindle with M3 and S before it</source>
             <translation>ligue o spindle com M3 e S antes dele</translation>
+        </message>
+        <message>
+            <source>start the torch with M3 $0 S1, the scribe with M3 $1 S1, a spot with M3 $2 S1</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>starts the spindle at {spindle_rpm:g} rpm, {sense}</source>
@@ -11226,8 +11658,16 @@
             <translation>desligue-o antes com M5</translation>
         </message>
         <message>
+            <source>switch it off with M5 sooner</source>
+            <translation>desligue antes com M5</translation>
+        </message>
+        <message>
             <source>switch it on with M3 and S before it</source>
             <translation>ligue-o antes com M3 e S</translation>
+        </message>
+        <message>
+            <source>switch it on with M3 beside the sheet</source>
+            <translation>ligue com M3 ao lado da chapa</translation>
         </message>
         <message>
             <source>switch the machine off, or unlock and home it afterwards at the machine itself</source>
@@ -11262,6 +11702,10 @@
             <translation>use um tolerance_mm maior, ou desenhe polilinhas ou arcos no lugar delas</translation>
         </message>
         <message>
+            <source>take a thickness within it, another consumable, or give a chart of your own with this row</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>take it out</source>
             <translation>retire-o</translation>
         </message>
@@ -11278,12 +11722,28 @@
             <translation>retire-a ou acrescente o seu código</translation>
         </message>
         <message>
+            <source>take it out, or use one of: NAME, {keys}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>take one of them out</source>
             <translation>retire um deles</translation>
         </message>
         <message>
+            <source>take one out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take one out, or give them different consumables</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>take out R</source>
             <translation>retire R</translation>
+        </message>
+        <message>
+            <source>take out the G4, or switch the power off with M5 before it</source>
+            <translation>tire o G4, ou desligue a potência com M5 antes dele</translation>
         </message>
         <message>
             <source>take out the inner (</source>
@@ -11294,6 +11754,10 @@
             <translation>retire {word}</translation>
         </message>
         <message>
+            <source>take the kerf from the chart</source>
+            <translation>use a largura do corte da tabela</translation>
+        </message>
+        <message>
             <source>taken as a flat mill: '{name}' names no shape that a table's words can tell</source>
             <translation>tida como fresa de topo: '{name}' não nomeia uma forma que as palavras de uma tabela digam</translation>
         </message>
@@ -11302,12 +11766,20 @@
             <translation>o rosqueamento virou movimentos simples: o avanço pode ser ajustado e nada o prende ao spindle</translation>
         </message>
         <message>
+            <source>test a torch, a laser, a jet or a wire</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the $ command is not known</source>
             <translation>o comando $ não é conhecido</translation>
         </message>
         <message>
             <source>the N word must be the first of its line</source>
             <translation>a palavra N deve ser a primeira da linha</translation>
+        </message>
+        <message>
+            <source>the NAME of material {number} names no material and thickness</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the O-word cannot be read</source>
@@ -11422,6 +11894,10 @@
             <translation>o certificado foi alterado depois de emitido</translation>
         </message>
         <message>
+            <source>the certificate's findings are damaged</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the changed line would lead elsewhere than it must</source>
             <translation>a linha alterada levaria a um lugar diferente do devido</translation>
         </message>
@@ -11438,6 +11914,30 @@
             <translation>o caractere {found} agiria como um comando ou não é ASCII</translation>
         </message>
         <message>
+            <source>the chart has no consumable '{consumable}' for it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the chart has no kerf of {material} at this feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the chart has no row of {process}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the chart has too many rows</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the chart of {process} does not cover this thickness of {material}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the chart of {process} has no material '{material}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the checksum is wrong</source>
             <translation>a soma de verificação está errada</translation>
         </message>
@@ -11452,6 +11952,14 @@
         <message>
             <source>the comment is not closed</source>
             <translation>o comentário não está fechado</translation>
+        </message>
+        <message>
+            <source>the comment of a material lacks nu= or na=</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the comment of a material lacks {key}=</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the compensated arc would have two radii</source>
@@ -11678,6 +12186,10 @@
             <translation>o corte</translation>
         </message>
         <message>
+            <source>the cut begins without its pierce delay</source>
+            <translation>o corte começa sem o tempo de perfuração</translation>
+        </message>
+        <message>
             <source>the cut begins without waiting for the spindle</source>
             <translation>o corte começa sem esperar o spindle</translation>
         </message>
@@ -11696,6 +12208,10 @@
         <message>
             <source>the cut goes into {hurt} outline(s) that other contours leave standing, most at X{x:.3f} Y{y:.3f}, by {radius_mm:.3f} mm</source>
             <translation>o corte entra em {hurt} linha(s) que outros contornos deixam intacta(s), mais em X{x:.3f} Y{y:.3f}, por {radius_mm:.3f} mm</translation>
+        </message>
+        <message>
+            <source>the cut height is not the cut chart's</source>
+            <translation>a altura de corte não é a da tabela de corte</translation>
         </message>
         <message>
             <source>the cut is taken to be {kerf_mm:g} mm wide, the simulation cuts with the tool's {diameter_mm:g} mm</source>
@@ -11874,6 +12390,10 @@
             <translation>o avanço é maior do que os eixos da máquina conseguem</translation>
         </message>
         <message>
+            <source>the feed is not the cut chart's</source>
+            <translation>o avanço não é o da tabela de corte</translation>
+        </message>
+        <message>
             <source>the feed would be another</source>
             <translation>o avanço seria outro</translation>
         </message>
@@ -11920,6 +12440,10 @@
         <message>
             <source>the file ended</source>
             <translation>o arquivo terminou</translation>
+        </message>
+        <message>
+            <source>the file has too many materials</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the file holds no object</source>
@@ -11990,6 +12514,10 @@
             <translation>a grade tem furos demais</translation>
         </message>
         <message>
+            <source>the head goes over a piece that is free and may stand up</source>
+            <translation>o cabeçote passa sobre uma peça solta que pode estar levantada</translation>
+        </message>
+        <message>
             <source>the heights cannot be read: {reason}</source>
             <translation>as alturas não podem ser lidas: {reason}</translation>
         </message>
@@ -12036,6 +12564,10 @@
         <message>
             <source>the job names no material, so the chart gives no tool</source>
             <translation>o trabalho não indica material, por isso a tabela não dá ferramenta</translation>
+        </message>
+        <message>
+            <source>the job of {process} names no material and has no tool</source>
+            <translation>o trabalho de {process} não indica material e não tem ferramenta</translation>
         </message>
         <message>
             <source>the job still runs, on {port}</source>
@@ -12108,6 +12640,34 @@
         <message>
             <source>the journal of the job cannot be written: {why}</source>
             <translation>o diário do trabalho não pode ser gravado: {why}</translation>
+        </message>
+        <message>
+            <source>the kerf closes a narrow place in the outline of part {number}, which begins at X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the kerf goes beyond the drawing</source>
+            <translation>o corte passa do desenho</translation>
+        </message>
+        <message>
+            <source>the kerf goes beyond the drawing into a part</source>
+            <translation>o corte passa do desenho e entra em uma peça</translation>
+        </message>
+        <message>
+            <source>the kerf is wider than a place in the hole of part {number} that begins at X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the kerf is wider than hole {number} at X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the kerf of {kerf_mm:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the kerf test is too small for its kerf and leads</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the kernels are not compiled ahead: {said}</source>
@@ -12264,6 +12824,10 @@
         <message>
             <source>the machine finds its own zero</source>
             <translation>a máquina procura o seu próprio zero</translation>
+        </message>
+        <message>
+            <source>the machine has no such spindle</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the machine has no {name} coolant</source>
@@ -12450,6 +13014,34 @@
             <translation>o padrão de busca não pode ser lido: {error}</translation>
         </message>
         <message>
+            <source>the piece that is cut came free at line {line}: it has fallen or moved</source>
+            <translation>a peça que é cortada se soltou na linha {line}: ela caiu ou se moveu</translation>
+        </message>
+        <message>
+            <source>the pierce delay is not the chart's</source>
+            <translation>o tempo de perfuração não é o da tabela</translation>
+        </message>
+        <message>
+            <source>the pierce height is not the cut chart's</source>
+            <translation>a altura de perfuração não é a da tabela de corte</translation>
+        </message>
+        <message>
+            <source>the pierce heights make no sense in {units}: the file seems to be in {other}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the pierce is nearer to a part than the chart's lead-in is long: its spatter reaches the part</source>
+            <translation>a perfuração está mais perto de uma peça do que o comprimento de entrada da tabela: os respingos alcançam a peça</translation>
+        </message>
+        <message>
+            <source>the pierce lies on a part</source>
+            <translation>a perfuração fica sobre uma peça</translation>
+        </message>
+        <message>
+            <source>the pierce lies on an edge that is cut already</source>
+            <translation>a perfuração fica sobre uma borda já cortada</translation>
+        </message>
+        <message>
             <source>the pins of the machine are not known to this reader</source>
             <translation>este leitor não conhece os pinos da máquina</translation>
         </message>
@@ -12504,6 +13096,10 @@
         <message>
             <source>the position stored for {code} is not known</source>
             <translation>a posição guardada para {code} não é conhecida</translation>
+        </message>
+        <message>
+            <source>the power stands at the pierce for much longer than the chart's delay</source>
+            <translation>a potência fica parada na perfuração muito mais do que o tempo da tabela</translation>
         </message>
         <message>
             <source>the probe stands at its end already</source>
@@ -12566,6 +13162,10 @@
             <translation>o programa anterior</translation>
         </message>
         <message>
+            <source>the program begins at X{x:g} Y{y:g}, which is over the sheet: move the wire out of the sheet, to X{begin_x:.3f} Y{begin_y:.3f}, before it is started</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the program begins with the tool at the work zero: bring it there before this one is sent</source>
             <translation>o programa começa com a ferramenta no zero da peça: leve-a até lá antes de enviar este</translation>
         </message>
@@ -12626,6 +13226,10 @@
             <translation>o programa não é o que foi verificado: o texto é outro</translation>
         </message>
         <message>
+            <source>the program is too long for it to be known which pieces fall</source>
+            <translation>o programa é longo demais para se saber quais peças caem</translation>
+        </message>
+        <message>
             <source>the program moves nothing</source>
             <translation>o programa não move nada</translation>
         </message>
@@ -12638,12 +13242,20 @@
             <translation>o programa espera com o spindle girando</translation>
         </message>
         <message>
+            <source>the program pauses with the power on</source>
+            <translation>o programa faz pausa com a potência ligada</translation>
+        </message>
+        <message>
             <source>the program runs on and on: is there a loop without an end?</source>
             <translation>o programa não para de executar: há um laço sem fim?</translation>
         </message>
         <message>
             <source>the program waits or asks for what pulses cannot give</source>
             <translation>o programa espera ou pede o que os pulsos não podem dar</translation>
+        </message>
+        <message>
+            <source>the program waits with the power on in the middle of a cut</source>
+            <translation>o programa espera com a potência ligada no meio de um corte</translation>
         </message>
         <message>
             <source>the program was proven for another machine, or its profile was changed since</source>
@@ -12672,6 +13284,10 @@
         <message>
             <source>the program was read as {dialect}: to {firmware} its lines may mean other moves, or nothing</source>
             <translation>o programa foi lido como {dialect}: para {firmware} suas linhas podem significar outros movimentos, ou nada</translation>
+        </message>
+        <message>
+            <source>the program's file cannot be read any more: {why}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the proof failed by a fault of its own: {kind}: {error}</source>
@@ -12776,6 +13392,10 @@
         <message>
             <source>the safety door was opened while homing</source>
             <translation>a porta de segurança foi aberta durante o referenciamento</translation>
+        </message>
+        <message>
+            <source>the scribe is tool {number} of LinuxCNC's table, whose X and Y are its place beside the torch</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the second limit switch of a double axis was not found</source>
@@ -12962,6 +13582,10 @@
             <translation>o texto não foi encontrado ou já é o mesmo</translation>
         </message>
         <message>
+            <source>the thickness of material {number}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the timeline</source>
             <translation>a linha do tempo</translation>
         </message>
@@ -12984,6 +13608,10 @@
         <message>
             <source>the tool</source>
             <translation>a ferramenta</translation>
+        </message>
+        <message>
+            <source>the tool ${tool} still runs</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the tool changer does not know which tool it holds</source>
@@ -13074,6 +13702,14 @@
             <translation>o raio da ferramenta entrou no percurso, que só vale para esta ferramenta</translation>
         </message>
         <message>
+            <source>the tool's width is not the cut chart's kerf</source>
+            <translation>a largura da ferramenta não é a largura do corte da tabela</translation>
+        </message>
+        <message>
+            <source>the torch may not be taken off</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the turn of the work system went into the coordinates</source>
             <translation>a rotação do sistema de coordenadas entrou nas coordenadas</translation>
         </message>
@@ -13084,6 +13720,10 @@
         <message>
             <source>the value must be a whole number</source>
             <translation>o valor deve ser um número inteiro</translation>
+        </message>
+        <message>
+            <source>the velocity may not be reduced</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the virtual grbl ended at once</source>
@@ -13116,6 +13756,34 @@
         <message>
             <source>the way would be bent otherwise</source>
             <translation>o trajeto seria curvado de outro modo</translation>
+        </message>
+        <message>
+            <source>the wire begins to cut inside the sheet</source>
+            <translation>o fio começa a cortar dentro da chapa</translation>
+        </message>
+        <message>
+            <source>the wire goes through a part</source>
+            <translation>o fio atravessa uma peça</translation>
+        </message>
+        <message>
+            <source>the wire goes through the sheet without power</source>
+            <translation>o fio atravessa a chapa sem potência</translation>
+        </message>
+        <message>
+            <source>the wire has no entry into the closed hole at X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the wire is too thick for {corners} inner corner(s) or narrow place(s); up to {thick_mm:.3f} mm stays, most at X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the wire moves before it is hot</source>
+            <translation>o fio anda antes de estar quente</translation>
+        </message>
+        <message>
+            <source>the wire would stand too long at corners and melt a hole</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the word {letter} has no number that can be read</source>
@@ -13254,12 +13922,20 @@
             <translation>não há porta {name}</translation>
         </message>
         <message>
+            <source>there is no process '{name}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there is no room for a helix or ramp, and the tool does not cut over its centre</source>
             <translation>não há espaço para hélice ou rampa, e a ferramenta não corta sobre o centro</translation>
         </message>
         <message>
             <source>there is no room for a {entry} at {others} of {kinds} places</source>
             <translation>não há espaço para: {entry} em {others} de {kinds} lugares</translation>
+        </message>
+        <message>
+            <source>there is no scrap for the pierce and lead-in of {chain} near X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>there is no subroutine o&lt;{seeking}&gt;</source>
@@ -13362,8 +14038,32 @@
             <translation>esta linha fica em um trecho a ser percorrido ao contrário e faz mais que mover</translation>
         </message>
         <message>
+            <source>this machine has no Z axis: arcs are in XY</source>
+            <translation>esta máquina não tem eixo Z: os arcos ficam em XY</translation>
+        </message>
+        <message>
+            <source>this machine has no Z axis: take it out</source>
+            <translation>esta máquina não tem eixo Z: retire-o</translation>
+        </message>
+        <message>
+            <source>this machine has no spindle whose speed is chosen: write M3 alone</source>
+            <translation>esta máquina não tem fuso com rotação escolhida: escreva só M3</translation>
+        </message>
+        <message>
+            <source>this machine has nothing that is switched (knife and point have no power): take it out</source>
+            <translation>esta máquina não tem nada que se ligue (faca e ponta não têm potência): retire-o</translation>
+        </message>
+        <message>
+            <source>this material number is none of a material file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this one is made by itself when that is done, in about a minute</source>
             <translation>este será feito por si mesmo quando isso terminar, em cerca de um minuto</translation>
+        </message>
+        <message>
+            <source>this pin of the machine is not known to this reader</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>this reader knows no pockets</source>
@@ -13518,6 +14218,14 @@
             <translation>duas retas do perfil são paralelas</translation>
         </message>
         <message>
+            <source>two parts lie too close to each other for the wire to pass, at X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>two rows are for {thickness:g} mm of {material}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>two self-squaring axes cannot be homed at the same time</source>
             <translation>dois eixos com autoesquadro não podem ser referenciados ao mesmo tempo</translation>
         </message>
@@ -13630,6 +14338,10 @@
             <translation>use um nome próprio</translation>
         </message>
         <message>
+            <source>use a smaller kerf, or widen the web</source>
+            <translation>use um corte mais estreito, ou alargue a parede</translation>
+        </message>
+        <message>
             <source>use a smaller tool</source>
             <translation>use uma ferramenta menor</translation>
         </message>
@@ -13670,6 +14382,10 @@
             <translation>use uma ferramenta que esteja na tabela</translation>
         </message>
         <message>
+            <source>use a wire</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use a work offset (G54) instead</source>
             <translation>use em vez disso um sistema de coordenadas (G54)</translation>
         </message>
@@ -13698,12 +14414,20 @@
             <translation>use o método "tolerance" ou uma ferramenta menor</translation>
         </message>
         <message>
+            <source>use o, nu, na, {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use one of carbide</source>
             <translation>use uma de metal duro</translation>
         </message>
         <message>
             <source>use one of those that `$#` lists</source>
             <translation>use um dos que `$#` lista</translation>
+        </message>
+        <message>
+            <source>use one of: {consumables}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>use one of: {cycles}</source>
@@ -13726,8 +14450,20 @@
             <translation>use um destes: {material_names}</translation>
         </message>
         <message>
+            <source>use one of: {materials}, or give a chart of your own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use one of: {operations}</source>
             <translation>use um destes: {operations}</translation>
+        </message>
+        <message>
+            <source>use one of: {processes}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use one of: {shapes}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>use one of: {there}</source>
@@ -13830,6 +14566,10 @@
             <translation>acorde-a com um reset e referencie-a</translation>
         </message>
         <message>
+            <source>way out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>what #{number} will hold is known only when the program runs</source>
             <translation>o valor de #{number} só é conhecido quando o programa é executado</translation>
         </message>
@@ -13850,12 +14590,20 @@
             <translation>o que ela faz depende da máquina: omita-a</translation>
         </message>
         <message>
+            <source>what lies at X{x:.3f} Y{y:.3f} would come loose before it is cut, in any order</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>what lies inside an outline is faced with it</source>
             <translation>o que fica dentro de um contorno é faceado com ele</translation>
         </message>
         <message>
             <source>what stands here is no word that can be edited</source>
             <translation>o que está aqui não é uma palavra que possa ser editada</translation>
+        </message>
+        <message>
+            <source>what the material that QtPlasmaC has chosen says is not in the text</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>what was picked of '{drawing}' is not there any more</source>
@@ -13916,6 +14664,10 @@
         <message>
             <source>without a file, {total} lines to send</source>
             <translation>sem arquivo, {total} linhas a enviar</translation>
+        </message>
+        <message>
+            <source>without a lead-in the pierce lies on the cut, beside the part</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>words for the spindle</source>
@@ -13990,6 +14742,10 @@
             <translation>escreva G18 antes dessa linha</translation>
         </message>
         <message>
+            <source>write G4 P{delay_s:g} behind M3</source>
+            <translation>escreva G4 P{delay_s:g} depois de M3</translation>
+        </message>
+        <message>
             <source>write G4 P{needed_s:g} after the spindle starts</source>
             <translation>escreva G4 P{needed_s:g} depois de ligar o spindle</translation>
         </message>
@@ -14030,12 +14786,20 @@
             <translation>escreva M2 ou M30 como última linha</translation>
         </message>
         <message>
+            <source>write M5 ${0} before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write M5 before</source>
             <translation>escreva M5 antes</translation>
         </message>
         <message>
             <source>write M5 before M0</source>
             <translation>escreva M5 antes de M0</translation>
+        </message>
+        <message>
+            <source>write M5 before M0, and pierce again behind it</source>
+            <translation>escreva M5 antes de M0, e perfure de novo depois</translation>
         </message>
         <message>
             <source>write M70 before, in the same subroutine</source>
@@ -14048,6 +14812,10 @@
         <message>
             <source>write X and the seconds</source>
             <translation>escreva X e os segundos</translation>
+        </message>
+        <message>
+            <source>write [MATERIAL_NUMBER_n] and below it lines such as: CUT_SPEED = 3850</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>write a G0 or G1 before</source>
@@ -14106,8 +14874,16 @@
             <translation>escreva antes uma palavra F maior que 0</translation>
         </message>
         <message>
+            <source>write both, as in: NAME = mild-steel 3 mm 45A</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write endsub, or M99 in a subprogram of Fanuc's form</source>
             <translation>escreva endsub, ou M99 em um subprograma na forma Fanuc</translation>
+        </message>
+        <message>
+            <source>write feed= and mm/min, for example feed=900</source>
+            <translation>escreva feed= e mm/min, por exemplo feed=900</translation>
         </message>
         <message>
             <source>write fewer digits</source>
@@ -14146,6 +14922,10 @@
             <translation>escreva-o na linha seguinte</translation>
         </message>
         <message>
+            <source>write its comment before, such as {example}, or name material and thickness</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write its end point</source>
             <translation>escreva o seu ponto final</translation>
         </message>
@@ -14182,6 +14962,10 @@
             <translation>escreva antes por extenso o que ele faz: cncstepper convert</translation>
         </message>
         <message>
+            <source>write ph=, pd=, ch= and fr=</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write plain moves, each in a line of its own, in coordinates that are not turned</source>
             <translation>escreva movimentos simples, cada um em sua linha, em coordenadas não giradas</translation>
         </message>
@@ -14196,6 +14980,10 @@
         <message>
             <source>write the arc with more decimals</source>
             <translation>escreva o arco com mais decimais</translation>
+        </message>
+        <message>
+            <source>write the chart as TOML</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>write the curve as lines and arcs</source>
@@ -14242,6 +15030,10 @@
             <translation>escreva-os em duas linhas</translation>
         </message>
         <message>
+            <source>write those</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write to another one</source>
             <translation>grave em outro</translation>
         </message>
@@ -14256,6 +15048,10 @@
         <message>
             <source>write x,y in mm, or x;y where the comma is the decimal sign</source>
             <translation>escreva x,y em mm, ou x;y onde a vírgula é o sinal decimal</translation>
+        </message>
+        <message>
+            <source>write {0} to {1}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>write {keyword} [condition]</source>
@@ -14290,6 +15086,18 @@
             <translation>zero de {axes} definido em {system}</translation>
         </message>
         <message>
+            <source>{0} mm/min</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} to {1} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} to {1} mm/min</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0}, program {1} of {2}</source>
             <translation>{0}, programa {1} de {2}</translation>
         </message>
@@ -14302,12 +15110,24 @@
             <translation>{asked}; usa-se: {other}</translation>
         </message>
         <message>
+            <source>{away_mm:.3f} mm away</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{beyond_mm:.3f} mm beyond</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{body} goes into clamp {number}</source>
             <translation>{body} bate no grampo {number}</translation>
         </message>
         <message>
             <source>{centre_word} is no centre word in plane {name}</source>
             <translation>{centre_word} não é palavra de centro no plano {name}</translation>
+        </message>
+        <message>
+            <source>{chain}: the kerf does not get into a slot or corner at X{x:.3f} Y{y:.3f}; {left_mm:.2f} mm stay</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{clear_mm:g} mm with the stock to leave</source>
@@ -14330,12 +15150,24 @@
             <translation>{counts} num só lugar</translation>
         </message>
         <message>
+            <source>{count} joints do not fit on {chain}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{crossing} rapid(s) lead over parts that are already free</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{deep_mm:.3f} mm deep</source>
             <translation>{deep_mm:.3f} mm de profundidade</translation>
         </message>
         <message>
             <source>{dialect} answers {answer}</source>
             <translation>{dialect} responde {answer}</translation>
+        </message>
+        <message>
+            <source>{dialect} cannot switch the power off between two cuts</source>
+            <translation>{dialect} não consegue desligar a potência entre dois cortes</translation>
         </message>
         <message>
             <source>{dialect} does not accept {name}</source>
@@ -14406,12 +15238,20 @@
             <translation>{first_mm:g} a {last_mm:g} mm</translation>
         </message>
         <message>
+            <source>{gap_mm:g} mm each, the kerf included</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{hanging} piece(s) stay joined to others, for the tool does not fit between them; the tightest place is at X{x:.3f} Y{y:.3f}</source>
             <translation>{hanging} peça(s) fica(m) unida(s) a outras, pois a ferramenta não cabe entre elas; o lugar mais estreito fica em X{x:.3f} Y{y:.3f}</translation>
         </message>
         <message>
             <source>{high:g} by {high2:g} mm</source>
             <translation>{high:g} por {high2:g} mm</translation>
+        </message>
+        <message>
+            <source>{holes} closed hole(s)</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{home}, and end other programs before the next try</source>
@@ -14432,6 +15272,10 @@
         <message>
             <source>{keeper} was refused</source>
             <translation>{keeper} foi recusado</translation>
+        </message>
+        <message>
+            <source>{kerf_mm:g} mm from the other holes</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{kerf_share:.4g} to {kerf_share2:.4g} mm</source>
@@ -14510,6 +15354,34 @@
             <translation>{key} precisa de uma forma fechada, mas '{name}' não termina onde começa</translation>
         </message>
         <message>
+            <source>{key} needs a laser: {process} has one power and pierces anew</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key} of material {number}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key} of material {number} has no such value</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key} stands twice in one material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key}= of a material has no such value</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key}= of a material is out of its bounds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key}= stands twice in a material's comment</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{lacks} became lines, at most {chord_mm:g} mm away</source>
             <translation>{lacks} viraram retas, afastadas no máximo {chord_mm:g} mm</translation>
         </message>
@@ -14520,6 +15392,10 @@
         <message>
             <source>{left:g} {operator} {right:g} is no finite number</source>
             <translation>{left:g} {operator} {right:g} não é um número finito</translation>
+        </message>
+        <message>
+            <source>{left_out} corner(s) get no loop: there is no scrap for it</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{left_out} messages were left out: more came than could be read</source>
@@ -14618,12 +15494,20 @@
             <translation>{machine} em {port}, grbl {firmware}, iniciado em {begin}</translation>
         </message>
         <message>
+            <source>{machine} does not cut by {process}</source>
+            <translation>{machine} não corta com {process}</translation>
+        </message>
+        <message>
             <source>{match} is no number</source>
             <translation>{match} não é um número</translation>
         </message>
         <message>
             <source>{meaning} (error:{error})</source>
             <translation>{meaning} (error:{error})</translation>
+        </message>
+        <message>
+            <source>{missing} cut(s) end without a lead-out: there is no scrap for it</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{missing} is missing: absolute arc centres need both words</source>
@@ -14640,6 +15524,10 @@
         <message>
             <source>{more} {rest_mm:.3f} mm of material stays in {corners} inside corner(s) that are sharper than the tool; {told}</source>
             <translation>{more} {rest_mm:.3f} mm de material fica em {corners} canto(s) interno(s) mais vivo(s) que a ferramenta; {told}</translation>
+        </message>
+        <message>
+            <source>{most_mm:.2f} mm each</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{most_strokes} moves in one block</source>
@@ -14830,6 +15718,14 @@
             <translation>{path} não é uma gravação de pulsos e não é sobrescrito</translation>
         </message>
         <message>
+            <source>{pierce_mm:g} mm from parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{pierce_mm:g} mm from parts and cut edges</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{places} of {wanted} tabs fit on the contour that begins at X{x:.3f} Y{y:.3f}; make them narrower to have more</source>
             <translation>{places} de {wanted} pontes cabem no contorno que começa em X{x:.3f} Y{y:.3f}; estreite-as para ter mais</translation>
         </message>
@@ -14860,6 +15756,26 @@
         <message>
             <source>{problem} in {table}</source>
             <translation>{problem} em {table}</translation>
+        </message>
+        <message>
+            <source>{process} does not cut with a {shape} tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{process} does not cut with a {shape} tool; its shape is one of: {shapes}</source>
+            <translation>{process} não corta com uma ferramenta {shape}; a forma é uma de: {shapes}</translation>
+        </message>
+        <message>
+            <source>{process} has no kerf and no power to test</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{process} is lowered and lifted, but the machine has no Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{process} takes no cut chart</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{program}, which is to be run before it, is refused</source>
@@ -14920,6 +15836,10 @@
         <message>
             <source>{title} blunts tools of HSS at once</source>
             <translation>{title} cega ferramentas de aço rápido de imediato</translation>
+        </message>
+        <message>
+            <source>{twice} curve(s) are drawn twice and are cut once</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{twice} of the {drawn} holes stand where others do and are made once</source>

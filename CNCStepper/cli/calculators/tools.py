@@ -23,7 +23,7 @@ from CNCStepper.units import MM_PER_INCH
 def command(file: Path, to: Path | None, inch: bool) -> None:
     """List the tools of FILE: .fctb or .fctl of FreeCAD, .tbl of LinuxCNC; with --to convert them.
 
-    What is not understood, guessed or not written is told.
+    It reports what it does not understand, guesses or does not write.
     """
     unit_mm = MM_PER_INCH if inch else 1.0
     tools = read_tools(file, unit_mm)

@@ -97,13 +97,13 @@ def _ended_after(most_s: float) -> Callable[[], None]:
 
 
 def _is_wrong(refusal: ProgramError, reason: ProgramError) -> bool:
-    """Return whether a program is wrong as another dialect reads it too: then its own refusal has said enough."""
+    """Return whether a program is wrong as another dialect reads it too: then its own refusal is enough."""
     there, here = refusal.place or Place(), reason.place or Place()
     return reason.code == refusal.code or (here.column > 0 and here.line == there.line)
 
 
 def _start_words() -> list[str]:
-    """Return the options that say the start, as the running verb was given them."""
+    """Return the options of the start state, as the running verb was given them."""
     from CNCStepper.cli.common.options import reproduce_options
 
     options = reproduce_options()["options"]

@@ -55,7 +55,26 @@ class NumberType(click.ParamType):
         return number
 
 
-class NumbersType(click.ParamType):
+class _PlaceType(click.ParamType):
+    """Numbers with decimal points, joined by commas; `refusal` has the reason for a wrong one."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> tuple[float, ...]:
+        if isinstance(value, tuple):
+            return value
+        try:
+            numbers = tuple(float(part) for part in value.split(","))
+        except ValueError:
+            numbers = ()
+        if refusal := self.refusal(numbers):
+            self.fail(f"'{value}' {refusal}", param, ctx)
+        return numbers
+
+    def refusal(self, numbers: tuple[float, ...]) -> str:
+        """Return why these numbers (none: the text holds no numbers) are refused; "" where they are allowed."""
+        raise NotImplementedError
+
+
+class NumbersType(_PlaceType):
     """X,Y,Z in mm with decimal points."""
 
     name = "X,Y,Z"
@@ -63,34 +82,24 @@ class NumbersType(click.ParamType):
     def __init__(self, kind: str = ""):
         self._low, self._high = (Bounds(kind).low, Bounds(kind).high) if kind else (-MOST, MOST)
 
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> tuple[float, ...]:
-        if isinstance(value, tuple):
-            return value
-        try:
-            numbers = tuple(float(part) for part in value.split(","))
-        except ValueError:
-            numbers = ()
-        if len(numbers) != 3 or not all(self._low <= number <= self._high for number in numbers):
-            kind = "lengths above 0" if self._low > 0 else "numbers"
-            self.fail(f"'{value}' is not three {kind} in mm with decimal points, such as 100,70,20", param, ctx)
-        return numbers
+    def refusal(self, numbers: tuple[float, ...]) -> str:
+        """Return why these are not three numbers within the bounds."""
+        if len(numbers) == 3 and all(self._low <= number <= self._high for number in numbers):
+            return ""
+        kind = "lengths above 0" if self._low > 0 else "numbers"
+        return f"is not three {kind} in mm with decimal points, such as 100,70,20"
 
 
-class PointType(click.ParamType):
+class PointType(_PlaceType):
     """X,Y or X,Y,Z in mm with decimal points."""
 
     name = "X,Y[,Z]"
 
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> tuple[float, ...]:
-        if isinstance(value, tuple):
-            return value
-        try:
-            numbers = tuple(float(part) for part in value.split(","))
-        except ValueError:
-            numbers = ()
-        if len(numbers) not in (2, 3) or not all(-MOST < number < MOST for number in numbers):
-            self.fail(f"'{value}' is no point: two or three numbers in mm, such as 12.5,40 or 12.5,40,-2", param, ctx)
-        return numbers
+    def refusal(self, numbers: tuple[float, ...]) -> str:
+        """Return why these are not two or three numbers."""
+        if len(numbers) in (2, 3) and all(-MOST < number < MOST for number in numbers):
+            return ""
+        return "is no point: two or three numbers in mm, such as 12.5,40 or 12.5,40,-2"
 
 
 class _Named(click.ParamType):
@@ -131,7 +140,7 @@ job_option = click.option(
 
 
 def check_stock(stock: Any, tool: Any, job_path: Path | None, required: bool = False) -> None:
-    """Refuse what says too little or two things of the stock; raises a usage error."""
+    """Refuse options that describe the stock in part or twice; raises a usage error."""
     if job_path and (stock or tool):
         raise click.UsageError("--job says the stock and the tools: leave --stock and --tool out")
     if tool and not stock:
@@ -227,7 +236,7 @@ def plain_options(options: Mapping[str, Iterable[Any]]) -> ReproduceOptions:
 
 
 def merged(proven: ReproduceOptions, own: ReproduceOptions) -> ReproduceOptions:
-    """Return with what a job was made whose proof tells the one, and its own command line the other, which wins."""
+    """Return the options of a job: those of its proof and those of its own command line, which win."""
     if not proven:
         return own
     said = own["options"]

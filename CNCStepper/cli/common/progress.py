@@ -15,7 +15,7 @@ LOG_EVERY_S = 10.0  # where the stream is no terminal, such as a file or the log
 
 
 class Progress:
-    """Says on standard error what a verb does and how far it is: on a terminal one line, elsewhere one now and then."""
+    """Prints the stage and the share of a verb on standard error: on a terminal one line, elsewhere now and then."""
 
     def __init__(self, doing: str, stream: TextIO | None = None, patience_s: float = PATIENCE_S):
         self._doing, self._share = doing, 0.0
@@ -41,11 +41,11 @@ class Progress:
             self._stream.flush()
 
     def doing(self, what: str) -> None:
-        """Say what begins now."""
+        """Print the stage that begins."""
         self._doing, self._share = what, 0.0
 
     def share(self, share: float) -> None:
-        """Say how far it is, from 0 to 1."""
+        """Print the share that is done, from 0 to 1."""
         self._share = share
 
     def _show(self) -> None:

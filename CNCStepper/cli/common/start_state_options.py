@@ -42,7 +42,7 @@ _OPTIONS = (
 
 @dataclass(frozen=True)
 class StartOptions:
-    """What the command line says of the start; nothing of it need be said."""
+    """The start state on the command line; every option may be left out."""
 
     work_zero: tuple[float, float, float] | None = None
     position: tuple[float, float, float] | None = None
@@ -54,11 +54,11 @@ class StartOptions:
         return self != StartOptions()
 
     def start(self) -> Start | None:
-        """Return the start state that is told, None where nothing is."""
+        """Return the start state of the options, None where none is given."""
         return self.on(Start()) if self else None
 
     def on(self, start: Start) -> Start:
-        """Return `start` with all that is told; raises ProgramError at a wrong line of a file."""
+        """Return `start` with the options that are given; raises ProgramError at a wrong line of a file."""
         if self.parameters:
             from CNCStepper.gcode.interpreter.state.parameters import read_parameters, with_parameters
 
@@ -77,7 +77,7 @@ class StartOptions:
 
 
 def start_options(function: Callable[..., Any]) -> Callable[..., Any]:
-    """Add the options that tell the start; the function gets what they say as `given`."""
+    """Add the options of the start state; the function gets their values as `given`."""
 
     @wraps(function)
     def command(

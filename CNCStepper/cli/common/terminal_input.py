@@ -18,7 +18,7 @@ LINE_BYTES = 4096
 
 
 class TerminalInput:
-    """Hears lines from a file descriptor while it waits, in the thread that waits.
+    """Reads lines from a file descriptor while it waits, in the thread that waits.
 
     hear: gets each line without its end. fd: standard input when left out; nothing else may read from it any more.
     """
@@ -33,7 +33,7 @@ class TerminalInput:
             Thread(target=self._read, args=(fd,), name="typed", daemon=True).start()
 
     def wait(self, seconds: float) -> None:
-        """Wait, and hear what is typed meanwhile; lines that have come are heard even where there is no time."""
+        """Wait, and read what is typed meanwhile; lines that have come are read even where there is no time."""
         until_s = time.monotonic() + seconds
         while True:
             try:

@@ -105,7 +105,7 @@ def _sent(job: PulseProgram, port: Path, pace: Pace) -> Jitter:
 
 
 def _execute_command(reins: FeedHold, line: str) -> None:
-    """Do what a line asks for, and say so; any other line is answered with those that there are."""
+    """Do what a line asks for and print it; any other line is answered with the list of commands."""
     if line == HOLD:
         reins.hold()
         said = "holding; ~ goes on"

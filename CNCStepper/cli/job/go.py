@@ -41,7 +41,7 @@ def command(from_pause: bool, session: str | None) -> None:
 
 
 def _check(status: SenderStatus, from_pause: bool) -> None:
-    """Refuse what nobody should start from here without having read why it stands; raises MachineRefusal."""
+    """Refuse a pause whose reason the operator must read first; raises MachineRefusal."""
     from CNCStepper.cli.job.pause_prompt import why
     from CNCStepper.control.session.job_phase import WAITING, Phase
 

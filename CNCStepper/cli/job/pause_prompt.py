@@ -7,7 +7,7 @@ The answers to a pause of a job: go on, stop, jog, set the zero, override, end s
 
 Session events while the operator is asked: printed at once, above the answer being typed.
 
-One thread waits for the answer, as it can on every system; another one hears the session meanwhile, and only meanwhile.
+One thread waits for the answer, as it can on every system; another one reads the session's events until then.
 """
 
 from __future__ import annotations
@@ -32,12 +32,12 @@ from CNCStepper.errors import CNCStepperError
 
 
 def why(status: SenderStatus) -> str:
-    """Return why the machine stands."""
+    """Return the reason of the pause."""
     return status.message or ("The program pauses" if status.phase == Phase.PAUSED else "The machine holds")
 
 
 def question(status: SenderStatus) -> str:
-    """Return what is asked about a stand: why it is, and what may be answered."""
+    """Return the question about a pause: its reason and the possible answers."""
     touches = ", zero z touches off" if status.phase == Phase.PAUSED else ""
     jogs = f", z-0.1 jogs{touches} ({_work_place(status)})" if status.machine_state in ("Idle", "Tool") else ""
     back = "; `cncstepper back` goes back" if status.phase != "door" and status.machine_state != "Tool" else ""
@@ -45,7 +45,7 @@ def question(status: SenderStatus) -> str:
 
 
 def unasked(status: SenderStatus) -> str:
-    """Return what to say of a stand where standard input has ended and is no terminal."""
+    """Return the sentence about a pause where standard input has ended and is no terminal."""
     go = "cncstepper go --pause" if status.phase == Phase.PAUSED else "cncstepper go"
     return (
         f"{why(status)}. Nobody can answer here, so the machine waits. In any terminal `{go}` goes on, "
@@ -54,7 +54,7 @@ def unasked(status: SenderStatus) -> str:
 
 
 def reminder(status: SenderStatus, waits: bool) -> str:
-    """Return what to say while the question about a stand is open that is over; waits: somebody is asked again."""
+    """Return the sentence for an open question whose pause is over; waits: somebody is asked again."""
     if waits:
         return f"Meanwhile: {why(status)}. Press Enter to be asked about that"
     return f"Meanwhile the job has gone on ({status.phase}). Press Enter to see it"
@@ -98,9 +98,9 @@ def read_answer(text: str) -> PendingRequests:
     return [("jog", _way(words, text))]
 
 
-def is_end(wishes: PendingRequests) -> bool:
-    """Return whether the job leaves its stand with these."""
-    return any(name in ("resume", "stop") for name, _ in wishes)
+def is_end(requests: PendingRequests) -> bool:
+    """Return whether the job leaves its pause with these requests."""
+    return any(name in ("resume", "stop") for name, _ in requests)
 
 
 def _way(words: str, text: str) -> dict[str, float]:
@@ -120,7 +120,7 @@ class Answer(click.ParamType):
     name = "answer"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> PendingRequests:
-        """Return the wishes of what was typed."""
+        """Return the requests of a typed answer."""
         try:
             return value if isinstance(value, list) else read_answer(value)
         except ValueError as error:
@@ -131,7 +131,7 @@ LOOK_EVERY_S = 0.05
 
 
 class SessionListener:
-    """Used as a context while somebody is asked about a stand; raises in the end what ended the session's link.
+    """Used as a context while somebody is asked about a pause; at the end raises the error of a lost link.
 
     hear: gets every event but the statuses. tell: gets words.
     """
@@ -184,7 +184,7 @@ OVER = "That was not done: it answered to a stand that is over"
 
 
 class PausePrompt:
-    """Asks about the stands of one session.
+    """Asks about the pauses of one session.
 
     hear: gets every event of the session that comes meanwhile but the statuses. tell: gets words. is_there: whether
     somebody can be asked, which shows at the first question.
@@ -197,20 +197,20 @@ class PausePrompt:
         self._client, self._on_message, self._tell = client, on_message, tell
 
     def ask(self, status: SenderStatus) -> int:
-        """Ask until the job goes on or is stopped; return the number of the stand that was asked about last."""
+        """Ask until the job goes on or is stopped; return the id of the pause that was asked about last."""
         asked = status
         while status.phase in WAITING and self._client.outcome is None:
-            asked, wishes = status, self._answer(status)
+            asked, requests = status, self._answer(status)
             if not self.is_there:
                 self._tell(f"\n{unasked(asked)}")
                 break
             status = self._look(asked)
-            if wishes != STOP and (status.stand != asked.stand or status.phase not in WAITING):
-                if wishes != GO_ON:
+            if requests != STOP and (status.stand != asked.stand or status.phase not in WAITING):
+                if requests != GO_ON:
                     self._tell(OVER)
                 continue
-            self._wish(wishes, asked.stand)
-            if is_end(wishes):
+            self._request(requests, asked.stand)
+            if is_end(requests):
                 break
             status = self._touched(status)
         return asked.stand
@@ -226,12 +226,12 @@ class PausePrompt:
             self.is_there = sys.stdin.isatty() or not isinstance(abort.__context__, EOFError)
             return STOP if self.is_there else []
 
-    def _wish(self, wishes: PendingRequests, stand: int) -> None:
-        for name, values in wishes:
+    def _request(self, requests: PendingRequests, stand: int) -> None:
+        for name, values in requests:
             self._client.ask(name, **(values | {"stand": stand} if name == "resume" else values))
 
     def _look(self, status: SenderStatus) -> SenderStatus:
-        """Return how the machine stands now."""
+        """Return the machine's status now."""
         self._client.ask("status")
         seen: list[SenderStatus] = []
         while not seen and self._client.outcome is None:
@@ -243,7 +243,7 @@ class PausePrompt:
         return seen[-1] if seen else status
 
     def _touched(self, status: SenderStatus) -> SenderStatus:
-        """Wait until a jog has begun and ended, or a zero or an override is set; return how the machine stands then."""
+        """Wait until a jog has begun and ended, or a zero or an override is set; return the machine's status then."""
         begin_s, overrides = time.monotonic(), overrides_in_words(status)
         while (time.monotonic() - begin_s < TOUCHED_S or status.machine_state == "Jog") and not self._client.outcome:
             status = self._look(status)

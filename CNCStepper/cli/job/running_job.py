@@ -22,7 +22,7 @@ session_option = click.option("--session", help="Which job, by its session's nam
 
 
 def session_file(name: str | None) -> Path:
-    """Return the file of the session or desk meant; raises JobError where it is not clear which."""
+    """Return the file of the session or service meant; raises JobError where it is not clear which."""
     from CNCStepper.control.service.connection_session import jobs_running
     from CNCStepper.control.session.files import running_services, sessions
 
@@ -50,7 +50,7 @@ def _none_runs(name: str | None) -> JobError:
 def follow(
     client: SessionClient | ConnectionSession, status: SenderStatus, reached: Callable[[SenderStatus], bool], asked: str
 ) -> SenderStatus:
-    """Wait until a status is reached or the job has ended, and return it; what is told meanwhile is printed.
+    """Wait until a status is reached or the job has ended, and return it; events meanwhile are printed.
 
     status: that of before. asked: the command whose refusal is raised.
     """

@@ -17,24 +17,11 @@ import click
 
 from CNCStepper.cli.common.chart_options import ChartOptions, chart_options
 from CNCStepper.cli.common.findings_output import show_findings
-from CNCStepper.cli.common.options import (
-    FilePath,
-    check_stock,
-    dialect_name,
-    dialect_option,
-    job_option,
-    machine_option,
-    program_argument,
-    read_program,
-    stock_of,
-    stock_options,
-)
-from CNCStepper.cli.common.start_state_options import StartOptions, start_options
+from CNCStepper.cli.common.options import FilePath, program_argument, read_program
+from CNCStepper.cli.common.program_options import ProgramOptions, program_options
 from CNCStepper.cli.common.verb import Verb
-from CNCStepper.cli.job_file import job_and_machine
 from CNCStepper.errors import JobError
 from CNCStepper.machine.profile import Machine
-from CNCStepper.machine.tools.tool import Tool
 
 if TYPE_CHECKING:
     from CNCStepper.control.program.certificate import Certificate
@@ -85,11 +72,7 @@ class ProgramFile:
 @program_argument
 @click.option("--port", required=True, help="A serial port (COM3, /dev/ttyUSB0) or a URL (socket://127.0.0.1:2217).")
 @click.option("--certificate", type=FilePath, help="What `check` or `run` wrote for it; other bytes are refused.")
-@machine_option(required=False)
-@stock_options(required=False)
-@job_option
-@start_options
-@dialect_option
+@program_options()
 @chart_options
 @click.option("--baud", type=click.IntRange(min=300), default=115200, show_default=True)
 @click.option(
@@ -114,12 +97,6 @@ def command(
     program: Path,
     port: str,
     certificate: Path | None,
-    machine: Machine | None,
-    stock: tuple[float, float, float] | None,
-    origin: str,
-    tool: Tool | None,
-    job_path: Path | None,
-    dialect: str | None,
     baud: int,
     zero_confirmed: bool,
     home_first: bool,
@@ -128,7 +105,7 @@ def command(
     allow_differences: bool,
     unchecked: bool,
     despite_certificate: bool,
-    given: StartOptions,
+    given: ProgramOptions,
     cut: ChartOptions,
 ) -> None:
     """Send PROGRAM to the controller at --port and wait until the machine is idle again.
@@ -155,30 +132,39 @@ def command(
     Z, "all" ends --step. While it stands "feed -10", "spindle +10", "rapid 50", "flood" and the like change its
     overrides; "?" lists them. Who jogged is taken back first: up, over, and slowly down to where the program stood.
     """
-    from CNCStepper.cli.common.options import merged, reproduce_options
     from CNCStepper.cli.job.session_watch import watch
     from CNCStepper.control.service.port_owner import check_free, warn_of_closed
 
-    if not certificate or job_path:
-        check_stock(stock, tool, job_path)
     _check_pauses(by_line, resume_pauses)
-    _check_proof(bool(certificate), bool(machine or job_path), unchecked, despite_certificate)
+    _check_proof(given, bool(certificate), unchecked, despite_certificate)
     check_free(port)
     warn_of_closed(partial(click.echo, err=True))
-    wanted = _Wanted(ProgramFile(program), machine, stock_of(stock, origin), tool, given.start())
-    if job_path:
-        wanted = wanted.of_job(*job_and_machine(job_path), is_certified=certificate is not None)
+    job = _job(ProgramFile(program), given, cut, certificate, unchecked, despite_certificate)
+    job = replace(job, port=port, baud=baud, allow_differences=allow_differences)
+    job = replace(job, by_line=by_line, home_first=home_first)
+    conclude(watch(confirmed(job, zero_confirmed), resume_pauses))
+
+
+def _job(
+    program: ProgramFile,
+    given: ProgramOptions,
+    cut: ChartOptions,
+    certificate: Path | None,
+    unchecked: bool,
+    despite: bool,
+) -> SendJob:
+    """Return the job of a program, as its certificate proves it or as it is checked now."""
+    from CNCStepper.cli.common.options import merged, reproduce_options
+
+    wanted = _Wanted.of(program, given, is_certified=certificate is not None)
     if certificate:
         if cut != ChartOptions():
-            dialect = cut.language(dialect, wanted.machine)
-        job = _certified(certificate, wanted, dialect, despite_certificate)
+            given = replace(given, dialect=cut.language(given.dialect, wanted.machine))
+        job = _certified(certificate, wanted, given, despite)
         _check_dialect(job.dialect, wanted.machine)
     else:
-        job = _checked(wanted, cut.language(dialect, wanted.machine), unchecked)
-    job = replace(job, port=port, baud=baud, allow_differences=allow_differences)
-    how = merged(job.made_with, reproduce_options())
-    job = replace(job, by_line=by_line, home_first=home_first, program_sha256=wanted.program.sha256, made_with=how)
-    conclude(watch(confirmed(job, zero_confirmed), resume_pauses))
+        job = _checked(wanted, cut.language(given.dialect, wanted.machine), unchecked)
+    return replace(job, program_sha256=program.sha256, made_with=merged(job.made_with, reproduce_options()))
 
 
 def _check_pauses(by_line: bool, resume_pauses: bool) -> None:
@@ -186,17 +172,19 @@ def _check_pauses(by_line: bool, resume_pauses: bool) -> None:
         raise click.UsageError("--step waits at each line, --resume-pauses at none: give one of them")
 
 
-def _check_proof(is_certified: bool, can_be_checked: bool, unchecked: bool, despite_certificate: bool) -> None:
-    """Refuse options that leave a program unproven without saying so."""
+def _check_proof(given: ProgramOptions, is_certified: bool, unchecked: bool, despite_certificate: bool) -> None:
+    """Refuse options that describe the stock in part, or leave a program unproven without saying so."""
+    if not is_certified or given.job_path:
+        given.check_stock()
     if despite_certificate and not is_certified:
         raise click.UsageError("--despite-certificate goes with --certificate")
-    if not (is_certified or can_be_checked or unchecked):
+    if not (is_certified or given.machine or given.job_path or unchecked):
         raise click.UsageError("give --certificate, or --machine or --job to have it checked, or --unchecked")
 
 
 @dataclass(frozen=True)
 class _Wanted:
-    """What is to be sent, and against what, as far as the command line says it."""
+    """The program to send, and what it is compared with, as far as the command line gives it."""
 
     program: ProgramFile
     machine: Machine | None
@@ -210,16 +198,17 @@ class _Wanted:
         """What the program is called."""
         return str(self.program.path)
 
-    def of_job(self, job: Job, machine: Machine, is_certified: bool) -> _Wanted:
-        """Return it with stock and tools of a job, and its machine where the command line names none.
+    @classmethod
+    def of(cls, program: ProgramFile, given: ProgramOptions, is_certified: bool) -> _Wanted:
+        """Return what the command line asks for; a job gives stock and tools, and its machine where none is named.
 
-        A certificate tells the start where the command line does not; else the job does.
+        Where the command line gives no start, the certificate does; without a certificate the job does.
         """
-        machine = self.machine or machine
-        start = self.start if is_certified and not self.start else job.started(self.start, machine)
-        return replace(
-            self, machine=machine, stock=job.stock.stock(), tools=job.on(machine).tools, start=start, job=job
-        )
+        start, (job, machine) = given.start_options.start(), given.job_and_machine()
+        if job is None or machine is None:
+            return cls(program, machine, given.stock, given.tool, start)
+        start = start if is_certified and not start else job.started(start, machine)
+        return cls(program, machine, job.stock.stock(), job.on(machine).tools, start, job)
 
 
 def _check_dialect(dialect: str, machine: Machine | None) -> None:
@@ -229,8 +218,8 @@ def _check_dialect(dialect: str, machine: Machine | None) -> None:
     check_sendable(dialect, machine.controller if machine else "")
 
 
-def _certified(path: Path, wanted: _Wanted, dialect: str | None, despite: bool) -> SendJob:
-    """Return the certificate's own job; refuses whatever differs from it, or tells it when `despite`."""
+def _certified(path: Path, wanted: _Wanted, given: ProgramOptions, despite: bool) -> SendJob:
+    """Return the certificate's own job; refuses whatever differs from it, or prints it when `despite`."""
     from CNCStepper.control.program.certificate import Certificate
     from CNCStepper.job.certify import proven_start
 
@@ -240,16 +229,16 @@ def _certified(path: Path, wanted: _Wanted, dialect: str | None, despite: bool) 
         if not despite:
             raise
         click.echo(f"cncstepper: {error}", err=True)
-        return _uncertified(wanted, dialect_name(dialect, wanted.machine))
+        return _uncertified(wanted, given.dialect_on(wanted.machine))
     proven = replace(wanted, start=wanted.start or proven_start(certificate))
-    asked = dialect_name(dialect, wanted.machine) if dialect else certificate.dialect
-    refusals = list(_refusals(certificate, proven, asked))
+    dialect = given.dialect_on(wanted.machine) if given.dialect else certificate.dialect
+    refusals = list(_refusals(certificate, proven, dialect))
     if refusals and not despite:
         raise refusals[0]
     for refusal in refusals:
         click.echo(f"cncstepper: {refusal}", err=True)
     if any(refusal.code in ("certificate-program", "certificate-wire") for refusal in refusals):
-        return _uncertified(wanted, asked)
+        return _uncertified(wanted, dialect)
     return certificate.send_job(file=wanted.file)
 
 
@@ -309,7 +298,7 @@ def _checked(wanted: _Wanted, dialect: str, unchecked: bool) -> SendJob:
 
 
 def _plan(machine: Machine | None, motors: Toolpath) -> list[list[float]]:
-    """Return the planned times by which the sender tells what remains; none for a machine that is not known."""
+    """Return the planned times from which the sender calculates what remains; none without a machine."""
     from CNCStepper.job.planned_times import milestones
     from CNCStepper.motion.planner.plan import begun, times_s
 
@@ -352,7 +341,7 @@ def confirmed(job: SendJob, confirmed: bool) -> SendJob:
 
 
 def conclude(outcome: Outcome) -> None:
-    """Say how it ended and how the machine stands; only "done" is exit status 0."""
+    """Print the outcome and the machine's state; only "done" is exit status 0."""
     status = outcome.status
     click.echo(f"{status.acknowledged} of {status.total} lines acknowledged in {status.elapsed_s:.1f} s")
     if outcome.error:

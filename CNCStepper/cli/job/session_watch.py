@@ -33,7 +33,7 @@ def watch(job: SendJob, resume_pauses: bool) -> Outcome:
 
 
 class Moving(Progress):
-    """The progress of one job: phase, bar and time, and below them what moves, as `live` says it."""
+    """The progress of one job: phase, bar and time, and below them the line of `live`."""
 
     def __init__(self, console: Console | None = None) -> None:
         console = console or Console(stderr=True)
@@ -55,7 +55,7 @@ class Moving(Progress):
 
 
 class _Live:
-    """What `live` says of a moment, in lines of the terminal's width."""
+    """The text of `live` for a moment, in lines of the terminal's width."""
 
     def __init__(self, status: SenderStatus):
         self._status = status
@@ -97,7 +97,7 @@ class _Watch:
                 self._print(event)
 
     def _interrupted(self) -> None:
-        """Hold, for whoever interrupts is here to answer; stop what stands already where nobody can be asked."""
+        """Hold, as whoever interrupts can answer; stop a job that is paused already where nobody can be asked."""
         if self._phase in WAITING and not self._pause_prompt.is_there:
             self._client.stop()
             return
@@ -114,7 +114,7 @@ class _Watch:
         self._progress.console.print(text, markup=False)
 
     def _stand(self, status: SenderStatus) -> None:
-        """Ask once for each stand what to do."""
+        """Ask once for each pause what to do."""
         if status.phase in LEG_BEGINS:
             self._follow_buttons()
         if status.phase not in WAITING or status.stand <= self._answered:

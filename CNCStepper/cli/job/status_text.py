@@ -30,14 +30,14 @@ def live(status: SenderStatus, width: int) -> str:
 
 
 def overrides_in_words(status: SenderStatus) -> str:
-    """Return the overrides and what is switched on, "" where the controller has not told them."""
+    """Return the overrides and the outputs that are on, "" where the controller does not report them."""
     if not status.overrides:
         return ""
     return "/".join(map(str, status.overrides)) + " %" + (f" {status.outputs}" if status.outputs else "")
 
 
 def _parts(status: SenderStatus) -> Iterator[str]:
-    """Yield what there is to say, the most important first."""
+    """Yield the parts of the text, the most important first."""
     if status.remaining_s is not None:
         yield f"{timedelta(seconds=round(status.remaining_s))} to go"
     if status.file_line_sent:

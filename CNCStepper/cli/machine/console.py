@@ -3,7 +3,7 @@
 
 Controller messages while a console line is typed: printed at once, above that line.
 
-One thread waits for the line, as it can on every system; another one hears the desk meanwhile, and only meanwhile.
+One thread waits for the line, as it can on every system; another one reads the service's events, until the line comes.
 """
 
 from __future__ import annotations
@@ -60,7 +60,7 @@ class EchoInput:
             self._show(f"{self._talk.client.error or 'the desk has ended'} (Enter ends the console)")
 
     def _heard(self) -> Iterator[str]:
-        """Yield what the desk has told since the last look, in words."""
+        """Yield the service's events since the last look, in words."""
         yield from (event["text"] for event in self._talk.heard() if event["event"] in TOLD_EVENTS)
         status = self._talk.status
         if (status.phase, _reason(status)) != (self._phase, self._reason):
@@ -80,7 +80,7 @@ def _reason(status: SenderStatus) -> str:
 
 
 def _typed() -> str | None:
-    """Return what stands after the prompt by now, None where this Python cannot tell: then it stays where it is."""
+    """Return the text after the prompt, None where this Python cannot read it: then it stays where it is."""
     try:
         import readline
     except ImportError:  # on Windows
@@ -147,7 +147,7 @@ class Session:
         }
 
     def do(self, line: str) -> None:
-        """Do what a line says and wait until it is done; raises what is refused."""
+        """Execute a line and wait until it is done; raises what is refused."""
         first, *words = line.split() or [""]
         if first.lower() in self._words:
             self._words[first.lower()](words)
@@ -214,7 +214,7 @@ def _feed_mm_min(words: list[str]) -> float:
 
 
 def converse(talk: ServiceClient) -> None:
-    """Ask for line after line until quit; a refusal is said, a lost link ends it."""
+    """Ask for line after line until quit; a refusal is printed, a lost link ends it."""
     session, typed = Session(talk), list[str]()
     for line in _lines(talk):
         if line == "quit":
@@ -230,7 +230,7 @@ def converse(talk: ServiceClient) -> None:
 
 
 def _try(session: Session, line: str) -> None:
-    """Do what a line says; what is refused is said."""
+    """Execute a line; print a refusal."""
     try:
         session.do(line)
     except click.ClickException as error:
@@ -242,7 +242,7 @@ def _try(session: Session, line: str) -> None:
 
 
 def _lines(talk: ServiceClient) -> Iterator[str]:
-    """Yield the lines that are typed; what the controller says meanwhile is shown. Raises the error of a lost link."""
+    """Yield the lines that are typed and show the controller's messages meanwhile. Raises the error of a lost link."""
     overheard = EchoInput(talk, PROMPT)
     while True:
         try:
@@ -258,7 +258,7 @@ def _lines(talk: ServiceClient) -> Iterator[str]:
 
 
 def _hold(talk: ServiceClient) -> None:
-    """Hold what moves, and wait until it stands; what had been done already is no error."""
+    """Hold the machine and wait until it stops; a machine that is held already is no error."""
     talk.client.hold()
     with suppress(CNCStepperError):
         while talk.ask_status().machine_state not in STANDING:

@@ -72,7 +72,7 @@ def _jog_job(session: Path, axes_mm: dict[str, float], feed_mm_min: float) -> No
 
 
 def jog(talk: ServiceClient, line: str) -> None:
-    """Jog and wait until the machine stands; raises a ClickException with the controller's words when it does not."""
+    """Jog and wait until the machine is idle; raises a ClickException with the controller's words when it does not."""
     try:
         answer = talk.type(line)
     except KeyboardInterrupt:

@@ -45,7 +45,7 @@ def _list_ports() -> None:
 
 
 def _ask(port: str, baud: int) -> bool:
-    """Say what answers at a port; return whether something did."""
+    """Print what answers at a port; return whether something did."""
     from CNCStepper.control.protocol.grbl.driver import Grbl
     from CNCStepper.control.protocol.grbl.timeouts import Timing
     from CNCStepper.control.transport.link import open_link

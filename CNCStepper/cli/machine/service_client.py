@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What machine verbs share: commands to the connection service at a port, and their results.
 
-A desk that runs at that port already, a window's for example, is asked; else one is started, and ends with the verb.
+A service that runs at that port already, a window's for example, is asked; else one is started, and ends with the verb.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from CNCStepper.control.session.status import SenderStatus
 
 LOOK_EVERY_S = 0.02
-END_LIMIT_S = 5.0  # for a desk of our own to let go of the port
+END_LIMIT_S = 5.0  # for a service of our own to let go of the port
 
 Event = dict[str, Any]
 
@@ -40,7 +40,7 @@ def port_options(function: Any) -> Any:
 
 
 class ServiceClient:
-    """A conversation with the desk at a port; prints what the desk tells meanwhile, and raises what it refuses."""
+    """A conversation with the connection service at a port; prints its events and raises its refusals."""
 
     def __init__(self, port: str, baud: int):
         from CNCStepper.control.service.connection_client import ConnectionClient
@@ -65,12 +65,12 @@ class ServiceClient:
 
     @property
     def status(self) -> SenderStatus:
-        """What was last heard of the machine."""
+        """The last status of the machine."""
         return self.client.status
 
     @property
     def is_over(self) -> bool:
-        """Whether the desk has ended, or its link is lost."""
+        """Whether the service has ended, or its link is lost."""
         return self.client.phase == "gone"
 
     def heard(self) -> list[Event]:
@@ -78,12 +78,12 @@ class ServiceClient:
         return [event for event in self.client.poll() if not event.get("past")]
 
     def check(self) -> None:
-        """Raise why the desk has ended, if it has."""
+        """Raise why the service has ended, if it has."""
         if self.is_over:
             raise self.client.error or CNCStepperError("desk-gone", "the desk has ended", advice="try again")
 
     def look(self) -> list[Event]:
-        """Wait a moment and return what has happened; raises the error when the desk has ended."""
+        """Wait a moment and return what has happened; raises the error when the service has ended."""
         time.sleep(LOOK_EVERY_S)
         events = self.heard()
         for event in events:
@@ -102,20 +102,20 @@ class ServiceClient:
                     return event
 
     def ask_status(self) -> SenderStatus:
-        """Ask how the machine stands, and return it; one that does not change tells nothing by itself."""
+        """Ask for the machine's status and return it; a status that does not change is not sent unasked."""
         self.client.ask("status")
         self.until(lambda event: event["event"] == "status")
         return self.status
 
     def override(self, values: dict[str, str]) -> None:
-        """Ask for an override, and wait until the controller tells it."""
+        """Ask for an override, and wait until the controller reports it."""
         before, end_s = overrides_in_words(self.status), time.monotonic() + OVERRIDES_TOLD_S
         self.client.ask("override", **values)
         while overrides_in_words(self.ask_status()) == before and time.monotonic() < end_s:
             pass
 
     def type(self, text: str) -> str:
-        """Send a typed line, print what the controller says, and return its answer."""
+        """Send a typed line, print the controller's messages, and return its answer."""
         self.client.type(text)
         event = self.until(self._heard_answer)
         return str(event["text"])

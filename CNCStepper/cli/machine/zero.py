@@ -34,7 +34,7 @@ def command(axes: str, port: str, baud: int) -> None:
 
 
 def _zero_job(session: Path, axes: str) -> None:
-    """Set the zero of a job that stands between two lines."""
+    """Set the zero of a job that is paused between two lines."""
     from CNCStepper.control.session.client import SessionClient
     from CNCStepper.recovery.retract.client import set_zero
 

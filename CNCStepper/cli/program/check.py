@@ -20,25 +20,15 @@ import click
 from CNCStepper.cli.common.chart_options import ChartOptions, chart_options
 from CNCStepper.cli.common.findings_output import show_figures, show_findings, write_report
 from CNCStepper.cli.common.option_hints import add_conversion, show_hints
-from CNCStepper.cli.common.options import (
-    check_stock,
-    dialect_option,
-    job_option,
-    machine_option,
-    program_argument,
-    read_program,
-    stock_of,
-    stock_options,
-)
+from CNCStepper.cli.common.options import program_argument, read_program
 from CNCStepper.cli.common.path_types import OutputPath
+from CNCStepper.cli.common.program_options import ProgramOptions, program_options
 from CNCStepper.cli.common.progress import Progress
-from CNCStepper.cli.common.start_state_options import StartOptions, start_options
 from CNCStepper.cli.common.verb import Verb
 from CNCStepper.cli.job_file import job_of
 from CNCStepper.errors import ProgramError
 from CNCStepper.input_file import MB
 from CNCStepper.machine.profile import Machine
-from CNCStepper.machine.tools.tool import Tool
 
 if TYPE_CHECKING:
     from CNCStepper.job.model import Job
@@ -81,11 +71,7 @@ STAGES = {
 
 @click.command("check", cls=Verb)
 @program_argument
-@machine_option(required=True)
-@stock_options(required=False)
-@job_option
-@start_options
-@dialect_option
+@program_options(machine_required=True)
 @chart_options
 @click.option(
     "--part", type=click.IntRange(1), help="Which program of the job it is, where the machine wants one a tool."
@@ -94,16 +80,10 @@ STAGES = {
 @click.option("--certificate", type=OutputPath("certificate"), help="Also write the certificate there, for `send`.")
 def command(
     program: Path,
-    machine: Machine,
-    stock: tuple[float, float, float] | None,
-    origin: str,
-    tool: Tool | None,
-    job_path: Path | None,
-    dialect: str | None,
     part: int | None,
     json_path: Path | None,
     certificate: Path | None,
-    given: StartOptions,
+    given: ProgramOptions,
     cut: ChartOptions,
 ) -> None:
     """Check PROGRAM against a machine: travel, feeds, spindle; with --stock and --tool also rapids and plunges, with
@@ -114,10 +94,11 @@ def command(
     Exit 0 clean, 1 refused; each finding is file:line:column: text. Where --work-zero is not given, the place of
     the program on the table is reported as unknown.
     """
-    check_stock(stock, tool, job_path)
-    language, start = cut.language(dialect, machine), given.start()
-    asked = _Asked(program, machine, language, start, json_path, certificate)
-    job = job_of(job_path) if job_path else None
+    given.check_stock()
+    machine, start = given.machine, given.start_options.start()
+    assert machine  # the option is required
+    asked = _Asked(program, machine, cut.language(given.dialect, machine), start, json_path, certificate)
+    job = job_of(given.job_path) if given.job_path else None
     with Progress(f"{STAGES['make']} {program.name}"):
         earlier = prior_parts(job, machine, part) if job else []
     with regular_file(program) as file:
@@ -130,7 +111,7 @@ def command(
         else:
             from CNCStepper.job.prove_file import prove_file
 
-            prove = partial(prove_file, stock=stock_of(stock, origin), tools=tool)
+            prove = partial(prove_file, stock=given.stock, tools=given.tool)
             _check_in_pieces(prove, file, start, asked)
 
 
@@ -227,7 +208,7 @@ def _end_unread(refused: list[ProgramError], program: Path) -> NoReturn:
 
 
 def prior_parts(job: Job, machine: Machine, part: int | None) -> list[Proof]:
-    """Return the proofs of the job's programs before this one; raises a usage error where nobody says which it is."""
+    """Return the proofs of the job's programs before this one; raises a usage error where --part is missing."""
     from CNCStepper.job.make import is_split, make_parts
     from CNCStepper.job.prove import prove_parts
 

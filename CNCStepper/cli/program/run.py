@@ -95,7 +95,7 @@ def _write_program(file: Path, text: str) -> None:
 
 
 def _conclude(proof: Proof, file: Path, suffix: str, title: str, job: Job, made_with: ReproduceOptions) -> None:
-    """Write report, certificate and picture beside a program, and say what was found."""
+    """Write report, certificate and picture beside a program, and print the findings."""
     from CNCStepper.job.certify import certificate_of
 
     report, certificate = file.with_name(f"report{suffix}.json"), file.with_name(f"certificate{suffix}.zip")

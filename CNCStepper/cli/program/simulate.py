@@ -13,22 +13,11 @@ import click
 import numpy as np
 
 from CNCStepper.cli.common.findings_output import show_findings, write_report
-from CNCStepper.cli.common.options import (
-    check_stock,
-    dialect_name,
-    dialect_option,
-    job_option,
-    machine_option,
-    program_argument,
-    read_program,
-    stock_of,
-    stock_options,
-)
+from CNCStepper.cli.common.options import program_argument, read_program
 from CNCStepper.cli.common.path_types import OutputPath
-from CNCStepper.cli.common.start_state_options import StartOptions, start_options
+from CNCStepper.cli.common.program_options import ProgramOptions, program_options
 from CNCStepper.cli.common.verb import Verb
-from CNCStepper.cli.job_file import job_and_machine
-from CNCStepper.machine.profile import Machine, load_machine
+from CNCStepper.machine.profile import load_machine
 from CNCStepper.machine.tools.tool import Tool
 
 if TYPE_CHECKING:
@@ -43,8 +32,7 @@ ANIMATION_S = 6.0
 
 @click.command("simulate", cls=Verb)
 @program_argument
-@stock_options(required=False)
-@job_option
+@program_options()
 @click.option(
     "-o",
     "--out",
@@ -57,24 +45,15 @@ ANIMATION_S = 6.0
 @click.option("--line", type=click.IntRange(min=1), help="Show the part after that line of the program.")
 @click.option("--stl", type=OutputPath("mesh"), help="Also write the part there, as STL in mm.")
 @click.option("--json", "json_path", type=OutputPath("report"), help="Also write the report there.")
-@machine_option(required=False)
-@start_options
-@dialect_option
 def command(
     program: Path,
-    stock: tuple[float, float, float] | None,
-    origin: str,
-    tool: Tool | None,
-    job_path: Path | None,
     out: Path,
     view: str | None,
     at_s: float | None,
     line: int | None,
     stl: Path | None,
     json_path: Path | None,
-    machine: Machine | None,
-    dialect: str | None,
-    given: StartOptions,
+    given: ProgramOptions,
 ) -> None:
     """Draw what PROGRAM leaves of the stock, at its end or at a moment; times are the job's machine's
     or table-a's unless told.
@@ -84,21 +63,21 @@ def command(
     """
     from CNCStepper.job.prove import prove, prove_job
 
-    check_stock(stock, tool, job_path, required=True)
+    given.check_stock(required=True)
     if at_s is not None and line is not None:
         raise click.UsageError("give either --at or --line")
-    job, job_machine = job_and_machine(job_path) if job_path else (None, load_machine("table-a"))
-    machine = machine or job_machine
+    job, named = given.job_and_machine()
+    machine = named or load_machine("table-a")
     text = read_program(program)
-    words: dict[str, Any] = {"file": str(program), "start": given.start()}
-    words["dialect"] = dialect_name(dialect, machine)
+    words: dict[str, Any] = {"file": str(program), "start": given.start_options.start()}
+    words["dialect"] = given.dialect_on(machine)
     out.parent.mkdir(parents=True, exist_ok=True)
     if out.suffix.lower() == ".png" and view in (None, "depth") and at_s is line is None:
         words["see"] = partial(_show_first, out)
     if job:
         proof = prove_job(job, machine, text, **words)
     else:
-        proof = prove(text, machine, stock=stock_of(stock, origin), tools=tool, **words)
+        proof = prove(text, machine, stock=given.stock, tools=given.tool, **words)
     show = _Show(proof, program.stem)
     show.draw(out, view, show.time_s(at_s, line))
     if stl:

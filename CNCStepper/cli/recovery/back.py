@@ -72,8 +72,8 @@ def command(
 
     Without --distance, --line, --entry, --forward or --resume it asks what to do, again and again.
     """
-    wishes = [distance_mm is not None, line is not None, entry, forward_mm is not None, resume]
-    if sum(wishes) > 1:
+    requests = [distance_mm is not None, line is not None, entry, forward_mm is not None, resume]
+    if sum(requests) > 1:
         raise click.UsageError("give one of --distance, --line, --entry, --forward and --resume")
     from CNCStepper.control.service.connection_session import attach
     from CNCStepper.control.session.job_phase import Phase
@@ -81,9 +81,9 @@ def command(
 
     with attach(session_file(session)) as client:
         back = RetractClient(client, machine)
-        if back.hold().phase != Phase.RETREATED or not any(wishes):
+        if back.hold().phase != Phase.RETREATED or not any(requests):
             _show(back.hold(), back.held())
-        if not any(wishes):
+        if not any(requests):
             _Dialogue(back, client).run()
         elif resume:
             _resume(back)
@@ -104,7 +104,7 @@ def _target(
 
 
 def _go(back: RetractClient, held: HeldProgram, target: Place) -> None:
-    """Go along the cut to a place, and say where the tool stands then."""
+    """Go along the cut to a place, and print the tool's position there."""
     if held.doubt:
         click.echo(held.doubt, err=True)
     back.go(held.along(target))
@@ -117,7 +117,7 @@ def _resume(back: RetractClient) -> None:
 
 
 def _show(status: SenderStatus, held: HeldProgram) -> None:
-    """Say where the tool is: the line that moves there, and the work position."""
+    """Print where the tool is: the line that moves there, and the work position."""
     place = " ".join(f"{axis}{value:.3f}" for axis, value in zip("XYZ", status.wpos_mm or (), strict=False))
     click.echo(f"{status.phase}: line {held.file_line(held.place)}  {place}")
 
@@ -130,7 +130,7 @@ class _Dialogue:
         self._client = client
 
     def run(self) -> None:
-        """Ask and obey; what is refused is told, and asked again."""
+        """Ask and execute the answer; after a refusal print it and ask again."""
         click.echo(MEANINGS)
         while True:
             stand = self._client.status().stand
@@ -146,7 +146,7 @@ class _Dialogue:
                 click.echo(f"cncstepper: {error}", err=True)
 
     def _over(self, stand: int, word: str) -> bool:
-        """Return whether an answer that moves the machine was asked for at a stand that is over, and say so."""
+        """Return whether an answer that moves the machine belongs to a pause that is over, and print that."""
         if word in ("s", "q") or self._client.status().stand == stand:
             return False
         click.echo(OVER, err=True)

@@ -16,25 +16,11 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from CNCStepper.cli.common.findings_output import save, show_findings
-from CNCStepper.cli.common.options import (
-    NumberType,
-    PointType,
-    check_stock,
-    dialect_name,
-    dialect_option,
-    job_option,
-    machine_option,
-    program_argument,
-    read_program,
-    reproduce_options,
-    stock_of,
-    stock_options,
-)
+from CNCStepper.cli.common.options import NumberType, PointType, program_argument, read_program, reproduce_options
 from CNCStepper.cli.common.path_types import OutputPath
+from CNCStepper.cli.common.program_options import ProgramOptions, program_options
 from CNCStepper.cli.common.progress import Progress
-from CNCStepper.cli.common.start_state_options import StartOptions, start_options
 from CNCStepper.cli.common.verb import Verb
-from CNCStepper.cli.job_file import job_and_machine
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tools.tool import Tool
 
@@ -44,6 +30,7 @@ if TYPE_CHECKING:
     from CNCStepper.recovery.restart.places import RequestedPlace
     from CNCStepper.recovery.restart.prove import EntryOptions, ProvenRestart
     from CNCStepper.simulation.stock import Stock
+    from CNCStepper.state import Start
 
 _PLACE = (
     click.option("--line", type=click.IntRange(1), help="The first line that is not certainly done."),
@@ -129,10 +116,19 @@ class _Against:
 
     machine: Machine
     dialect: str
-    given: StartOptions
+    start: Start | None
     stock: Stock | None
     tool: Tool | None
     job: Job | None
+
+    @classmethod
+    def of(cls, given: ProgramOptions) -> _Against:
+        """Return what the options name; raises a usage error where they name no machine."""
+        job, machine = given.job_and_machine()
+        if machine is None:
+            raise click.UsageError("give --machine, or --job whose machine counts")
+        start, dialect = given.start_options.start(), given.dialect_on(machine)
+        return cls(machine, dialect, start, given.stock, given.tool, job)
 
     @property
     def has_stock(self) -> bool:
@@ -143,25 +139,15 @@ class _Against:
 @click.command("restart", cls=Verb)
 @program_argument
 @restart_options
-@machine_option(required=False)
-@stock_options(required=False)
-@job_option
-@start_options
-@dialect_option
+@program_options()
 @click.option("--part", type=click.IntRange(1), help="Which program of the job it is, where it is split, one a tool.")
 def command(
     program: Path,
     where: RequestedPlace,
     entering: EntryOptions,
     sending: Sending,
-    machine: Machine | None,
-    stock: tuple[float, float, float] | None,
-    origin: str,
-    tool: Tool | None,
-    job_path: Path | None,
-    dialect: str | None,
     part: int | None,
-    given: StartOptions,
+    given: ProgramOptions,
 ) -> None:
     """Go on with PROGRAM from a line, an operation, a contour or a point on.
 
@@ -180,12 +166,8 @@ def command(
     from CNCStepper.control.service.port_owner import check_free, warn_of_closed
     from CNCStepper.recovery.restart.prove import certificate_of_restart
 
-    check_stock(stock, tool, job_path)
-    job, machine_of_job = job_and_machine(job_path) if job_path else (None, None)
-    machine = machine or machine_of_job
-    if machine is None:
-        raise click.UsageError("give --machine, or --job whose machine counts")
-    against = _Against(machine, dialect_name(dialect, machine), given, stock_of(stock, origin), tool, job)
+    given.check_stock()
+    against = _Against.of(given)
     _check_stock(against, sending)
     if sending.port:
         check_free(sending.port)
@@ -206,7 +188,7 @@ def command(
 
 
 def _check_stock(against: _Against, sending: Sending) -> None:
-    """Refuse to send what was cut on no stock without saying so, and what says both; raises a usage error."""
+    """Refuse to send a restart cut on no stock without --without-stock, and both together; raises a usage error."""
     if sending.without_stock and against.has_stock:
         raise click.UsageError("--without-stock goes without --job, --stock and --tool")
     if sending.port and not (against.has_stock or sending.without_stock):
@@ -220,8 +202,7 @@ def _list(text: str, program: Path, against: _Against) -> None:
     from CNCStepper.recovery.restart.description import contour_table
     from CNCStepper.recovery.restart.interrupted_program import read_program as read
 
-    start = against.given.start()
-    start = against.job.started(start, against.machine) if against.job else start
+    start = against.job.started(against.start, against.machine) if against.job else against.start
     click.echo("contour   line   operation             begins at                        length")
     for number, line, operation, place, length_mm in contour_table(read(text, against.dialect, start, str(program))):
         click.echo(f"{number:7} {line:6}   {operation:20}  {place:32} {length_mm:.1f} mm")
@@ -234,7 +215,7 @@ def _proven(
     from CNCStepper.cli.program.check import STAGES, prior_parts
     from CNCStepper.recovery.restart.prove import restart_job, restart_program
 
-    words: dict[str, Any] = {"file": str(program), "dialect": against.dialect, "start": against.given.start()}
+    words: dict[str, Any] = {"file": str(program), "dialect": against.dialect, "start": against.start}
     with Progress(f"reading {program.name}") as progress:
         words["tell"] = lambda stage: progress.doing(f"{STAGES[stage]} the restart of {program.name}")
         words["share"] = progress.share
@@ -245,7 +226,7 @@ def _proven(
 
 
 def _tell(proven: ProvenRestart, against: _Against) -> None:
-    """Say what the restart does, and against what it was proven."""
+    """Print what the restart does, and against what it was proven."""
     from CNCStepper.recovery.restart.description import proven_against, words_of
 
     show_findings(proven.proof.findings)

@@ -103,7 +103,7 @@ class RestartLine:
         return validated(Machine, self._profile, "journal").language() if self._profile else "grbl"
 
     def _no_stock(self) -> Iterator[str]:
-        """Say so where the job was sent without stock."""
+        """Note where the job was sent without stock."""
         if "--job" not in self._options and not {"--stock", "--tool"} <= set(self._options):
             yield NO_STOCK
             what = "the stock and its tool, so nobody sees whether a rapid meets material"
@@ -124,7 +124,7 @@ class RestartLine:
             self._options["--work-zero"] = [",".join(f"{value:.3f}" for value in zero_mm[:3])]
 
     def _look_at(self, files: Mapping[str, str]) -> None:
-        """Say which of the files that the command names are not as they were."""
+        """Note which of the files that the command names have changed."""
         for name in (name for name in files if name in self.words):
             if not Path(name).is_file():
                 self._tell("missing", f"{name} is not there any more: the restart is made with it, bring it back")

@@ -254,7 +254,7 @@ class Journal:
         return bool(self._trouble) and self.permitted <= sent < len(self._job.lines)
 
     def mark_uncertain(self, line: int) -> None:
-        """Learn that a line (from 0) or one after it was cut otherwise than the program says: none is finished."""
+        """Learn that a line (from 0) or one after it was cut otherwise than programmed: none is finished."""
         self._doubted = min(self._doubted, line)
 
     def end(self, outcome: Outcome) -> list[str]:

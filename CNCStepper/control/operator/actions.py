@@ -10,10 +10,10 @@ from CNCStepper.control.protocol.grbl.readiness import check_state
 from CNCStepper.control.protocol.grbl.report import Status, Vector
 from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.errors import LinkError, MachineRefusal, Text
+from CNCStepper.tolerances import REPORTED_MM
 
 AXES = "XYZ"
 SYSTEMS = ("G54", "G55", "G56", "G57", "G58", "G59")  # P1 to P6 of G10
-ZERO_TOLERANCE_MM = 0.005  # what is reported is rounded, in inches to 0.0025 mm
 
 
 def set_zero(driver: Grbl, axes: str, timing: Timing) -> str:
@@ -108,7 +108,7 @@ def _check_zero_set(driver: Grbl, system: str, axes: str, timing: Timing) -> Non
     extra_mm = extra_mm or (0.0,) * len(machine_mm)
     for number, axis in enumerate(AXES):
         here_mm = _less_tool(machine_mm[number] - offset_mm[number] - extra_mm[number], axis, driver, offsets)
-        if axis in axes and abs(here_mm) > ZERO_TOLERANCE_MM:
+        if axis in axes and abs(here_mm) > REPORTED_MM:
             raise MachineRefusal(
                 "zero-not-set",
                 Text("the zero of {axis} in {system} was not taken over", axis=axis, system=system),
@@ -119,6 +119,6 @@ def _check_zero_set(driver: Grbl, system: str, axes: str, timing: Timing) -> Non
 
 
 def _less_tool(length_mm: float, axis: str, driver: Grbl, offsets: dict[str, Vector]) -> float:
-    """Take the tool length off, which stands in the way of Z only."""
+    """Take the tool length off, which matters for Z only."""
     tool_mm = driver.mm(offsets.get("TLO"))
     return length_mm - tool_mm[-1] if tool_mm and axis == "Z" else length_mm

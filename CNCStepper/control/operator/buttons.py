@@ -2,7 +2,7 @@
 """The machine's own buttons: what their pins show becomes commands, on the thread that looks at the pins.
 
 Pn: in a status ──► hear ──┐
-                           ├──► Debouncer ──► edge ──► told, and asked of the sender or the desk
+                           ├──► Debouncer ──► edge ──► told, and asked of the sender or the service
 PinWatch of a port ────────┘
 
 A contact that bounces, followed until it rests.
@@ -14,7 +14,7 @@ edge                                ^ True
 What a button of the machine asks for: the same commands that a window and a terminal ask.
 
 act            pressed                                   let go
-start          resume; of an idle desk its last job      -
+start          resume; of an idle service its last job      -
 pause          hold                                      -
 back           request_retract, back_mm farther                -
 stop           stop                                      -
@@ -194,7 +194,7 @@ def open_pins(port: str) -> StatusPins:
 class PinWatch:
     """Looks at the pins of one port again and again, on a thread of its own, until `close`.
 
-    look: gets the pins that are high. lost: hears why they cannot be read any more; nothing is looked at then.
+    look: gets the pins that are high. lost: gets the reason when they cannot be read any more; the watch ends then.
     """
 
     def __init__(self, pins: StatusPins, look: Callable[[Pins], None], lost: Callable[[LinkError], None]):
@@ -246,7 +246,7 @@ class _Contact:
 class Buttons:
     """The buttons of one machine, none until `wire`.
 
-    ask: gets what is pressed, from any thread. tell(kind, text): hears of it. start: what a start button asks for
+    ask: gets what is pressed, from any thread. tell(kind, text): is called with it. start: what a start button asks for
     while the machine is idle, None to resume.
     """
 

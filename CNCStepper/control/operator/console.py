@@ -5,7 +5,7 @@ line ──► sent ──► what the controller says ("console") ──► ok 
 
 Whether a line that a person types at a console may go to the controller now, and what kind of line it is.
 
-    $H  $X                     home and unlock: done as the desk does them
+    $H  $X                     home and unlock: done as the service does them
     $  $$  $#  $G  $I  $N ...  questions, while it stands
     $J=G91G21X10F1000          a jog
     $110=500                   a setting, while it stands

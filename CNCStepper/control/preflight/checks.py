@@ -49,6 +49,7 @@ from CNCStepper.control.protocol.grbl.readiness import (
 )
 from CNCStepper.control.protocol.grbl.report import Vector
 from CNCStepper.errors import MachineRefusal, Text
+from CNCStepper.gcode.syntax.words import scanned_codes
 from CNCStepper.state import WORK_SYSTEMS
 
 
@@ -115,7 +116,6 @@ SWITCHED = {  # what may be on -> what a program says of it, and what is wanted 
 }
 TURNS = {"M3", "M4"}
 LENGTH_TOLERANCE_MM = 0.002
-_CODE = re.compile(r"([GM])0*([0-9]+(?:\.[0-9]+)?)")
 _CUT = re.compile(r"G0*(?:[1235]|33|38|7[346]|8[1-9])(?:\.[0-9]+)?(?![0-9])")
 _USES_MODES = re.compile(r"[XYZIJKRF][-+.0-9]")
 
@@ -124,7 +124,7 @@ def implied_modes(lines: Iterable[str]) -> tuple[str, ...]:
     """Return the fresh modes that wire lines do not name up to the first one with a length or a feed."""
     missing = dict(FRESH)
     for line in lines:
-        said = _codes(line)
+        said = scanned_codes(line)
         missing = {mode: group for mode, group in missing.items() if not said.intersection(group)}
         if _USES_MODES.search(line):
             return tuple(missing)
@@ -135,7 +135,7 @@ def codes_before_cut(lines: Iterable[str]) -> set[str]:
     """Return the codes of wire lines up to the first that cuts, its own too."""
     said: set[str] = set()
     for line in lines:
-        said |= _codes(line)
+        said |= scanned_codes(line)
         if _CUT.search(line):
             break
     return said
@@ -147,7 +147,7 @@ def cuts_at_implied_speed(lines: Iterable[str]) -> bool:
     for line in lines:
         if "S" in line:
             return False
-        turns = bool(TURNS & _codes(line)) or (turns and "M5" not in _codes(line))
+        turns = bool(TURNS & scanned_codes(line)) or (turns and "M5" not in scanned_codes(line))
         if turns and _CUT.search(line):
             return True
     return False
@@ -181,10 +181,6 @@ def _left_on(held: Sequence[str], lines: Sequence[str]) -> list[tuple[str, str]]
     found = [(word, SWITCHED[word][1]) for word in on if not said.intersection(SWITCHED[word][0])]
     speed = next((word for word in held if word.startswith("S") and float(word[1:]) != 0), "")
     return [*found, (speed, "S0")] if speed and cuts_at_implied_speed(lines) else found
-
-
-def _codes(line: str) -> set[str]:
-    return {letter + number for letter, number in _CODE.findall(line)}
 
 
 def check_modes(found: Sequence[str]) -> None:

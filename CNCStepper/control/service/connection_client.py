@@ -28,9 +28,9 @@ from CNCStepper.control.processes.python_finder import find_python
 from CNCStepper.control.session.client import SessionClient
 from CNCStepper.control.session.detached_process import start
 from CNCStepper.control.session.files import (
-    DESK,
     LOG,
     OUTCOME,
+    SERVICE,
     new_session,
     read_private,
     running_services,
@@ -89,7 +89,7 @@ Launched = tuple[Path, subprocess.Popen | None]
 def launch(port: str, baud: int, folder: Path | None) -> Future[Launched]:
     """Return a future of the service's file at `port` and its process; None when it runs already.
 
-    Its exception is MissingPackage when no Python can be the desk's, MachineRefusal while a job that was sent from a
+    Its exception is MissingPackage when no Python can be the service's, MachineRefusal while a job that was sent from a
     command line has the port, or LinkError when it cannot be started.
     """
     answer: Future[Launched] = Future()
@@ -118,14 +118,14 @@ def _launched(port: str, baud: int, folder: Path) -> Launched:
     if there := service_at(port, folder):
         return there, None
     check_no_job(port, folder)
-    path = new_session(folder, DESK)
+    path = new_session(folder, SERVICE)
     return path, start(find_python(), WORKER, path, port, str(baud))
 
 
 __all__ = ["ConnectionClient", "running_services"]
 
 START_LIMIT_S = 30.0
-JOG_RENEW_S = 0.1  # how often `jog_on` wants to be called; the desk stops after 0.3 s without it
+JOG_RENEW_S = 0.1  # how often `jog_on` wants to be called; the service stops after 0.3 s without it
 JOG_FEED_MM_MIN = 1000.0
 
 
@@ -150,7 +150,7 @@ class ConnectionClient:
         self._token = ""
         self._caught_up = False
         self._press = secrets.token_hex(4)
-        self._waiting: list[dict[str, Any]] = []  # asked before the desk has let this client in
+        self._waiting: list[dict[str, Any]] = []  # asked before the service has let this client in
         self._told_phase = "starting"
 
     @classmethod
@@ -180,7 +180,7 @@ class ConnectionClient:
 
         Events: {"event": "status"}, {"event": "phase" | "message" | "warning" | "job", "text": ...},
         {"event": "refused", "text": ..., "command": ..., "error": CNCStepperError | None}, {"event": "outcome"};
-        and {"event": "connection", "text": phase} when `phase` has changed. What the desk had told before this
+        and {"event": "connection", "text": phase} when `phase` has changed. What the service had told before this
         client came is told too, and has "past" in it.
         """
         events: list[dict[str, Any]] = []
@@ -284,7 +284,7 @@ class ConnectionClient:
             self._check_attach_timeout()
 
     def _check_attach_timeout(self) -> None:
-        """Give up a desk that does not come up, or that lives and does not let this client in."""
+        """Give up a service that does not come up, or that lives and does not let this client in."""
         if self._caught_up or time.monotonic() - self._begin_s < START_LIMIT_S:
             return
         if self._socket:
@@ -318,11 +318,11 @@ class ConnectionClient:
         self._socket.send({"token": self._token, "command": "attach"})
 
     def _read_address(self, path: Path) -> Address | None:
-        """Return where the desk listens, None while its file does not say so."""
+        """Return where the service listens, None while its file does not say so."""
         try:
             content = read_private(path) or {}
             address = Address.of(content)
-        except (OSError, ValueError):  # not yet written, or damaged: a desk that lives writes it again
+        except (OSError, ValueError):  # not yet written, or damaged: a service that lives writes it again
             return None
         self.port = self.port or str(content.get("machine_port", ""))
         return address
@@ -359,7 +359,7 @@ class ConnectionClient:
         return kind != "accepted"
 
     def _catch_up(self) -> None:
-        """Ask at last what was asked before the desk has let this client in: from now on it drops it no more."""
+        """Ask at last what was asked before the service has let this client in: from now on it drops it no more."""
         if self._caught_up or not self._socket:
             return
         self._caught_up = True
@@ -368,7 +368,7 @@ class ConnectionClient:
         self._waiting.clear()
 
     def _lost(self) -> None:
-        """The connection is over: the desk has ended, or it had no room for one more that it did not know."""
+        """The connection is over: the service has ended, or it had no room for one more that it did not know."""
         self._socket = None
         path = self.session_file
         assert path
@@ -384,7 +384,7 @@ class ConnectionClient:
         return not runs or path.with_suffix(OUTCOME).is_file()
 
     def _cause(self, path: Path) -> CNCStepperError | None:
-        """Return why the desk has ended; one that left no word was killed."""
+        """Return why the service has ended; one that left no word was killed."""
         try:
             content = read_private(path.with_suffix(OUTCOME))
             if content is not None:

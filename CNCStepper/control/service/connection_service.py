@@ -5,7 +5,7 @@
                     ^  `---> a job's phases ---'               (`JobRun`)
                     `-----> ended: link lost, left alone, told to end
 
-An alarm is no refusal here: the desk is there to home and to unlock. A job is refused in it.
+An alarm is no refusal here: the service is there to home and to unlock. A job is refused in it.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ class ConnectionService:
     """One connection; `run` blocks until it ends, `ask`, `stop` and `status` may be called from any thread.
 
     tell, refuse, ended: hear what happens, as of a `JobRun`, and how a job ended. alone_s: how long nobody has
-    been there; a desk that is alone and has nothing to do ends. journals: the folder for those of its jobs; None
+    been there; a service that is alone and has nothing to do ends. journals: the folder for those of its jobs; None
     keeps none. kept: what was held of the position before, and is from now on; None begins with nothing. during_job:
     entered for the time of each job. job_file: for a copy of the last job.
     """

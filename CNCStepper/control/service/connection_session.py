@@ -11,12 +11,12 @@ from typing import Any
 from CNCStepper.control.processes.process_file import is_alive
 from CNCStepper.control.service.connection_client import ConnectionClient
 from CNCStepper.control.session.client import ANSWER_LIMIT_S, LOOK_EVERY_S, SessionClient
-from CNCStepper.control.session.files import DESK, running_services, sessions
+from CNCStepper.control.session.files import SERVICE, running_services, sessions
 from CNCStepper.control.session.status import Outcome, SenderStatus
 from CNCStepper.control.session.unreachable import silent
 from CNCStepper.errors import LinkError
 
-LOOK_LIMIT_S = 3.0  # whether a job runs in a desk
+LOOK_LIMIT_S = 3.0  # whether a job runs in a service
 
 
 class ConnectionSession:
@@ -32,7 +32,7 @@ class ConnectionSession:
 
     @classmethod
     def attach(cls, session_file: Path, limit_s: float = ANSWER_LIMIT_S) -> ConnectionSession:
-        """Attach to a desk that runs; raises LinkError when it has ended, or does not answer within `limit_s`."""
+        """Attach to a service that runs; raises LinkError when it has ended, or does not answer within `limit_s`."""
         return cls(ConnectionClient.attach(session_file), limit_s)
 
     @property
@@ -68,7 +68,7 @@ class ConnectionSession:
         return events
 
     def _until(self, reached: Callable[[list[dict[str, Any]]], bool], limit_s: float) -> None:
-        """Look at the desk until its events reach something; raises LinkError where that is not so in `limit_s`."""
+        """Look at the service until its events reach something; raises LinkError where that is not so in `limit_s`."""
         end_s = time.monotonic() + limit_s
         while not reached(self.poll(LOOK_EVERY_S)):
             if time.monotonic() > end_s:
@@ -86,24 +86,24 @@ class ConnectionSession:
 
 
 def attach(file: Path) -> SessionClient | ConnectionSession:
-    """Attach to the session or to the desk of a file; raises LinkError when it has ended."""
-    return ConnectionSession.attach(file) if file.suffix == DESK else SessionClient.attach(file)
+    """Attach to the session or to the service of a file; raises LinkError when it has ended."""
+    return ConnectionSession.attach(file) if file.suffix == SERVICE else SessionClient.attach(file)
 
 
 def jobs_running(folder: Path | None = None) -> list[Path]:
     """Return the files of the sessions and of the connection services that run a job, oldest first.
 
-    Where there are none, those of the desks that live and do not answer: a job may run in each.
+    Where there are none, those of the services that live and do not answer: a job may run in each.
     """
     running, silent_services = sessions(folder), []
-    for desk in running_services(folder):
+    for service in running_services(folder):
         try:
-            running += [desk] if _runs_a_job(desk) else []
+            running += [service] if _runs_a_job(service) else []
         except LinkError:
-            silent_services += [desk] if is_alive(desk) else []  # else it has ended meanwhile
+            silent_services += [service] if is_alive(service) else []  # else it has ended meanwhile
     return sorted(running or silent_services, key=lambda path: path.name)
 
 
-def _runs_a_job(desk: Path) -> bool:
-    with ConnectionSession.attach(desk, LOOK_LIMIT_S) as session:
+def _runs_a_job(service: Path) -> bool:
+    with ConnectionSession.attach(service, LOOK_LIMIT_S) as session:
         return session.status().total > 0

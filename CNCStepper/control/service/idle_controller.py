@@ -72,7 +72,7 @@ class IdleController:
         self._wants_reset = False
         self._does: dict[str, Callable[..., None]] = {
             "hold": self._hold,
-            "resume": lambda stand=None: self._resume(),  # the desk has compared its stand
+            "resume": lambda stand=None: self._resume(),  # the service has compared its stand
             "stop": self.stop,
             "jog": lambda **way: self._jogger.step(JogMove(**way)),
             "jog_on": lambda press, **way: self._jogger.keep(press, JogMove(**way)),
@@ -242,7 +242,7 @@ class IdleController:
         self.trust = trust_after_sleep(trust) if asleep else trust  # a reset at rest does not cost it
 
     def _type(self, text: str) -> None:
-        """Do what a typed line asks: home and unlock as the desk does them, the others as they stand."""
+        """Do what a typed line asks: home and unlock as the service does them, the others as they stand."""
         kind = kind_of(text)
         self.check_at_rest()
         if kind == HOME_LINE:

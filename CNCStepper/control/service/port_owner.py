@@ -21,8 +21,8 @@ from CNCStepper.errors import LinkError, MachineRefusal, Text
 def check_free(port: str, folder: Path | None = None) -> None:
     """Raise MachineRefusal when a job or a connection service of this user holds the port."""
     check_no_job(port, folder)
-    if desk := service_near(port, folder):
-        _check_service(desk, port)
+    if service := service_near(port, folder):
+        _check_service(service, port)
 
 
 def warn_of_closed(tell: Callable[[str], None], folder: Path | None = None) -> None:
@@ -31,15 +31,15 @@ def warn_of_closed(tell: Callable[[str], None], folder: Path | None = None) -> N
         tell(str(closed(path)))
 
 
-def _check_service(desk: Path, port: str) -> None:
+def _check_service(service: Path, port: str) -> None:
     try:
-        with ConnectionSession.attach(desk) as client:
+        with ConnectionSession.attach(service) as client:
             status = client.status()
     except LinkError as error:  # it has ended meanwhile, or it does not answer
-        check_over(desk, port, error)
+        check_over(service, port, error)
         return
     if status.total:
-        raise port_held_by_job(desk, port, status)
+        raise port_held_by_job(service, port, status)
     raise MachineRefusal(
         "port-held",
         Text("{port} is held by a window or a console of yours", port=port),

@@ -2,8 +2,8 @@
 """The files of a session, readable by their owner only: how to reach it, how it ended, what it logged.
 
 NAME.session   address, token and process, locked while it runs     NAME.outcome   afterwards       NAME.log
-NAME.desk      the same of a desk                                   NAME.sock      where it listens
-NAME.wire      the job, while it runs; of a desk, its last one
+NAME.desk      the same of a connection service                     NAME.sock      where it listens
+NAME.wire      the job, while it runs; of a service, its last one
 
 Nobody but its own process removes what belongs to a living one; whether it lives says its lock (`own_file`). A file
 that this user may not open keeps no port here and is never removed; `closed_files` has those, to be told of.
@@ -28,7 +28,7 @@ from CNCStepper.errors import JobError, LinkError, MissingPackage, Text
 
 KEPT = 20  # sessions whose outcome and log are kept
 RECENT_S = 600.0  # what is younger is kept in any case: somebody may be about to read it
-SESSION, DESK, OUTCOME, LOG, WIRE = ".session", ".desk", ".outcome", ".log", ".wire"
+SESSION, SERVICE, OUTCOME, LOG, WIRE = ".session", ".desk", ".outcome", ".log", ".wire"
 LARGEST_BYTES = 10_000_000  # of a file of `write_private` that is read whole
 MEND_LIMIT_S = 3 * LOOK_EVERY_S  # within which a living process has mended its file
 _Compare = Callable[[PortIdentity, PortIdentity], bool]
@@ -85,7 +85,7 @@ def session_near(machine_port: str, folder: Path | None = None) -> Path | None:
 
 def running_services(folder: Path | None = None) -> list[Path]:
     """Return the files of the running connection services, oldest first."""
-    return _alive(folder, DESK)
+    return _alive(folder, SERVICE)
 
 
 def service_at(machine_port: str, folder: Path | None = None) -> Path | None:
@@ -96,7 +96,7 @@ def service_at(machine_port: str, folder: Path | None = None) -> Path | None:
 def closed_files(folder: Path | None = None) -> list[Path]:
     """Return the session and service files that this user cannot open: their ports are unknown."""
     folder = folder or session_folder()
-    return sorted(path for kind in (SESSION, DESK) for path in folder.glob(f"*{kind}") if is_closed(path))
+    return sorted(path for kind in (SESSION, SERVICE) for path in folder.glob(f"*{kind}") if is_closed(path))
 
 
 def service_near(machine_port: str, folder: Path | None = None) -> Path | None:
@@ -108,7 +108,7 @@ class ServiceFile(ProcessFile):
     """The file of a connection service, owned by its process."""
 
     def previous_service(self, machine_port: str) -> Path | None:
-        """Return the file of a desk that was before this one at the same port, as far as that can be known."""
+        """Return the file of a service that was before this one at the same port, as far as that can be known."""
         for path in running_services(self._path.parent):
             if path.name < self._path.name and _having(machine_port, [path], PortIdentity.is_near):
                 return path
@@ -191,13 +191,13 @@ def _having(machine_port: str, files: Iterable[Path], is_meant: _Compare = PortI
 
 
 def _is_at(machine_port: str, content: Mapping[str, Any], is_meant: _Compare) -> bool:
-    """Return whether a session's or desk's port is this one, whatever it is called."""
+    """Return whether a session's or service's port is this one, whatever it is called."""
     port = str(content.get("machine_port", ""))
     return port == machine_port or (port != "" and is_meant(read_identity(content, port), identify(machine_port)))
 
 
 def _address_in(path: Path) -> Mapping[str, Any]:
-    """Return what the file of a running session or desk says, nothing where it has ended meanwhile.
+    """Return what the file of a running session or service says, nothing where it has ended meanwhile.
 
     Raises LinkError where its process lives and does not mend its file.
     """
@@ -232,7 +232,7 @@ def _new_private(path: Path) -> TextIO:
 
 def _prune(folder: Path) -> None:
     """Remove what sessions have left that do not live any more: all that none needs, of the rest the oldest."""
-    for path in _ours(folder, SESSION, DESK):
+    for path in _ours(folder, SESSION, SERVICE):
         if not is_alive(path):
             _remove(path, *filter(is_abandoned, socket_paths(path)))
     needed = {path.stem for path in (*sessions(folder), *running_services(folder), *closed_files(folder))}

@@ -23,7 +23,7 @@ class SenderStatus:
     """One moment of a session.
 
     phase: "connecting", "running", "holding", "held", "paused" (M0; `message` is the program's), "door", "finishing",
-    "retreated" (led back along its cut), "stopping", then the kind of the outcome; of a desk without a job "idle",
+    "retreated" (led back along its cut), "stopping", then the kind of the outcome; of a service without a job "idle",
     "alarm" (`message` says which), "jogging", "homing", "held", "door" or "busy". machine_state: as grbl writes it.
     file_line, file_line_sent: the last line of the file that is surely cut, and that was sent; `acknowledged` counts
     those that the controller has taken. Positions are None until reported. buffer: free blocks of the planner and free

@@ -7,7 +7,7 @@ import os
 from pathlib import Path
 
 from CNCStepper.control.processes.process_file import is_alive, owner
-from CNCStepper.control.session.files import DESK, LOG, read_private
+from CNCStepper.control.session.files import LOG, SERVICE, read_private
 from CNCStepper.control.session.local_socket import Address
 from CNCStepper.errors import LinkError, Text
 from CNCStepper.safe_text import printable
@@ -71,7 +71,7 @@ def closed(session_file: Path) -> LinkError:
 
 
 def _silence(session_file: Path) -> str:
-    if session_file.suffix == DESK:
+    if session_file.suffix == SERVICE:
         return Text(
             "the connection {session_file} is open, but its process does not answer", session_file=session_file.stem
         )

@@ -14,12 +14,12 @@ How many acknowledged moves a controller still holds, from its own reports.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Mapping, Sequence
 
 from CNCStepper.control.protocol.grbl.driver import PLANNER_BLOCKS, Received
 from CNCStepper.control.protocol.grbl.readiness import STEPS_PER_MM
 from CNCStepper.control.protocol.grbl.report import Feedback, Status, sizes
+from CNCStepper.gcode.syntax.words import scanned_words
 
 LOOK_BACK = 400  # lines: a millisecond or two
 SEGMENTS = 12  # between planner and motors, the most of grbl, grblHAL and FluidNC
@@ -27,7 +27,6 @@ STEPS = 2.0  # a way that no rounding takes for none
 _HARMLESS = {0.0, 1.0, 2.0, 3.0, 17.0, 18.0, 19.0, 40.0, 61.0, 94.0}  # G-codes that leave zero and units as they are
 _ENDS = {2.0, 30.0}  # M-codes that set modes back
 _PAUSE, _DWELL = 0.0, 4.0  # M0 and G4: answered only when all before them is cut
-_WORD = re.compile(r"([A-Z])([-+]?\d*\.?\d+|[-+]?\d+\.)")
 _AXES = "XYZ"
 LONGEST_STEP_MM = 1.0  # of an axis whose setting is not reported
 
@@ -68,7 +67,7 @@ def longest_step_mm(settings: Mapping[int, float]) -> float:
 
 
 def _words(text: str) -> Words:
-    return [(letter, float(number)) for letter, number in _WORD.findall(text.replace(" ", "").upper())]
+    return [(letter, float(number)) for letter, number in scanned_words(text)]
 
 
 def _goes(before: float, to: float, least: float) -> bool:

@@ -8,7 +8,7 @@
     running --Door--> door --closed (Door:0), resume--> running
     held --reset, a way along the cut--> running --> retreated --another--> running
 
-A wish is only a wish until the controller's state shows it: grbl forgets `~` while it slows down, so
+A request is only a request until the controller's state shows it: grbl forgets `~` while it slows down, so
 resume waits for Hold:0; a status asked before the last `!` or `~` shows the time before it.
 """
 

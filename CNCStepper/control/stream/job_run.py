@@ -8,7 +8,7 @@
         |          finishing (all acknowledged) --> done (Idle, reported twice)
         `-> refused   `-> stopping --> stopped, failed    hold, Hold:0, soft reset
 
-Who owns the link, a `Sender` for one job or a `Desk` that stays, brings it; one thread does it all: it
+Who owns the link, a `Sender` for one job or a `ConnectionService` that stays, brings it; one thread does it all: it
 listens, obeys, feeds and asks `?`.
 """
 

@@ -24,11 +24,11 @@ from CNCStepper.control.stream.backlash_side import BacklashTracker
 from CNCStepper.control.stream.executed_lines import SEGMENTS, finished_lines, longest_step_mm
 from CNCStepper.errors import MachineRefusal, Place, Text
 from CNCStepper.state import WORK_SYSTEMS, Start
+from CNCStepper.tolerances import REPORTED_OFFSET_MM
 
 if TYPE_CHECKING:
     from CNCStepper.control.stream.planned_path import PlannedPath
 
-SAME_MM = 0.006  # offsets are reported with three decimals, in inches with four
 # What may change it: work systems (a program's end goes back to G54), G10, G92, lengths and changes of tools, `$`.
 _CHANGES = re.compile(r"G(?:10|5[4-9]|92|43|49)|M0*(?:2|30|6)(?!\d)|T\d|\$", re.IGNORECASE)
 
@@ -52,7 +52,7 @@ class OffsetWatch:
         self._offset_mm, self._first = offset_mm, max(0, acknowledged - 1)
         if before is None or len(before) != len(offset_mm):
             return None
-        changed = any(abs(old - new) > SAME_MM for old, new in zip(before, offset_mm, strict=True))
+        changed = any(abs(old - new) > REPORTED_OFFSET_MM for old, new in zip(before, offset_mm, strict=True))
         if not changed or any(_CHANGES.search(self._lines[index].replace(" ", "")) for index in range(first, sent)):
             return None
         return before, offset_mm

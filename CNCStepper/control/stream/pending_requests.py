@@ -28,7 +28,7 @@ class PendingRequests:
         self.rest = False
         self._clock = clock
         self._refuse = refuse
-        self._since_s: float | None = None  # the machine has stood, with a wish
+        self._since_s: float | None = None  # the machine has stood, with a request
         self._last = Command("resume")
 
     def request_retract(self, command: Command) -> None:

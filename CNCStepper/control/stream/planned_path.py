@@ -18,10 +18,10 @@ from CNCStepper.control.stream.backlash_side import BacklashTracker
 from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.state import Start, States
+from CNCStepper.tolerances import FULL_CIRCLE_RAD
 from CNCStepper.toolpath import ARC_CW, PLANE_AXES, Chunk
 
 CHORD_MM = 0.002  # how far a chord may lie inside its arc; the firmware's own default ($12)
-SAME_ANGLE = 5e-7  # at most: the firmware takes it for a whole circle
 
 
 @dataclass(frozen=True)
@@ -201,7 +201,7 @@ def arc_points(
         return end[None]
     begins, ends = (atan2(place[second] - centre[second], place[first] - centre[first]) for place in (begin, end))
     sweep = (begins - ends if clockwise else ends - begins) % (2 * pi)
-    sweep = (sweep if SAME_ANGLE < sweep < 2 * pi - SAME_ANGLE else 2 * pi) + 2 * pi * (turns - 1)
+    sweep = (sweep if FULL_CIRCLE_RAD < sweep < 2 * pi - FULL_CIRCLE_RAD else 2 * pi) + 2 * pi * (turns - 1)
     count = ceil(sweep / (2 * acos(1 - CHORD_MM / radius_mm)))
     shares = np.arange(1, count + 1) / count
     angles = begins + (-sweep if clockwise else sweep) * shares

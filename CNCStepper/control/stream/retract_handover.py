@@ -44,12 +44,12 @@ from CNCStepper.control.stream import stop_sequence
 from CNCStepper.control.stream.feeder import Feeder
 from CNCStepper.errors import CNCStepperError, JobError, LinkError, MachineRefusal, Text
 from CNCStepper.state import WORK_SYSTEMS
+from CNCStepper.tolerances import REPORTED_MM
 
 LAST, REST = "back along the cut: go on back, forward, or resume from here", "rest"
 HELD, LEG = "held.json", "leg.json"  # the heads of what is told and of a leg
 LEG_WIRE, OWN_MAP = "leg.txt", "own_map.npy"  # columns: the leg's lines; the lines of a leg's own text
 KEPT_REPORTS = 1000  # some minutes at the rate of a run
-SAME_PLACE_MM = 0.005  # what is reported is rounded
 ARC_TOLERANCE = 12  # the setting
 PLANNER_BLOCKS = 15  # of grbl as delivered
 
@@ -256,12 +256,12 @@ def check_place(driver: Grbl, leg: Leg) -> None:
     """Refuse a leg that does not begin at the machine's position; raises MachineRefusal."""
     position_mm = driver.mpos_mm
     far_mm = dist(position_mm, leg.begin_mm) if position_mm else float("inf")
-    if far_mm > SAME_PLACE_MM:
+    if far_mm > REPORTED_MM:
         raise MachineRefusal(
             "retreat-moved",
             "the machine does not stand where the way back begins",
             value=Text("{far_mm:.3f} mm away", far_mm=far_mm),
-            limit=f"{SAME_PLACE_MM:g} mm",
+            limit=f"{REPORTED_MM:g} mm",
             advice="ask for the way back again",
         )
 

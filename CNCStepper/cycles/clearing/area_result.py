@@ -45,6 +45,7 @@ class AreaAnswer(Answer):
         self, keys: Keys, rooms: ReachableRegions, parts: Sequence[Part], floors_mm: Sequence[float], setup: Setup
     ):
         self.__dict__.update(_keys=keys, _rooms=rooms, _parts=parts, _floors_mm=floors_mm, _setup=setup)
+        self.__dict__["parts"] = []  # an area cuts nothing free
 
     @cached_property
     def removals(self) -> list[Removal]:

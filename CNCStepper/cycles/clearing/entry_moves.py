@@ -26,13 +26,13 @@ from CNCStepper.cycles.moves import Moves, Point, point_of
 from CNCStepper.errors import CycleError, Text
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.machine.tools.tool import Tool
+from CNCStepper.tolerances import SAME_MM
 
 HELIX_SHARES = (0.8, 0.6, 0.45, 0.3, 0.2, 0.1)  # of the tool's radius: below 1 no core stays
 AWAY_SHARES = (1.0, 2.0, 4.0)  # how far from the begin the centre may be, in radii of the helix
 WAYS = 32  # the directions in which a place for a helix is looked for
 RAMP_DIAMETERS = 2.0  # how far along its first pass a ramp goes
 SHORTEST_RAMP = 0.25  # of the tool's radius
-TOUCH_MM = 1e-6  # a helix may touch the room's wall
 
 
 @dataclass(frozen=True)
@@ -151,7 +151,7 @@ def _helix(ground: LinkRegion, end: Point, tool_mm: float, angle_deg: float) -> 
     for share, away in itertools.product(HELIX_SHARES, AWAY_SHARES):
         radius_mm = share * tool_mm
         centres = np.array(end) + away * radius_mm * ways
-        free = ground.region.distances_mm(centres) >= radius_mm - TOUCH_MM
+        free = ground.region.distances_mm(centres) >= radius_mm - SAME_MM
         free &= ground.region.contains(centres)
         for index in np.flatnonzero(free).tolist():
             begin = end if away == 1.0 else point_of(centres[index] - radius_mm * ways[index])

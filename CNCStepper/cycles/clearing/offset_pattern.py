@@ -19,13 +19,14 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from CNCStepper.cycles.clearing.entry_moves import HELIX_SHARES, TOUCH_MM
+from CNCStepper.cycles.clearing.entry_moves import HELIX_SHARES
 from CNCStepper.cycles.clearing.offset_rings import Ring, ring_tree, spots
 from CNCStepper.cycles.clearing.pattern import Area, Run
 from CNCStepper.cycles.clearing.ring_links import RingLinker
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.curve_columns import complex_of, xy_of
 from CNCStepper.geometry.region import Region
+from CNCStepper.tolerances import SAME_MM
 
 MOST_LOOKS = 64  # places on a ring at which a helix is tried
 
@@ -81,7 +82,7 @@ def _begin(loops: list[Curve], room: Region, tool_mm: float) -> tuple[int, float
         for share in HELIX_SHARES:
             free_mm = room.distances_mm(places + share * tool_mm * inwards)
             widest = int(np.argmax(free_mm))
-            if free_mm[widest] >= share * tool_mm - TOUCH_MM:
+            if free_mm[widest] >= share * tool_mm - SAME_MM:
                 best = max(best, (share, number, float(places_mm[widest])))
                 break
     return best[1], best[2]

@@ -18,8 +18,9 @@ from CNCStepper.cycles.clearing.offset_rings import Ring
 from CNCStepper.cycles.clearing.pattern import Pass
 from CNCStepper.cycles.clearing.straight_links import LinkRegion
 from CNCStepper.cycles.moves import Point, point_of
-from CNCStepper.geometry.curve import COINCIDENT_MM, Curve, joined, straight
+from CNCStepper.geometry.curve import Curve, joined, straight
 from CNCStepper.geometry.region import Region
+from CNCStepper.tolerances import COINCIDENT_MM
 
 BESIDE = 1.5  # stepovers: a ring so near is reached by a step from where the tool stands
 LOOKS = 48  # places on a ring from which the nearest laid one is looked for

@@ -26,8 +26,8 @@ from CNCStepper.cycles.passes import require_few_passes
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.curve_columns import Segments
 from CNCStepper.geometry.region import Region
+from CNCStepper.tolerances import SAME_MM
 
-SAME_MM = 1e-6  # crossings that are nearer along a wall are one node
 BISECTIONS = 52
 
 

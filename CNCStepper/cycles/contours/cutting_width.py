@@ -9,10 +9,9 @@ ball, bull-nose      v, engraver        jet, wire with taper
 
 from __future__ import annotations
 
-import math
-
 from CNCStepper.errors import CycleError, Text
-from CNCStepper.machine.tools.tool import Tool, cone_of
+from CNCStepper.machine.tools.tool import Tool
+from CNCStepper.machine.tools.tool_profile import form_of
 from CNCStepper.machine.tools.tool_shapes import BEAMS
 
 KERF_SHARE = 0.1  # of its width: wear and run-out make a rotating tool's cut no more narrower or wider than this
@@ -28,14 +27,7 @@ def require_contour_tool(tool: Tool) -> None:
 
 def radius_at(tool: Tool, height_mm: float, depth_mm: float) -> float:
     """Return the radius that a tool cuts with at a height above its tip, for a contour of that depth."""
-    radius = tool.radius_mm
-    if tool.shape in ("ball", "bullnose"):
-        corner = radius if tool.shape == "ball" else tool.corner_radius_mm or 0.0
-        rise = min(height_mm, corner)
-        return radius - corner + math.sqrt(max(rise * (2.0 * corner - rise), 0.0))
-    if tool.taper_deg:
-        return max(radius - (depth_mm - height_mm) * math.tan(math.radians(tool.taper_deg)), 0.0)
-    return cone_of(tool).radius_at(height_mm)
+    return float(form_of(tool, depth_mm).radius_at(height_mm))
 
 
 def require_kerf(tool: Tool, kerf_mm: float, depth_mm: float) -> None:

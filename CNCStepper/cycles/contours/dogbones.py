@@ -20,8 +20,9 @@ import shapely
 
 from CNCStepper.cycles.contours.contour_parameters import Dogbones
 from CNCStepper.errors import Text
-from CNCStepper.geometry.curve import COINCIDENT_MM, Curve, joined
+from CNCStepper.geometry.curve import Curve, joined
 from CNCStepper.geometry.curve_columns import complex_of, xy_of
+from CNCStepper.tolerances import COINCIDENT_MM
 
 TURN_RAD = math.radians(1.0)  # a path that turns less has no corner
 LONGEST = 3.0  # of the tool's radius: a sharper corner gets no relief

@@ -12,11 +12,12 @@ from CNCStepper.cycles.moves import Moves, point_of, require_setup
 from CNCStepper.cycles.parameter_types import CurveField
 from CNCStepper.cycles.passes import deep_pass_warnings, require_few_blocks, whole_passes
 from CNCStepper.errors import CycleError
-from CNCStepper.geometry.curve import COINCIDENT_MM, Curve
+from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.cut_order.cut_order import Stop, Visit, ordered, spread
 from CNCStepper.geometry.fitting.point_fit import refitted
 from CNCStepper.geometry.fitting.simplify import simplified
 from CNCStepper.quantities import MOST_ITEMS
+from CNCStepper.tolerances import COINCIDENT_MM
 from CNCStepper.toolpath import TableBuilder
 
 FLAT_MM = 0.0005

@@ -18,9 +18,9 @@ from shapely import LineString, Point
 from shapely.geometry.base import BaseGeometry
 
 from CNCStepper.geometry.curve import Curve
+from CNCStepper.tolerances import LEAD_ROUNDING_MM
 
 BESIDE_MM = 1.0
-TOUCH_MM = 0.002  # what flattened outlines and rounding may add to what a lead covers
 FAR_MM = 1e6
 
 
@@ -52,10 +52,10 @@ def _lead(here: np.ndarray, way: np.ndarray, around: Surroundings) -> np.ndarray
         return here
     near = around.stock.buffer(off_mm)
     inside = LineString([here, here + FAR_MM * way]).intersection(near)
-    pieces = [piece for piece in shapely.get_parts(inside) if piece.distance(Point(here)) < TOUCH_MM]
+    pieces = [piece for piece in shapely.get_parts(inside) if piece.distance(Point(here)) < LEAD_ROUNDING_MM]
     ends = [np.array(point) for piece in pieces for point in piece.coords]
     if not ends:  # beside the stock but for the chords that stand for the arcs of `near`
         return here
     there = max(ends, key=lambda end: float(np.hypot(*(end - here))))
-    covered = LineString([here, there]).buffer(around.tool_mm - TOUCH_MM).intersection(around.stock)
-    return there if covered.difference(around.allowed).area <= TOUCH_MM**2 else None
+    covered = LineString([here, there]).buffer(around.tool_mm - LEAD_ROUNDING_MM).intersection(around.stock)
+    return there if covered.difference(around.allowed).area <= LEAD_ROUNDING_MM**2 else None

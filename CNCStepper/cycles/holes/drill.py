@@ -21,7 +21,8 @@ from CNCStepper.cycles.moves import Point, require_feed
 from CNCStepper.cycles.passes import require_few_blocks
 from CNCStepper.drilling_strokes import OWN_WORD, Canned
 from CNCStepper.errors import CycleError, Text
-from CNCStepper.machine.tools.tool import Cone, Tool, cone_of
+from CNCStepper.machine.tools.tool import Tool
+from CNCStepper.machine.tools.tool_profile import Form, form_of
 from CNCStepper.toolpath import TableBuilder
 
 SHAPES = ("drill", "flat", "v", "engraver")
@@ -38,8 +39,8 @@ class Drill(DrillParameters, BaseModel):
     def cut(self, setup: Setup, table: TableBuilder) -> Answer:
         """Append the holes to `table`; raises CycleError before any row when they cannot be drilled."""
         self._check(setup)
-        cone = cone_of(setup.tool)
-        bottom_mm = -(self.depth_mm + self.through_mm + (cone.height_mm if self.tip == "diameter" else 0.0))
+        cone = form_of(setup.tool)
+        bottom_mm = -(self.depth_mm + self.through_mm + (cone.rise_mm if self.tip == "diameter" else 0.0))
         holes, warnings = placed(self.pattern, self.order, self.offset_mm)
         places = [(hole.x_mm, hole.y_mm) for hole in holes]
         own = {"Q": self.peck_mm, "P": self.dwell_s}.get(OWN_WORD[self.style], 0.0)
@@ -91,21 +92,21 @@ class Drill(DrillParameters, BaseModel):
             raise CycleError("dwell-idle", what, value=f"dwell_s {self.dwell_s:g} s", advice=advice)
 
 
-def removals(places: list[Point], bottom_mm: float, cone: Cone) -> list[Removal]:
+def removals(places: list[Point], bottom_mm: float, cone: Form) -> list[Removal]:
     """Return what a tool with that point removes when its tip goes down to `bottom_mm` at each place.
 
     The cone is a stair: what may be cut lies just outside it, what must be gone just inside.
     """
-    heights = [cone.height_mm * step / STEPS for step in range(STEPS)] if cone.height_mm else []
+    heights = [cone.rise_mm * step / STEPS for step in range(STEPS)] if cone.rise_mm else []
     heights = [height for height in heights if bottom_mm + height < 0.0]
     stairs = []
     for height in heights:
-        over_mm = min(height + cone.height_mm / STEPS, -bottom_mm)
-        inside_mm = cone.radius_at(height)
+        over_mm = min(height + cone.rise_mm / STEPS, -bottom_mm)
+        inside_mm = float(cone.radius_at(height))
         inside = discs(places, inside_mm) if inside_mm > 0 else Polygon()
-        stairs.append(Removal(discs(places, cone.radius_at(over_mm)), 0.0, bottom_mm + height, reachable=inside))
-    if bottom_mm + cone.height_mm < 0.0:
-        stairs.append(Removal(discs(places, cone.radius_mm), 0.0, bottom_mm + cone.height_mm))
+        stairs.append(Removal(discs(places, float(cone.radius_at(over_mm))), 0.0, bottom_mm + height, reachable=inside))
+    if bottom_mm + cone.rise_mm < 0.0:
+        stairs.append(Removal(discs(places, cone.radius_mm), 0.0, bottom_mm + cone.rise_mm))
     return stairs
 
 

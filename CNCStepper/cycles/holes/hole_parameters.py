@@ -111,7 +111,15 @@ class ArcParameters(Parameters):
 PATTERNS = (BoltCircleParameters, GridParameters, LineParameters, ArcParameters, PointsParameters)
 
 
-class DrillParameters(Parameters):
+class HoleParameters(Parameters):
+    """The keys of every cycle that makes holes at the places of a pattern."""
+
+    tool: ToolReference
+    pattern: Any
+    offset_mm: Annotated[tuple[Coordinate, Coordinate], OFFSET] = (0.0, 0.0)
+
+
+class DrillParameters(HoleParameters):
     """The keys of drilling.
 
     style: the canned cycle; peck_mm belongs to G83 and G73, dwell_s to G82. retract: "clearance" (G98) or "retract"
@@ -119,9 +127,6 @@ class DrillParameters(Parameters):
     """
 
     cycle: Literal["drill"] = "drill"
-    tool: ToolReference
-    pattern: Any
-    offset_mm: Annotated[tuple[Coordinate, Coordinate], OFFSET] = (0.0, 0.0)
     depth_mm: Annotated[Depth, DEPTH]
     tip: Annotated[
         Literal["tip", "diameter"],
@@ -144,7 +149,7 @@ class DrillParameters(Parameters):
     order: Annotated[Order, ORDER] = "short"
 
 
-class BoreParameters(Parameters):
+class BoreParameters(HoleParameters):
     """The keys of a helical bore.
 
     pitch_mm: less where the inner helix would be steeper than the tool's ramp_max_deg. finish_stepover_mm: what the
@@ -152,9 +157,6 @@ class BoreParameters(Parameters):
     """
 
     cycle: Literal["bore"] = "bore"
-    tool: ToolReference
-    pattern: Any
-    offset_mm: Annotated[tuple[Coordinate, Coordinate], OFFSET] = (0.0, 0.0)
     diameter_mm: Annotated[
         LengthOr0, Parameter(CUT, "Diameter", "Of the bores; 0: that of each circle of the drawing", 12.0)
     ] = 0.0
@@ -171,16 +173,13 @@ class BoreParameters(Parameters):
     order: Annotated[Order, ORDER] = "short"
 
 
-class ThreadParameters(Parameters):
+class ThreadParameters(HoleParameters):
     """The keys of thread milling; the tool counts as its largest disc.
 
     passes: radially, in equal steps from the drilled hole (or the boss) to the thread's full depth.
     """
 
     cycle: Literal["thread"] = "thread"
-    tool: ToolReference
-    pattern: Any
-    offset_mm: Annotated[tuple[Coordinate, Coordinate], OFFSET] = (0.0, 0.0)
     major_diameter_mm: Annotated[
         WidthOr0, Parameter(CUT, "Major", "The nominal diameter; 0: that of each circle of the drawing", 10.0)
     ] = 0.0

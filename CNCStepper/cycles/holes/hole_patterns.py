@@ -32,8 +32,8 @@ from CNCStepper.cycles.parameter_types import CurveField
 from CNCStepper.errors import CycleError, Text
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.cut_order.cut_order import Stop, ordered
+from CNCStepper.tolerances import SAME_HOLE_MM
 
-SAME_PLACE_MM = 0.001
 ROUND_MM = 0.001  # by which a drawn circle may be off a circle
 
 
@@ -135,14 +135,14 @@ def placed(
 
 
 def _once(holes: Sequence[Hole], own_diameters: bool) -> list[Hole]:
-    """Return the holes without those that are within SAME_PLACE_MM of an earlier one."""
+    """Return the holes without those that are within SAME_HOLE_MM of an earlier one."""
     kept: list[Hole] = []
     cells: defaultdict[tuple[int, ...], list[tuple[float, ...]]] = defaultdict(list)  # as wide as that distance
     for hole in holes:
         spot = tuple(hole) if own_diameters else hole[:2]
-        cell = tuple(math.floor(value / SAME_PLACE_MM) for value in spot)
+        cell = tuple(math.floor(value / SAME_HOLE_MM) for value in spot)
         beside = (tuple(map(sum, zip(cell, step, strict=True))) for step in product((-1, 0, 1), repeat=len(cell)))
-        if all(math.dist(spot, other) > SAME_PLACE_MM for near in beside for other in cells.get(near, ())):
+        if all(math.dist(spot, other) > SAME_HOLE_MM for near in beside for other in cells.get(near, ())):
             kept.append(hole)
             cells[cell].append(spot)
     return kept

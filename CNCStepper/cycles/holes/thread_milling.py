@@ -30,7 +30,7 @@ from CNCStepper.cycles.moves import Moves, require_setup
 from CNCStepper.cycles.passes import require_few_blocks, whole_steps
 from CNCStepper.errors import CycleError, Text
 from CNCStepper.geometry.curve import Curve
-from CNCStepper.machine.tools.tool import cone_of
+from CNCStepper.machine.tools.tool_profile import form_of
 from CNCStepper.toolpath import TableBuilder
 
 SHAPES = ("flat", "v", "engraver")
@@ -115,7 +115,7 @@ class Thread(ThreadParameters, BaseModel):
 
     def _removals(self, holes: list[Hole], setup: Setup) -> list[Removal]:
         """Return the ring that may be cut down to the floor, and what of it must be gone from one pitch above it."""
-        tool_mm, rise_mm = setup.tool.radius_mm, cone_of(setup.tool).height_mm
+        tool_mm, rise_mm = setup.tool.radius_mm, form_of(setup.tool).rise_mm
         ways = {hole: self._way(hole, setup, self.passes) for hole in holes}
         minor, major = (lambda hole: self.minor_mm(hole) / 2), (lambda hole: hole.diameter_mm / 2)
         allowed = rings(holes, minor, major)
@@ -131,14 +131,14 @@ class Thread(ThreadParameters, BaseModel):
             raise CycleError(
                 "tool-shape", Text("a {tool_shape} tool mills no thread", tool_shape=tool.shape), advice=advice
             )
-        if cone_of(tool).height_mm > self.pitch_mm:
+        if form_of(tool).rise_mm > self.pitch_mm:
             raise CycleError(
                 "tooth-high",
                 Text(
                     "the largest disc of the {tool} tool stands more than a pitch above its tip: it cuts no thread",
                     tool=tool.words,
                 ),
-                value=f"{cone_of(tool).height_mm:.3f} mm",
+                value=f"{form_of(tool).rise_mm:.3f} mm",
                 limit=f"{self.pitch_mm:g} mm",
                 advice="use a thread mill with one tooth, given as an engraver with a large tip_diameter_mm or as flat",
             )

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 r"""The drawn chains of a sheet: which are parts and holes, and where the beam's centre runs along them.
 
- +-----------------+      depth 0   outline of a part: the cut runs outside of it
- |  .-----------.  |      depth 1   hole in it: the cut runs inside
- |  |  +-----+  |  |      depth 2   a part inside the hole, and so on
- |  |  |part |  |  |
- |  |  +-----+  |  |      open      cut on its line
- |  '-----------'  |
- +-----------------+      Every path has the part on the good side, half a kerf off: exact parallels of lines and arcs.
++-----------------+      depth 0   outline of a part: the cut runs outside of it
+|  .-----------.  |      depth 1   hole in it: the cut runs inside
+|  |  +-----+  |  |      depth 2   a part inside the hole, and so on
+|  |  |part |  |  |
+|  |  +-----+  |  |      open      cut on its line
+|  '-----------'  |
++-----------------+      Every path has the part on the good side, half a kerf off: exact parallels of lines and arcs.
 """
 
 from __future__ import annotations
@@ -24,10 +24,10 @@ from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.curve_bundle import bundle_of
 from CNCStepper.geometry.cut_order.cut_order import parents
 from CNCStepper.geometry.offset import left_loops
+from CNCStepper.tolerances import SAME_CUT_MM, SAME_MM
 
 OFFSET_TOLERANCE_MM = 0.004  # of which an offset uses an eighth at most
 SHORTEST_MM = 0.02  # a shorter curve is nothing to cut
-SAME_MM = 1e-4  # curves that differ by less are drawn twice
 ROUGH_MM = 0.02  # of chords with which slots are looked for
 GAP_MM = 0.004  # by so much less than a kerf a gap may be: rounding of drawings
 
@@ -99,7 +99,7 @@ def require_gaps(chains: Sequence[Chain], pieces: ChordPieces, kerf_mm: float) -
     """
     if not kerf_mm:
         return
-    one, other, apart_mm = pieces.pairs(max(kerf_mm - GAP_MM, SAME_MM))
+    one, other, apart_mm = pieces.pairs(max(kerf_mm - GAP_MM, SAME_CUT_MM))
     scrap = np.array([_scrap_between(chains, *pair) for pair in zip(one.tolist(), other.tolist(), strict=True)], bool)
     if not scrap.any():
         return
@@ -121,7 +121,7 @@ def require_gaps(chains: Sequence[Chain], pieces: ChordPieces, kerf_mm: float) -
 
 def narrow_warnings(chains: Sequence[Chain], kerf_mm: float) -> list[str]:
     """Return a warning for each chain with a slot or corner into which the kerf does not get."""
-    told = []
+    told: list[str] = []
     closed = [chain for chain in chains if not chain.is_open]
     for chain, points in zip(closed, points_of([chain.curve for chain in closed], ROUGH_MM), strict=True):
         places = np.vstack([points, _middles(chain.curve)])
@@ -172,10 +172,10 @@ def _once(curves: Sequence[Curve]) -> tuple[list[tuple[int, Curve]], list[str]]:
         curve = curve.without_short()
         middle = curve.xy[:-1].mean(axis=0) if curve.closed else curve.xy[[0, -1]].mean(axis=0)
         measures = (*middle.tolist(), curve.length_mm, abs(curve.area_mm2) if curve.closed else -1.0)
-        key = tuple(round(value / SAME_MM) for value in measures)
+        key = tuple(round(value / SAME_CUT_MM) for value in measures)
         twice += key in drawn
         drawn.setdefault(key, (number, curve))
-    warnings = [Text("{twice} curve(s) are drawn twice and are cut once", twice=twice)] if twice else []
+    warnings: list[str] = [Text("{twice} curve(s) are drawn twice and are cut once", twice=twice)] if twice else []
     return list(drawn.values()), warnings
 
 
@@ -224,7 +224,7 @@ def _require_simple(chain: Chain, ring: np.ndarray) -> None:
 
 
 def _too_wide(chain: Chain, kerf_mm: float) -> CycleError:
-    room = shapely.maximum_inscribed_circle(polygon_of(chain.curve, 0.005))
+    room = shapely.maximum_inscribed_circle(polygon_of(chain.curve, SAME_MM), tolerance=0.001)
     (x, y), _ = shapely.get_coordinates(room)
     return CycleError(
         "kerf-wide",

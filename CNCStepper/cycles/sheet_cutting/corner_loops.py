@@ -19,7 +19,8 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from CNCStepper.cycles.sheet_cutting.sheet_model import Loops
-from CNCStepper.geometry.curve import COINCIDENT_MM, Curve
+from CNCStepper.geometry.curve import Curve
+from CNCStepper.tolerances import COINCIDENT_MM
 
 ROUND = 1.02  # a corner's arc has half a kerf as radius, within rounding and the offset's tolerance
 STRAIGHT_RAD = 1e-6
@@ -68,7 +69,8 @@ def knife_way(path: Curve, blade_mm: float) -> Curve:
     """Return the way of a drag knife's axis along a path of its edge, which it closes by going on round the first."""
     segments = path.segments
     begin, end = segments.begin + blade_mm * segments.direction(0.0), segments.end + blade_mm * segments.direction(1.0)
-    xy, bulge = [begin[0]], []
+    xy: list[complex] = [complex(begin[0])]
+    bulge: list[float] = []
     for row in range(len(path)):
         if row:
             _swivel(xy, bulge, segments.begin[row], begin[row])

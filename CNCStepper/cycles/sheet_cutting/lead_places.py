@@ -86,7 +86,7 @@ def _searched(search: _Search, items: Sequence[Item], pending: np.ndarray, room:
 def lead_outs(
     items: Sequence[Item], numbers: Sequence[int], places_mm: Sequence[float], wanted: Lead, room: LeadRoom, side: int
 ) -> list[Curve | None]:
-    """Return a lead-out for some items, from a place of each path; shorter where it must, None where there is no room."""
+    """Return a lead-out for some items, from a place of each path, shorter where it must; None for no room."""
     paths = [item.path for item in items]
     angle, kind = math.radians(wanted.angle_deg), ARC if wanted.kind == "arc" else LINE
     found: list[Curve | None] = [None] * len(numbers)
@@ -127,13 +127,13 @@ class _Search:
             ways.append((ARC if wanted.kind == "arc" else LINE, size_mm, wanted.angle_deg))
             ways += [(ARC, size_mm / (1.0 - math.cos(math.radians(deg))), deg) for deg in one.arcs_deg]
             ways += [(LINE, size_mm / math.sin(math.radians(deg)), deg) for deg in one.lines_deg]
-        kind, size_mm, angle = (np.array(column) for column in zip(*ways, strict=True))
+        table = np.array(ways, float)
         places = [_starts(self._paths[item], one.places) for item in pending.tolist()]
         counts = np.array([len(each) for each in places])
         item = np.repeat(pending, counts * len(ways))
         place = np.concatenate([np.tile(each, len(ways)) for each in places])
-        columns = [np.concatenate([np.repeat(column, count) for count in counts]) for column in (kind, size_mm, angle)]
-        return Leads(item, place, columns[0].astype(int), columns[1], np.radians(columns[2]))
+        kind, sizes_mm, angle = np.concatenate([np.repeat(table, count, axis=0) for count in counts]).T
+        return Leads(item, place, kind.astype(int), sizes_mm, np.radians(angle))
 
     def settle(self, leads: Leads) -> np.ndarray:
         """Give each item the first of its leads that fits beside those found; return the items without one."""
@@ -228,7 +228,10 @@ def _from_middle(items: Sequence[Item], number: int, room: LeadRoom) -> Leads:
 
 def _no_room(items: Sequence[Item], number: int, search: _Search, room: LeadRoom) -> CycleError:
     item, most_mm = items[number], search.clearance_mm(number)
-    if item.chain.is_hole and (middle := scrap_in([each.chain for each in items], item.chain, room.kerf_mm)) is not None:
+    if (
+        item.chain.is_hole
+        and (middle := scrap_in([each.chain for each in items], item.chain, room.kerf_mm)) is not None
+    ):
         most_mm = max(most_mm, float(room.clearances_mm(np.array([number]), middle[None, :])[0]))
     x, y = item.path.xy[0].tolist()
     return CycleError(

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 r"""Leads as columns: where they meet a path, of which kind, size and angle, and the chords along them.
 
-        pierce o                      side     +1: the scrap lies left of the path, -1: right of it
-                \  line, angle        into     true: from the pierce to the path; false: from the path on
- ---------------->*------------->
+       pierce o                      side     +1: the scrap lies left of the path, -1: right of it
+               \  line, angle        into     true: from the pierce to the path; false: from the path on
+---------------->*------------->
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 r"""The order of the cuts and the rapids between them, round the pieces that are already free.
 
- x-----.   +------+     A piece that was cut free may tip up. A rapid that would cross one goes round it by way of
-       |   | free |     the corners of its box; where no way past all of them is found it goes straight, and is
-       '---+------+-->  counted.
+x-----.   +------+     A piece that was cut free may tip up. A rapid that would cross one goes round it by way of
+      |   | free |     the corners of its box; where no way past all of them is found it goes straight, and is
+      '---+------+-->  counted.
 """
 
 from __future__ import annotations
@@ -59,7 +59,9 @@ def rapid_ways(
 ) -> Ways:
     """Return the rapid to each cut, begins float64[n, 2], from the end of the one before, ends float64[n, 2].
 
-    pieces: what the path of each cut encloses, which is free but for the kerf afterwards; None for nothing. round_them: whether rapids go round free pieces.
+
+    pieces: what the path of each cut encloses, which is free but for the kerf afterwards; None for nothing.
+    round_them: whether rapids go round free pieces.
     """
     starts = np.vstack([begins[:1], ends[:-1]])
     ways = [np.array([start, begin]) for start, begin in zip(starts, begins, strict=True)]
@@ -90,7 +92,7 @@ class _Free:
         return sorted(set(line[self._freed[piece] < numbers[line]].tolist()))
 
     def past(self, way: np.ndarray, number: int) -> np.ndarray | None:
-        """Return the shortest way round the pieces that the straight one crosses, by one or two corners of their box."""
+        """Return the shortest way round the pieces that the straight one crosses, over corners of their box."""
         crossed = self._tree.query(shapely.LineString(way), predicate="intersects")
         boxes = shapely.bounds(self._pieces[crossed[self._freed[crossed] < number]])
         low, high = boxes[:, :2].min(axis=0) - SHY_MM, boxes[:, 2:].max(axis=0) + SHY_MM

@@ -43,8 +43,8 @@ def measures_of(cycle: SheetModel, setup: Setup) -> Measures:
             limit=Text("{pierce_mm:g} mm from parts", pierce_mm=pierce_mm),
             advice="set a lead_in, or pierce_mm to half of the kerf",
         )
-    return Measures(kerf_mm, pierce_mm, _depth_mm(cycle, setup, thickness_mm), _rules(cycle, setup, kerf_mm, thickness_mm),
-                    _mark_share(cycle, setup))  # fmt: skip
+    rules = _rules(cycle, setup, kerf_mm, thickness_mm)
+    return Measures(kerf_mm, pierce_mm, _depth_mm(cycle, setup, thickness_mm), rules, _mark_share(cycle, setup))
 
 
 def _rules(cycle: SheetModel, setup: Setup, kerf_mm: float, thickness_mm: float) -> Rules:

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Cutting parts out of sheet by torch, laser, jet, knife or point, as a cutter would.
 
-    chains      parts and holes, and the beam's paths half a kerf off them       chains.py
-    loops       sharp outside corners; a drag knife's swivels                    corner_loops.py
-    leads       where each path is begun, proven to lie in scrap                 lead_places.py, lead_room.py
-    stability   what must be cut before what                                     stability.py
-    rapids      a short order, round the pieces that are free                    rapids.py
-    strokes     feeds and power along each path                                  strokes.py
-    moves       pierce, cut and rapids in the table                              torch_moves.py
+chains      parts and holes, and the beam's paths half a kerf off them       chains.py
+loops       sharp outside corners; a drag knife's swivels                    corner_loops.py
+leads       where each path is begun, proven to lie in scrap                 lead_places.py, lead_room.py
+stability   what must be cut before what                                     stability.py
+rapids      a short order, round the pieces that are free                    rapids.py
+strokes     feeds and power along each path                                  strokes.py
+moves       pierce, cut and rapids in the table                              torch_moves.py
 """
 
 from __future__ import annotations

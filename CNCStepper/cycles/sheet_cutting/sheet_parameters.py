@@ -40,12 +40,14 @@ class SmallHoleParameters(Parameters):
     thickness_ratio: Annotated[
         float,
         Bounds("factor", 0.1, 100.0, zero=True),
-        Parameter(RULES, "Below thickness times", "Holes of a smaller diameter, as a multiple of the thickness; 0: none"),
+        Parameter(RULES, "Below thickness times", "As a multiple of the thickness; 0: none by thickness"),
     ] = 0.0  # fmt: skip
     length_mm: Annotated[
         LengthOr0, Parameter(RULES, "Shorter than", "Holes with a shorter outline are cut slowly; 0: none by length")
     ] = 0.0
-    feed_share: Annotated[Share, Parameter(RULES, "Feed of holes", "The share of the feed with which they are cut")] = 0.6
+    feed_share: Annotated[Share, Parameter(RULES, "Feed of holes", "The share of the feed with which they are cut")] = (
+        0.6
+    )
     torch_off_mm: Annotated[
         WidthOr0, Parameter(RULES, "Torch off before", "How far before its end the cut runs on without power")
     ] = 0.0  # fmt: skip
@@ -58,7 +60,9 @@ class ArcRuleParameters(Parameters):
     """The keys of the rule for narrow arcs: those of a smaller radius are cut with a share of the feed."""
 
     radius_mm: Annotated[WidthOr0, Parameter(RULES, "Arcs below", "Arcs of a smaller radius are cut slowly; 0: none")]
-    feed_share: Annotated[Share, Parameter(RULES, "Feed of arcs", "The share of the feed with which they are cut")] = 0.7
+    feed_share: Annotated[Share, Parameter(RULES, "Feed of arcs", "The share of the feed with which they are cut")] = (
+        0.7
+    )
 
 
 class CornerRuleParameters(Parameters):
@@ -126,7 +130,7 @@ class SheetParameters(Parameters):
         TimeOr0, Parameter(CUT, "Pierce delay", "How long the tool stands with power; 0: that of the cut chart")
     ] = 0.0
     depth_mm: Annotated[
-        DepthOr0, Parameter(CUT, "Depth", "How deep a knife or point goes; 0: a knife through the sheet, a point 0.2 mm")
+        DepthOr0, Parameter(CUT, "Depth", "How deep a knife or point goes; 0: through the sheet, a point 0.2 mm")
     ] = 0.0  # fmt: skip
     passes: Annotated[
         int, Bounds("count", 1, MOST_PASSES), Parameter(CUT, "Passes", "How often each line is cut")
@@ -149,7 +153,7 @@ class SheetParameters(Parameters):
     tabs: Annotated[Any, Table(MicroJointParameters)]
     power_ramp: Annotated[Any, Table(PowerRampParameters)]
     mark_power: Annotated[
-        SpeedOr0, Parameter(RULES, "Marking power", "The S word with which a laser marks; 0: a twentieth of its power")
+        SpeedOr0, Parameter(RULES, "Marking power", "A laser's S word for marks; 0: a twentieth of its power")
     ] = 0.0
     mark_feed_mm_min: Annotated[
         FeedOr0, Parameter(RULES, "Marking feed", "The feed of marks; 0: that of the cut")

@@ -154,17 +154,15 @@ class _Planner:
         paths = ChordPieces([item.path for item in self.items])
         sheet = self.setup.stock
         inner = polygon_of(sheet, 0.01).buffer(-self.measures.kerf_mm / 2.0) if sheet is not None else None
-        return LeadRoom(
-            self.measures.kerf_mm, self.measures.pierce_mm, self.outlines, paths, self.part_of, inner
-        )
+        return LeadRoom(self.measures.kerf_mm, self.measures.pierce_mm, self.outlines, paths, self.part_of, inner)
 
     def _begun(self, room: LeadRoom, lead_in: Lead) -> list[Cut]:
         """Return each cut from its lead-in on, in the order of the items."""
         closed = [number for number, item in enumerate(self.items) if item.path.closed]
-        begins = dict.fromkeys(range(len(self.items)), (0.0, None))
+        begins: dict[int, tuple[float, Curve | None]] = dict.fromkeys(range(len(self.items)), (0.0, None))
         if lead_in.kind != "none" and closed:
-            begins |= dict(zip(closed, lead_ins(self.items, closed, lead_in, room, self.side), strict=True))
-        outs = dict.fromkeys(range(len(self.items)))
+            begins.update(zip(closed, lead_ins(self.items, closed, lead_in, room, self.side), strict=True))
+        outs: dict[int, Curve | None] = dict.fromkeys(range(len(self.items)))
         if self.cycle.lead_out.kind != "none" and closed:
             outs |= self._lead_outs(room, closed, [begins[number][0] for number in closed])
         return [self._cut(item, *begins[number], outs[number]) for number, item in enumerate(self.items)]
@@ -173,10 +171,14 @@ class _Planner:
         overcut_mm = self.cycle.overcut_mm
         ends = [place + overcut_mm for place in places_mm]
         small = {number for number in closed if self.measures.rules.is_small(self.items[number].chain)}
-        found = dict(zip(closed, lead_outs(self.items, closed, ends, self.cycle.lead_out, room, self.side), strict=True))
+        found = dict(
+            zip(closed, lead_outs(self.items, closed, ends, self.cycle.lead_out, room, self.side), strict=True)
+        )
         missing = sum(lead is None for number, lead in found.items() if number not in small)
         if missing:
-            self.warnings.append(Text("{missing} cut(s) end without a lead-out: there is no scrap for it", missing=missing))
+            self.warnings.append(
+                Text("{missing} cut(s) end without a lead-out: there is no scrap for it", missing=missing)
+            )
         return {number: None if number in small else lead for number, lead in found.items()}
 
     def _cut(self, item: Item, place_mm: float, lead_in: Curve | None, lead_out: Curve | None) -> Cut:
@@ -206,7 +208,7 @@ class _Planner:
         last = {int(self.part_of[number]): place for place, number in enumerate(numbers)}
         pieces: list[shapely.Polygon | None] = [None] * len(cuts)
         inner = points_of([item.path for item in self.items], ROUGH_MM)
-        for chain, place in sorted(last.items(), key=lambda pair: pair[1]):
+        for chain in sorted(last, key=last.__getitem__):
             if self.chains[chain].is_part and not held:
                 self.parts.append(whole[chain])
         for place, number in enumerate(numbers):
@@ -230,7 +232,8 @@ def _owned(paths: ChordPieces, part_of: np.ndarray) -> ChordPieces:
 def _without(chains: Sequence[Chain], left_out: Sequence[Chain]) -> list[Chain]:
     """Return the chains but some holes that hold nothing."""
     gone = {id(chain) for chain in left_out}
-    places, kept = {}, []
+    places: dict[int, int] = {}
+    kept: list[Chain] = []
     for index, chain in enumerate(chains):
         if id(chain) not in gone:
             places[index] = len(kept)
@@ -242,7 +245,9 @@ def _mark(cycle: SheetModel, number: int, curve: Curve, measures: Measures) -> C
     curve = curve.moved(*cycle.offset_mm)
     feed = cycle.mark_feed_mm_min or measures.rules.feed_mm_min
     words = {"mark": float(number)}
-    return Cut(f"mark {number}", curve.xy[:1], None, [Stroke(curve, feed, 1.0)], None, words, measures.mark_share, False)
+    return Cut(
+        f"mark {number}", curve.xy[:1], None, [Stroke(curve, feed, 1.0)], None, words, measures.mark_share, False
+    )
 
 
 def _centre(chain: Chain) -> tuple[float, float]:

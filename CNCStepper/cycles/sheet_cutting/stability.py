@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 r"""What must be cut before what, so that nothing is cut after it may have moved.
 
-    inside first     a chain before the closed one around it: that one frees everything in it
-    tight clusters   where the bands of neighbouring cuts run into each other, they enclose scrap, and free it together
-                     with what lies there
+inside first     a chain before the closed one around it: that one frees everything in it
+tight clusters   where the bands of neighbouring cuts run into each other, they enclose scrap, and free it together
+                 with what lies there
 
-     ___________      The bands of 1, 2 and 3 meet and enclose the triangle with 4. A cut needs a way to the sheet
-    | 1 \ 4 / 2 |     over material and over cuts that are still to be made: from outside each cut of a cluster is
-    |----\_/----|     reached over another one, which is made later. So 4 comes before the one over which it is
-    |____ 3 ____|     reached, and that one before the next one outwards.
+ ___________      The bands of 1, 2 and 3 meet and enclose the triangle with 4. A cut needs a way to the sheet
+| 1 \ 4 / 2 |     over material and over cuts that are still to be made: from outside each cut of a cluster is
+|----\_/----|     reached over another one, which is made later. So 4 comes before the one over which it is
+|____ 3 ____|     reached, and that one before the next one outwards.
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ import shapely
 
 from CNCStepper.cycles.sheet_cutting.chains import Chain
 from CNCStepper.cycles.sheet_cutting.chord_pieces import ChordPieces, points_of
+from CNCStepper.tolerances import CUT_TOUCHES_MM
 
-TOUCH_MM = 0.02  # a face belongs to a cut whose band comes so near
 ROUGH_MM = 0.01
 CONVEX = 1e-3  # an outline that fills all but this share of its hull encloses no scrap
 
@@ -70,8 +70,8 @@ def _hulls(chains: Sequence[Chain]) -> dict[int, shapely.Polygon]:
 
 def _clusters(ground: _Ground) -> list[list[int]]:
     """Return the groups of chains whose bands meet, and single ones with others in their bays."""
-    one, other, _ = ground.paths.pairs(ground.kerf_mm + TOUCH_MM)
-    joined = {pair for pair in zip(one.tolist(), other.tolist(), strict=True)}
+    one, other, _ = ground.paths.pairs(ground.kerf_mm + CUT_TOUCHES_MM)
+    joined = set(zip(one.tolist(), other.tolist(), strict=True))
     groups = _groups(joined)
     grouped = {index for group in groups for index in group}
     return groups + [[index] for index in _with_guests(ground) if index not in grouped]
@@ -118,16 +118,14 @@ def _from_outside(ground: _Ground, cluster: list[int]) -> list[tuple[int, int]]:
     """Return pairs for a cluster: each cut that is reached from outside only over another one comes before that one."""
     lines = {index: _line(ground, index) for index in cluster}
     half_mm = ground.kerf_mm / 2.0
-    bands = shapely.union_all([line.buffer(half_mm + TOUCH_MM / 4.0, quad_segs=16) for line in lines.values()])
+    bands = shapely.union_all([line.buffer(half_mm + CUT_TOUCHES_MM / 4.0, quad_segs=16) for line in lines.values()])
     holders = {ground.chains[index].holder for index in cluster}
-    guests = [
-        index for index, chain in enumerate(ground.chains) if index not in lines and chain.holder in holders
-    ]
+    guests = [index for index, chain in enumerate(ground.chains) if index not in lines and chain.holder in holders]
     outside = shapely.union_all([shapely.LineString(part.exterior.coords) for part in shapely.get_parts(bands)])
     faces = [shapely.Polygon(ring.coords) for part in shapely.get_parts(bands) for ring in part.interiors]
     shapely.prepare(faces)
-    touched = {index: _touching(line, faces, half_mm + TOUCH_MM) for index, line in lines.items()}
-    rim = [index for index, line in lines.items() if line.distance(outside) <= half_mm + TOUCH_MM]
+    touched = {index: _touching(line, faces, half_mm + CUT_TOUCHES_MM) for index, line in lines.items()}
+    rim = [index for index, line in lines.items() if line.distance(outside) <= half_mm + CUT_TOUCHES_MM]
     pairs = _reached(rim, touched, _neighbours(ground, lines))
     order = {index: place for place, index in enumerate([*rim, *(child for child, _ in pairs)])}
     return pairs + _of_guests(ground, guests, faces, touched, order)
@@ -147,7 +145,7 @@ def _touching(line: shapely.LineString, faces: list[shapely.Polygon], reach_mm: 
 def _neighbours(ground: _Ground, lines: dict[int, shapely.LineString]) -> dict[int, set[int]]:
     index = list(lines)
     one, other = shapely.STRtree(list(lines.values())).query(
-        list(lines.values()), predicate="dwithin", distance=ground.kerf_mm + TOUCH_MM
+        list(lines.values()), predicate="dwithin", distance=ground.kerf_mm + CUT_TOUCHES_MM
     )
     found: dict[int, set[int]] = {each: set() for each in index}
     for a, b in zip(one.tolist(), other.tolist(), strict=True):
@@ -156,9 +154,7 @@ def _neighbours(ground: _Ground, lines: dict[int, shapely.LineString]) -> dict[i
     return found
 
 
-def _reached(
-    rim: list[int], touched: dict[int, set[int]], beside: dict[int, set[int]]
-) -> list[tuple[int, int]]:
+def _reached(rim: list[int], touched: dict[int, set[int]], beside: dict[int, set[int]]) -> list[tuple[int, int]]:
     """Return pairs (cut, the one over which it is reached), breadth first from the cuts at the rim."""
     waiting, seen = deque(sorted(rim)), set(rim)
     pairs = []
@@ -173,7 +169,11 @@ def _reached(
 
 
 def _of_guests(
-    ground: _Ground, guests: list[int], faces: list[shapely.Polygon], touched: dict[int, set[int]], order: dict[int, int]
+    ground: _Ground,
+    guests: list[int],
+    faces: list[shapely.Polygon],
+    touched: dict[int, set[int]],
+    order: dict[int, int],
 ) -> list[tuple[int, int]]:
     """Return what lies in an enclosed face before the first cut over which the face is reached."""
     if not guests or not faces:

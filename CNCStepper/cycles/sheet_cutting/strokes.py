@@ -12,7 +12,8 @@ import numpy as np
 from CNCStepper.cycles.sheet_cutting.chains import Chain
 from CNCStepper.cycles.sheet_cutting.sheet_model import ArcRule, CornerRule, MicroJoints, PowerRamp, SmallHoles
 from CNCStepper.errors import CycleError, Text
-from CNCStepper.geometry.curve import COINCIDENT_MM, Curve
+from CNCStepper.geometry.curve import Curve
+from CNCStepper.tolerances import COINCIDENT_MM
 
 NONE_MM = 0.01  # a drawn arc of a smaller radius is a corner
 RAMP_STEPS = 8
@@ -106,11 +107,12 @@ def _corners(path: Curve, rules: Rules) -> list[tuple[float, float, float]]:
     rule = rules.corners
     if rule is None or not rule.angle_deg:
         return []
-    before, begin, end = path.before_mm, path.begin_directions @ (1, 1j), path.end_directions @ (1, 1j)
-    turns = np.abs(np.angle(begin / np.roll(end, 1)))
-    turns[0] *= path.closed
-    sharp = before[:-1][turns > math.radians(rule.angle_deg)]
-    tight = (np.abs(path.sweeps_rad) > math.radians(rule.angle_deg)) & (_drawn_radii_mm(path, rules) < NONE_MM)
+    before, rows = path.before_mm, path.rows
+    ahead, after = rows[:, 6:8], np.roll(rows[:, 8:10], 1, axis=0)
+    cosines = (ahead * after).sum(axis=1)
+    cosines[0] = cosines[0] if path.closed else 1.0
+    sharp = before[:-1][cosines < math.cos(math.radians(rule.angle_deg))]
+    tight = (np.abs(rows[:, 4]) > math.radians(rule.angle_deg)) & (_drawn_radii_mm(path, rules) < NONE_MM)
     places = [*zip(sharp, sharp, strict=True), *zip(before[:-1][tight], before[1:][tight], strict=True)]
     return [(float(a) - rule.distance_mm, float(b) + rule.distance_mm, rule.feed_share) for a, b in places]
 
@@ -128,9 +130,10 @@ def _arcs(path: Curve, rules: Rules) -> list[tuple[float, float, float]]:
 
 def _drawn_radii_mm(path: Curve, rules: Rules) -> np.ndarray:
     """Return the radius of the drawn arc to which each arc of a path is parallel, infinite for lines."""
-    round_part = np.sign(path.curvatures) == -rules.side
-    radii = np.nan_to_num(path.radii_mm, nan=np.inf)
-    return radii - np.where(round_part, 1.0, -1.0) * rules.kerf_mm / 2.0
+    bends = path.rows[:, 5]
+    with np.errstate(divide="ignore"):
+        radii = 1.0 / np.abs(bends)
+    return radii + np.where(bends * rules.side < 0.0, -1.0, 1.0) * rules.kerf_mm / 2.0
 
 
 def _within(at_mm: float, stretch: Sequence[float], path: Curve) -> bool:

@@ -1,17 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The moves of one cut in the table: rapids without power, pierce, lead-in, strokes, lead-out, power off.
 
-             rapid            clearance          without Z all of this is at height 0
- ----------------------.
-                       |      pierce height      power on, dwell
-                       '-.
-                         '--- cut height         lead-in, cut, lead-out, power off
+            rapid            clearance          without Z all of this is at height 0
+----------------------.
+                      |      pierce height      power on, dwell
+                      '-.
+                        '--- cut height         lead-in, cut, lead-out, power off
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import groupby
 
 import numpy as np
 
@@ -58,6 +59,14 @@ class Cut:
     power: float = 1.0
     pierced: bool = True
 
+    def with_leads(self) -> Iterator[Stroke]:
+        """Yield the strokes with the leads before and behind them."""
+        if self.lead_in is not None:
+            yield Stroke(self.lead_in, self.strokes[0].feed_mm_min, self.strokes[0].power)
+        yield from self.strokes
+        if self.lead_out is not None:
+            yield Stroke(self.lead_out, self.strokes[-1].feed_mm_min, self.strokes[-1].power)
+
     @property
     def begin(self) -> Point:
         """Where it is pierced."""
@@ -84,11 +93,7 @@ class TorchMoves:
         table.open_span("contour", cut.title, **cut.words)
         self._come(cut.way)
         self._pierce(cut)
-        self._lead(cut.lead_in, "lead-in", cut)
-        for stroke in cut.strokes:
-            self._power(stroke.power * cut.power)
-            self._follow(stroke.curve, stroke.feed_mm_min)
-        self._lead(cut.lead_out, "lead-out", cut)
+        self._follow(cut)
         self._power(0.0)
         if torch.has_z:
             table.rapid((*cut.end, torch.clearance_mm))
@@ -132,13 +137,6 @@ class TorchMoves:
         else:
             self._table.feed((*point, z_mm), self._torch.plunge_mm_min)
 
-    def _lead(self, lead: Curve | None, kind: str, cut: Cut) -> None:
-        if lead is None:
-            return
-        self._table.open_span(kind, cut.title)
-        self._follow(lead, (cut.strokes[0] if kind == "lead-in" else cut.strokes[-1]).feed_mm_min)
-        self._table.close_span()
-
     def _power(self, share: float) -> None:
         torch = self._torch
         if not torch.switched:
@@ -148,11 +146,26 @@ class TorchMoves:
         else:
             self._table.set_state(self._off)
 
-    def _follow(self, curve: Curve, feed_mm_min: float) -> None:
-        torch = self._torch
-        track = Track([curve])
-        z_mm = np.full(len(track.xy), torch.cut_height_mm if torch.has_z else 0.0)
-        self._table.add_cuts(track.kind, np.column_stack([track.xy, z_mm]), track.centre, feed_mm_min)
+    def _follow(self, cut: Cut) -> None:
+        """Run along all of a cut, with the rows of equal power as one piece."""
+        first = self._table.index
+        for power, group in groupby(cut.with_leads(), key=lambda stroke: stroke.power):
+            run = list(group)
+            self._power(power * cut.power)
+            self._add(Track([stroke.curve for stroke in run]), run)
+        self._mark_leads(cut, first)
+
+    def _add(self, track: Track, run: Sequence[Stroke]) -> None:
+        z_mm = np.full(len(track.xy), self._torch.cut_height_mm if self._torch.has_z else 0.0)
+        feeds = np.repeat([stroke.feed_mm_min for stroke in run], np.diff([0, *track.rows]))
+        self._table.add_cuts(track.kind, np.column_stack([track.xy, z_mm]), track.centre, feeds)
+
+    def _mark_leads(self, cut: Cut, first: int) -> None:
+        """Note which rows are leads; each is of one row."""
+        if cut.lead_in is not None:
+            self._table.add_span("lead-in", cut.title, first, first + len(cut.lead_in))
+        if cut.lead_out is not None:
+            self._table.add_span("lead-out", cut.title, self._table.index - len(cut.lead_out), self._table.index)
 
 
 def torch_of(setup: Setup, delay_s: float, depth_mm: float, dynamic: bool) -> Torch:

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 r"""An order in which nothing is cut after it has come loose.
 
-    +--------------------+        Cuts that meet round a piece set it free, with what is still to be cut from it: a ring
-    |  .--A--.           |        of parts that lie so close that their kerfs meet, or a part as wide as the sheet.
-    |  B  x  C           |        What lies in such a piece is cut before.
-    |  '--D--'           |
-    +--------------------+
++--------------------+        Cuts that meet round a piece set it free, with what is still to be cut from it: a ring
+|  .--A--.           |        of parts that lie so close that their kerfs meet, or a part as wide as the sheet.
+|  B  x  C           |        What lies in such a piece is cut before.
+|  '--D--'           |
++--------------------+
 """
 
 from __future__ import annotations
@@ -24,9 +24,7 @@ FLAT_MM = 0.01
 MOST_CHANGES = 3  # a part
 
 
-def safe_order(
-    order: Sequence[int], tree: WayTree, items: Sequence[Item], sheet: Polygon, half_mm: float
-) -> list[int]:
+def safe_order(order: Sequence[int], tree: WayTree, items: Sequence[Item], sheet: Polygon, half_mm: float) -> list[int]:
     """Return the order, changed so that no item lies in a piece that came loose before it is cut.
 
     half_mm: half of the kerf. Raises CycleError where no such order is found.

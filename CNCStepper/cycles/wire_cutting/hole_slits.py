@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 r"""Slits through a part, by which the wire comes into a closed hole and out again.
 
-    ring  - -+- - - -        The shortest straight line from the part's outer ring to the ring in the hole that keeps a
-    wall  ===|========       kerf's distance from the part's other holes. Where parts lie in the hole, it also leads to
-    wall  ===|===            a place in there from which ways can begin.
-    ring  - -+- - - -
+ring  - -+- - - -        The shortest straight line from the part's outer ring to the ring in the hole that keeps a
+wall  ===|========       kerf's distance from the part's other holes. Where parts lie in the hole, it also leads to
+wall  ===|===            a place in there from which ways can begin.
+ring  - -+- - - -
 """
 
 from __future__ import annotations

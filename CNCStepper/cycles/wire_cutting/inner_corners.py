@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 r"""What stays in inner corners of the parts, and in places narrower than the kerf: the wire is round and cannot enter.
 
-    |  part          the ring, half a kerf off, shrunk by half a kerf again, is
-    |   .            the part with round inner corners; the difference stays
-    |____ `.____
+|  part          the ring, half a kerf off, shrunk by half a kerf again, is
+|   .            the part with round inner corners; the difference stays
+|____ `.____
 """
 
 from __future__ import annotations

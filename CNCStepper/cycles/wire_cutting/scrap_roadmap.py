@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 r"""Straight ways through the scrap, clear of every part, and the shortest way from what is cut to what is to be cut.
 
-    walls      the parts, and open lines, grown by half the kerf and the margin: no way crosses them
-    corners    places just outside of the convex corners of the walls, where a shortest way can turn
+walls      the parts, and open lines, grown by half the kerf and the margin: no way crosses them
+corners    places just outside of the convex corners of the walls, where a shortest way can turn
 
-         X - - - - corner         A connection begins on a way that is there already, at any place of it; it ends
-        /            |            square to a ring, or at an end of an open line. The last margin of it, from
-    way-+-way      stand-off      the stand-off on, is the only one nearer than the walls.
-                     |  lead
-                - - ring - -
+     X - - - - corner         A connection begins on a way that is there already, at any place of it; it ends
+    /            |            square to a ring, or at an end of an open line. The last margin of it, from
+way-+-way      stand-off      the stand-off on, is the only one nearer than the walls.
+                 |  lead
+            - - ring - -
 """
 
 from __future__ import annotations
@@ -28,15 +28,14 @@ from CNCStepper.cycles.wire_cutting.wire_items import OFFSET_TOLERANCE_MM, Item,
 from CNCStepper.geometry.box_tree import tree_of
 from CNCStepper.geometry.curve import joined
 from CNCStepper.geometry.curve_bundle import bundle_of
-from CNCStepper.geometry.intersections import NODE_MM
 from CNCStepper.geometry.line_of_sight import sees
 from CNCStepper.geometry.offset import left_loops
 from CNCStepper.geometry.region import Region
 from CNCStepper.kernels import njit
+from CNCStepper.tolerances import SAME_MM
 
 COARSE = 0.1  # of the margin: how far corners may be off the walls
 QUADRANT = 4  # chords of a quarter turn round a corner
-SAME_MM = 1e-6
 
 Segment = tuple[Point, Point]
 
@@ -61,7 +60,7 @@ class Roadmap:
         shapely.prepare(self._material)
         self._walls = _walls(items, self.clear_mm)
         rows = np.concatenate([wall.rows for wall in self._walls])
-        self._barrier = (rows, *tree_of(rows, NODE_MM))
+        self._barrier = (rows, *tree_of(rows, SAME_MM))
         corners = np.concatenate([_corners(items, self.clear_mm, COARSE * margin_mm), outside])
         self.corners = corners[self.free(corners)]
         self._seen: dict[int, np.ndarray] = {}
@@ -75,7 +74,8 @@ class Roadmap:
 
     def sees(self, begins: np.ndarray, ends: np.ndarray) -> np.ndarray:
         """Return between which pairs of places, float64[m, 2] each, no wall stands."""
-        return _sees_each(*self._barrier, np.ascontiguousarray(begins), np.ascontiguousarray(ends))  # type: ignore[no-any-return]
+        pairs = np.ascontiguousarray(begins), np.ascontiguousarray(ends)
+        return _sees_each(*self._barrier, *pairs)  # type: ignore[no-any-return]
 
     def sight_of(self, corner: int) -> np.ndarray:
         """Return how far all corners are from one, infinite where a wall stands between."""
@@ -86,7 +86,7 @@ class Roadmap:
         return self._seen[corner]
 
     def lead(self, begin: Point, item: Item) -> tuple[Point, ...] | None:
-        """Return the end of a way from `begin` straight to an item: stand-off, place on it; None where it is blocked."""
+        """Return the end of a straight way from `begin` to an item: stand-off, place on it; None where blocked."""
         end = _nearest_place(item, begin)
         away_mm = float(np.hypot(end[0] - begin[0], end[1] - begin[1]))
         near_mm = self.stand_off_mm + (self.half_mm if isinstance(item, Line) else 0.0)

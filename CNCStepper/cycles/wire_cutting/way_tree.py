@@ -20,9 +20,9 @@ import numpy as np
 from CNCStepper.cycles.moves import Point
 from CNCStepper.cycles.wire_cutting.scrap_roadmap import Connection, Reach, Roadmap, Segment
 from CNCStepper.cycles.wire_cutting.wire_items import Item
+from CNCStepper.tolerances import SAME_MM
 
 ROOT = 0
-SAME_MM = 1e-6
 
 
 @dataclass
@@ -41,7 +41,8 @@ class WayTree:
             self.before.append(node)
             node = len(self.places) - 1
         self.leaves[connection.item] = node
-        return list(pairwise(connection.way[:-1]))
+        ways = connection.way[:-1]
+        return list(pairwise(ways)) or [(ways[0], ways[0])]
 
     def way(self, begin: int, end: int) -> list[int]:
         """Return the nodes from one to another along the ways, both included."""

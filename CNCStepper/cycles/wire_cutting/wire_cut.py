@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Wire cutting: a hot wire comes in from the sheet's edge, cuts all parts in one continuous way and goes out again.
 
-    wire_items     drawn curves ---> rings half a kerf off the parts, lines; refusals    cycles/wire_cutting/
-    scrap_roadmap  shortest ways through the scrap, clear of all parts
-    way_tree       those ways as a tree, and the order of its leaves
-    falling_pieces no part comes loose before it is cut
-    hole_slits     through the part into its holes
-    wire_route     all of these put together: one way
-    wire_run       rows of the table: power, moves, dwells at corners
+wire_items     drawn curves ---> rings half a kerf off the parts, lines; refusals    cycles/wire_cutting/
+scrap_roadmap  shortest ways through the scrap, clear of all parts
+way_tree       those ways as a tree, and the order of its leaves
+falling_pieces no part comes loose before it is cut
+hole_slits     through the part into its holes
+wire_route     all of these put together: one way
+wire_run       rows of the table: power, moves, dwells at corners
 """
 
 from __future__ import annotations
@@ -125,7 +125,7 @@ def _sheet_of(setup: Setup) -> Polygon | None:
 
 def _around(items: Items, far_mm: float) -> Polygon:
     """Return a sheet round all that is cut, for a setup that does not know its stock."""
-    lines = [item.chords for item in (*items.parts, *items.lines)]
+    lines = [item.chords for item in items.every]
     return shapely.box(*shapely.union_all(lines).buffer(far_mm).bounds)
 
 

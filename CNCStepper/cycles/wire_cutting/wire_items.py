@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 r"""What the wire cuts: exact parallels round the parts and in their holes, and open lines; what it cannot cut.
 
-      ring of the part                  A part is what an outline encloses; outlines in it are its holes, and what
-     . - - - - - - - - .                lies in these is a part again. The wire's centre runs half a kerf off.
-    |  +-------------+  |
-    |  | part        |  |               refused, with the number that would do:
-    |  |   +------+  |  |               - parts, or two walls of one, with less than a kerf between them
-    |  |   | ring |  |  |               - holes that no slit leads into, or that are narrower than the kerf
-    |  |   +------+  |  |               - parts and lines in each other's cut, parts beyond the sheet's edge
-    |  +-------------+  |
-     ' - - - - - - - - '
+  ring of the part                  A part is what an outline encloses; outlines in it are its holes, and what
+ . - - - - - - - - .                lies in these is a part again. The wire's centre runs half a kerf off.
+|  +-------------+  |
+|  | part        |  |               refused, with the number that would do:
+|  |   +------+  |  |               - parts, or two walls of one, with less than a kerf between them
+|  |   | ring |  |  |               - holes that no slit leads into, or that are narrower than the kerf
+|  |   +------+  |  |               - parts and lines in each other's cut, parts beyond the sheet's edge
+|  +-------------+  |
+ ' - - - - - - - - '
 """
 
 from __future__ import annotations
@@ -98,6 +98,11 @@ class Items:
     region: Region
     material: BaseGeometry
 
+    @property
+    def every(self) -> list[Item]:
+        """Parts and lines, those in holes too."""
+        return [*self.parts, *self.lines]
+
 
 def items_of(curves: Sequence[Curve], kerf_mm: float, entry_slit: bool, sheet: Polygon | None) -> Items:
     """Return what curves in work coordinates ask for; raises CycleError for what the wire cannot cut."""
@@ -134,6 +139,8 @@ def _with_length(number: int, curve: Curve) -> Curve:
 
 def _require_apart(polygons: Sequence[BaseGeometry], kerf_mm: float) -> None:
     """Raise CycleError where two parts are nearer to each other than the kerf is wide."""
+    if not polygons:
+        return
     near_mm = kerf_mm - TOUCHES_MM
     first, second = shapely.STRtree(polygons).query(polygons, predicate="dwithin", distance=near_mm)
     pairs = [(a, b) for a, b in zip(first.tolist(), second.tolist(), strict=True) if a < b]
@@ -159,7 +166,7 @@ def _require_no_holes(pieces: Sequence[Region]) -> None:
     holes = [loop for piece in pieces for loop in piece.loops if loop.area_mm2 < 0.0]
     if not holes:
         return
-    x, y = Polygon(holes[0].points(FLAT_MM)).representative_point().coords[0]
+    x, y = Polygon(holes[0].points(FLAT_MM)).centroid.coords[0]
     raise CycleError(
         "wire-hole",
         Text("the wire has no entry into the closed hole at X{x:.3f} Y{y:.3f}", x=x, y=y),
@@ -242,7 +249,8 @@ def _nested(parts: Sequence[Part], lines: Sequence[Line]) -> list[Item]:
     """Put what lies in holes into the innermost of them; return what lies in none."""
     holes = sorted(chain.from_iterable(part.holes for part in parts), key=lambda hole: hole.polygon.area)
     top: list[Item] = []
-    for item in (*parts, *lines):
+    every: list[Item] = [*parts, *lines]
+    for item in every:
         place = Point(item.chords.coords[0])
         holder = next((hole for hole in holes if hole.polygon.contains(place)), None)
         (holder.inside if holder else top).append(item)

@@ -25,7 +25,9 @@ class WireParameters(Parameters):
     ] = "nearest"
     leave: Annotated[
         Literal["back", "edge"],
-        Parameter(CUT, "Leave", "How the wire comes out at last: back the way it came, or on the shortest way to an edge"),
+        Parameter(
+            CUT, "Leave", "How the wire comes out at last: back the way it came, or on the shortest way to an edge"
+        ),
     ] = "back"
     entry_slit: Annotated[
         bool,
@@ -35,10 +37,12 @@ class WireParameters(Parameters):
         Width, Parameter(PATH, "Margin", "How far the kerf of a way through the scrap stays from every part")
     ] = 1.0
     kerf_mm: Annotated[
-        WidthOr0, Parameter(PATH, "Kerf", "The width of the cut where it is not the chart's; 0: the chart's, else the tool's")
+        WidthOr0,
+        Parameter(PATH, "Kerf", "The width of the cut where it is not the chart's; 0: the chart's, else the tool's"),
     ] = 0.0
     corner_dwell_s: Annotated[
-        TimeOr0, Parameter(PATH, "Corner dwell", "How long the wire stands where the way turns back; less at blunter corners")
+        TimeOr0,
+        Parameter(PATH, "Corner dwell", "How long the wire stands where the way turns back; less at blunter corners"),
     ] = 0.0
     corner_angle_deg: Annotated[
         float,

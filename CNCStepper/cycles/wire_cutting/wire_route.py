@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 r"""The one way of the wire: in from the sheet's edge, from item to item, round each, and out.
 
-    edge -> link -> lead-in -> ring of a part -> lead-out -> link -> ... -> edge
-                                  |  ^
-                             slit v  |           what lies in a hole is cut first, then the hole, then the wire goes
-                               hole's ring       back through the slit and on along the part's ring
+edge -> link -> lead-in -> ring of a part -> lead-out -> link -> ... -> edge
+                              |  ^
+                         slit v  |           what lies in a hole is cut first, then the hole, then the wire goes
+                           hole's ring       back through the slit and on along the part's ring
 """
 
 from __future__ import annotations
@@ -22,13 +22,13 @@ from shapely.geometry.base import BaseGeometry
 from CNCStepper.cycles.moves import Point
 from CNCStepper.cycles.wire_cutting.falling_pieces import safe_order
 from CNCStepper.cycles.wire_cutting.hole_slits import Slit, slit_into
-from CNCStepper.cycles.wire_cutting.scrap_roadmap import Roadmap, Segment
+from CNCStepper.cycles.wire_cutting.scrap_roadmap import COARSE, Roadmap, Segment
 from CNCStepper.cycles.wire_cutting.way_tree import ROOT, WayTree, best_last, connected
 from CNCStepper.cycles.wire_cutting.wire_items import Item, Items, Line, Part
 from CNCStepper.errors import CycleError, Text
-from CNCStepper.geometry.curve import COINCIDENT_MM, Curve, from_points, straight
+from CNCStepper.geometry.curve import Curve, from_points, straight
+from CNCStepper.tolerances import COINCIDENT_MM, SAME_MM
 
-SAME_MM = 1e-6
 SIDES = ("left", "right", "front", "back")
 
 
@@ -57,7 +57,7 @@ class RouteMaker:
 
     def __init__(self, items: Items, sheet: Polygon, kerf_mm: float, margin_mm: float):
         self._sheet, self._items, self._half_mm = sheet, items, kerf_mm / 2.0
-        out_mm = kerf_mm / 2.0 + margin_mm
+        out_mm = kerf_mm / 2.0 + (1.0 + COARSE) * margin_mm
         low_x, low_y, high_x, high_y = sheet.bounds
         self._box = (low_x - out_mm, low_y - out_mm, high_x + out_mm, high_y + out_mm)
         self._map = Roadmap(items, kerf_mm, margin_mm, corners_of(self._box))

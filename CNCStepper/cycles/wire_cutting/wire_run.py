@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 r"""Rows of the table for the way of a wire: rapids round the sheet, the power, feeds, and dwells at corners.
 
-       rapids, cold               A wire cuts at any height: all rows are at z = 0, and where there is a Z axis it
-     . - - - - - - - .            comes down beside the sheet. The wire is heated outside of the sheet, is hot all
-     |   +-------+                the way, and is put out when it is outside again.
-     '- >|- way  |
-         +-------+                A wire lags behind: it stands a while where the way turns, before it turns.
+  rapids, cold               A wire cuts at any height: all rows are at z = 0, and where there is a Z axis it
+. - - - - - - - .            comes down beside the sheet. The wire is heated outside of the sheet, is hot all
+|   +-------+                the way, and is put out when it is outside again.
+'- >|- way  |
+    +-------+                A wire lags behind: it stands a while where the way turns, before it turns.
 """
 
 from __future__ import annotations

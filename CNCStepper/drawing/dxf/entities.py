@@ -18,9 +18,10 @@ import numpy as np
 
 from CNCStepper.cancellation import checkpoint
 from CNCStepper.errors import GeometryError, JobError, Text
-from CNCStepper.geometry.curve import COINCIDENT_MM, Curve, joined
+from CNCStepper.geometry.curve import Curve, joined
 from CNCStepper.geometry.fitting.curve_to_arcs import Function, fit_arcs, fit_curve
 from CNCStepper.safe_text import printable
+from CNCStepper.tolerances import COINCIDENT_MM
 
 FLAT = 1e-6  # units: heights that differ by less are one; also how far an extrusion may lean from Z
 ROUND = 1e-9  # an ellipse whose axes differ by less, relatively, is a circle

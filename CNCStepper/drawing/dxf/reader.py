@@ -30,11 +30,12 @@ from typing import Any
 from CNCStepper.cancellation import checkpoint
 from CNCStepper.drawing.dxf.entities import BROKEN, Fits, curve_of
 from CNCStepper.errors import GeometryError, JobError, Place, Text, placed
-from CNCStepper.geometry.chain_joining import NEAR_MM, SAME_MM, Gap, chained
+from CNCStepper.geometry.chain_joining import NEAR_MM, Gap, chained
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.input_file import read_input
 from CNCStepper.quantities import Bounds
 from CNCStepper.safe_text import printable
+from CNCStepper.tolerances import JOINED_ENDS_MM
 
 LOGGER = "ezdxf"
 MOST_RECORDS = 20
@@ -207,7 +208,7 @@ def read_dxf(
     path: Path,
     tolerance_mm: float,
     unit_mm: float | None = None,
-    same_mm: float = SAME_MM,
+    same_mm: float = JOINED_ENDS_MM,
     near_mm: float = NEAR_MM,
     share: Share = lambda share: None,
 ) -> Drawing:

@@ -20,7 +20,7 @@ from CNCStepper.errors import Place, ProgramError, Text
 from CNCStepper.gcode.conversion.program_equivalence import require_same_work
 from CNCStepper.gcode.dialects import Dialect, dialect_named
 from CNCStepper.gcode.interpreter.interpret import interpret
-from CNCStepper.gcode.syntax.words import program_lines, split_line
+from CNCStepper.gcode.syntax.words import program_lines, scanned_codes, scanned_words, split_line
 from CNCStepper.gcode.writer.write import written
 from CNCStepper.gcode.writer.write_options import Note, WriteOptions
 from CNCStepper.state import Start, State, ToolEntry
@@ -53,9 +53,7 @@ _AFTER_STOPS = (
     "after a stop the first move names all its axes, on one straight way: let the machine stand above the work"
 )
 _BEGIN = "the program begins with the tool at the work zero: bring it there before this one is sent"
-_TOOL = re.compile(r"(?<![#<A-Z_])[TH]0*(\d{1,5})", re.IGNORECASE)
 _ROTARY = re.compile(r"(?<![#<A-Z_])([ABC])(?=[-+.\d])", re.IGNORECASE)
-_CODE = re.compile(r"G0*([0-9]+(?:\.[0-9]+)?)", re.IGNORECASE)
 STAGES = ("read", "write", "compare")  # what `tell` hears, in this order
 
 
@@ -151,8 +149,8 @@ def _notes(path: Toolpath, codes: dict[str, list[int]], target: Dialect) -> Iter
 
 def _tools_named(text: str) -> set[int]:
     """Return the numbers of the tools and lengths (T, H) that a program names."""
-    lines = ("".join(split_line(line).code.split()) for line in program_lines(text))
-    return {int(number) for line in lines for number in _TOOL.findall(line)}
+    words = (word for line in program_lines(text) for word in scanned_words(split_line(line).code))
+    return {int(number) for letter, number in words if letter in "TH" and number.isdigit()}
 
 
 def _touched_off(codes: dict[str, list[int]], unknown: set[int]) -> Iterator[Note]:
@@ -211,7 +209,7 @@ def _lines_of_codes(text: str) -> dict[str, list[int]]:
     found: dict[str, list[int]] = {}
     for number, line in enumerate(program_lines(text), start=1):
         split = split_line(line)
-        names = {f"G{code}" for code in _CODE.findall("".join(split.code.split()))}
+        names = {name for name in scanned_codes(split.code) if name.startswith("G")}
         for name in names | {"/"} if split.deleted else names:
             found.setdefault(name, []).append(number)
     return found

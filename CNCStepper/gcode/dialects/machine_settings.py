@@ -20,9 +20,10 @@ from CNCStepper.gcode.dialects.definition import Dialect, same_advice
 SPEED_CODES = ("G96", "G97", "M19")
 SWITCH_CODES = ("M3", "M4", "M5")
 HEIGHT_PLANES = ("G18", "G19")
-NO_Z = "this machine has no Z axis"
-NO_S = "this machine has no spindle whose speed is chosen"
-NOT_SWITCHED = "this machine has nothing that is switched: knife and point have no power"
+NO_Z = "this machine has no Z axis: take it out"
+NO_PLANE = "this machine has no Z axis: arcs are in XY"
+NO_S = "this machine has no spindle whose speed is chosen: write M3 alone"
+NOT_SWITCHED = "this machine has nothing that is switched (knife and point have no power): take it out"
 
 
 def _without(dialect: Dialect, codes: tuple[str, ...], letters: str, advice: str) -> Dialect:
@@ -36,8 +37,8 @@ def _without(dialect: Dialect, codes: tuple[str, ...], letters: str, advice: str
 def _z(dialect: Dialect, value: str) -> Dialect:
     if dialect.plasma:  # it moves Z itself, whatever the profile says of it
         return dialect
-    flat = _without(dialect, ("G43.1",), "Z", f"{NO_Z}: take it out")
-    flat = _without(flat, HEIGHT_PLANES, "", f"{NO_Z}: arcs are in XY")
+    flat = _without(dialect, ("G43.1",), "Z", NO_Z)
+    flat = _without(flat, HEIGHT_PLANES, "", NO_PLANE)
     writing = flat.writing and replace(flat.writing, lifts=False, helices=False)
     return replace(flat, writing=writing, has_z=False)
 
@@ -48,8 +49,8 @@ def _spindle(dialect: Dialect, value: str) -> Dialect:
     if value == "always":
         return replace(dialect, power="always")
     if value == "switch":
-        return replace(_without(dialect, SPEED_CODES, "S", f"{NO_S}: write M3 alone"), power="switch")
-    bare = _without(dialect, (*SPEED_CODES, *SWITCH_CODES), "S", f"{NOT_SWITCHED}: take it out")
+        return replace(_without(dialect, SPEED_CODES, "S", NO_S), power="switch")
+    bare = _without(dialect, (*SPEED_CODES, *SWITCH_CODES), "S", NOT_SWITCHED)
     if bare.writing is None:
         return bare
     footer = tuple(line for line in bare.writing.footer if line not in SWITCH_CODES)

@@ -38,10 +38,10 @@ from CNCStepper.gcode.syntax.words import NUMBER
 from CNCStepper.gcode.writer.rounded_arcs import Limits, TrueArc, rounded
 from CNCStepper.geometry.fitting.space_fit import PLANES, Piece, fit_space, serves_points, straight
 from CNCStepper.state import Start
+from CNCStepper.tolerances import SAME_SUM_MM
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, PLANE_NAMES
 
 ARC_SHARE = 1.5  # last digits that an arc is kept away from the tolerance, for its centre will be rounded
-SAME_MM = 1e-7  # what adding up numbers of a text leaves
 LARGEST_RADIUS_MM = 2000.0  # where a dialect says nothing
 _NUMBERS = re.compile(r"[XYZ]([-+0-9. \t]+)", re.IGNORECASE)
 
@@ -98,7 +98,7 @@ def written(points: np.ndarray, run: Run, tolerance_mm: float) -> New | None:
     if not fit_mm > 0:
         return None
     places = np.nan_to_num(points)
-    keep = np.concatenate([[True], (np.abs(np.diff(places, axis=0)) > SAME_MM).any(axis=1)])
+    keep = np.concatenate([[True], (np.abs(np.diff(places, axis=0)) > SAME_SUM_MM).any(axis=1)])
     numbers = np.flatnonzero(keep)
     places = np.round(places[keep] / run.step_mm) * run.step_mm  # what adding up left is no height and no move
     writer = _RunWriter(run, places, tolerance_mm)

@@ -17,9 +17,8 @@ import numpy as np
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.edit.executed_lines import Source
 from CNCStepper.state import State
+from CNCStepper.tolerances import SAME_SUM_MM
 from CNCStepper.toolpath import LINE, RAPID
-
-SAME_MM = 1e-7
 
 
 @dataclass(frozen=True)
@@ -43,7 +42,7 @@ class Rows:
         self.centre = self.table.centre[:, :3] - offsets
         self.line = self.table.line.tolist()
         self.rapid = self.table.kind == RAPID
-        moved = ~(np.abs(self.end - self.begin) <= SAME_MM)  # an unknown place counts as moved
+        moved = ~(np.abs(self.end - self.begin) <= SAME_SUM_MM)  # an unknown place counts as moved
         self.flat = moved[:, :2].any(axis=1) | (self.table.kind > LINE)  # a whole circle ends where it begins
         self.steep = moved[:, 2] & ~(np.isnan(self.begin[:, 2]) & np.isnan(self.end[:, 2]))
         standing = np.flatnonzero(self.rapid & ~moved.any(axis=1)).tolist()

@@ -26,7 +26,7 @@ import numpy as np
 
 from CNCStepper.gcode.dialects import Dialect, dialect_named
 from CNCStepper.gcode.dialects.codes import AXES, MOTION_NAMES, PLANE_CODES
-from CNCStepper.gcode.edit.cutting_passes import SAME_MM, Pass, Rows, passes_of
+from CNCStepper.gcode.edit.cutting_passes import Pass, Rows, passes_of
 from CNCStepper.gcode.edit.edit_result import Edited
 from CNCStepper.gcode.edit.executed_lines import Meaning, Source, require_straight
 from CNCStepper.gcode.edit.line_edits import CENTRES
@@ -36,12 +36,12 @@ from CNCStepper.gcode.edit.word_values import MOST_DECIMALS, decimals_of, dialec
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.interpreter.motion.arc_lengths import ways_of
 from CNCStepper.state import Start
+from CNCStepper.tolerances import SAME_ARC_RAD, SAME_SUM_MM
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, PLANE_AXES, PLANE_NAMES, Toolpath
 from CNCStepper.units import UNIT_MM
 
 CENTRE_MM = 0.005  # by which rounding may move the centre of an arc
 COMMENTS = ("comment", "message")  # stay with their lines
-SAME_ANGLE = 0.02  # radians, of arcs that are not too small to have one
 
 
 def require_reversed(source: Source, rows: Rows, passes: Sequence[Pass], edited: Edited) -> None:
@@ -66,9 +66,9 @@ def _same_rows(old: Toolpath, new: Toolpath, rows: Rows, passes: Sequence[Pass])
     if not ((table.kind == kinds) & (np.abs(feeds - wanted) <= 1e-9 * wanted) & same_modes(old, new)).all():
         return False
     begins, ends, centres = (points - new.offsets_mm()[:, :3] for points in _points(new))
-    heights = np.isclose(ends[:, 2], rows.end[:, 2], atol=SAME_MM, equal_nan=True)
-    to_begin = (np.abs(ends[:, :2] - rows.begin[was, :2]) <= SAME_MM).all(axis=1)
-    from_end = (np.abs(begins[:, :2] - rows.end[was, :2]) <= SAME_MM).all(axis=1)
+    heights = np.isclose(ends[:, 2], rows.end[:, 2], atol=SAME_SUM_MM, equal_nan=True)
+    to_begin = (np.abs(ends[:, :2] - rows.begin[was, :2]) <= SAME_SUM_MM).all(axis=1)
+    from_end = (np.abs(begins[:, :2] - rows.end[was, :2]) <= SAME_SUM_MM).all(axis=1)
     about = (np.abs(centres - rows.centre[was])[:, :2] <= CENTRE_MM).all(axis=1) | ~arcs
     places = np.where(turned, to_begin & from_end & about & _same_angles(old, new, was), heights)
     return bool(places.all())
@@ -77,8 +77,8 @@ def _same_rows(old: Toolpath, new: Toolpath, rows: Rows, passes: Sequence[Pass])
 def _same_angles(old: Toolpath, new: Toolpath, was: np.ndarray) -> np.ndarray:
     """Return the rows that go through the angle of the old one, the other way round."""
     one, other = (ways_of(path.table(), *_points(path)[:2]) for path in (old, new))
-    small = one.radius_mm[was] * SAME_ANGLE < CENTRE_MM
-    return small | (np.abs(one.sweep_rad[was] + other.sweep_rad) <= SAME_ANGLE)
+    small = one.radius_mm[was] * SAME_ARC_RAD < CENTRE_MM
+    return small | (np.abs(one.sweep_rad[was] + other.sweep_rad) <= SAME_ARC_RAD)
 
 
 def _points(path: Toolpath) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -177,7 +177,7 @@ class Rewriter:
             at = self._at(axis, number)
             if not meaning.absolute and at != at:
                 raise self.rows.refusal(one.travel or 0, "reverse-travel", "where this rapid begins is not known")
-            if AXES[axis] in words or not abs(wanted - at) <= SAME_MM:
+            if AXES[axis] in words or not abs(wanted - at) <= SAME_SUM_MM:
                 edits.append(self._axis_edit(axis, wanted if meaning.absolute else wanted - at, meaning, words))
             self.at[axis] = wanted
         return edits
@@ -260,7 +260,7 @@ class Rewriter:
         begin, end = rows.end[row], rows.begin[row]
         in_plane = PLANE_AXES[plane][:2] if kind != LINE else ()
         for axis in (0, 1, 2):
-            if axis in in_plane or abs(end[axis] - begin[axis]) > SAME_MM:
+            if axis in in_plane or abs(end[axis] - begin[axis]) > SAME_SUM_MM:
                 value = end[axis] if meaning.absolute else end[axis] - begin[axis]
                 words.append(AXES[axis] + self._number(value / unit_mm))
         words += self._arc_words(row, number, meaning, in_plane)
@@ -371,7 +371,7 @@ def _check_meeting(rows: Rows, before: Pass | None, after: Pass | None) -> None:
         return
     begin = rows.end[after.last - 1, :2]
     there = rows.begin[before.first, :2] if before else None
-    if there is None or (np.abs(begin - there) > SAME_MM).any():
+    if there is None or (np.abs(begin - there) > SAME_SUM_MM).any():
         what = "no rapid leads to this way, and backwards it does not begin where the one before ends"
         raise rows.refusal(after.first, "reverse-apart", what, "lift the tool between them")
 

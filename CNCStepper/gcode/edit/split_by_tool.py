@@ -28,11 +28,11 @@ from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.interpreter.state.modal_state_stack import modal_words
 from CNCStepper.gcode.syntax.words import is_percent_mark
 from CNCStepper.state import Start, State
+from CNCStepper.tolerances import SAME_MM
 from CNCStepper.toolpath import RAPID, Toolpath
 from CNCStepper.units import UNIT_MM
 
 PAUSES = frozenset(("M0", "M1", "T", "N"))
-SAME_MM = 1e-6
 ENDS = frozenset(("M2", "M30"))
 
 

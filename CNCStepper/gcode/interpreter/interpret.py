@@ -22,7 +22,7 @@ def interpret(
 ) -> Toolpath:
     """Return the table of moves of a whole program, in machine coordinates.
 
-    start: where the machine stands and what it holds; None is a machine whose position and zero are unknown.
+    start: the machine's position and modal state; None is a machine whose position and zero are unknown.
     The table's lines are those of the text: for what a subroutine in another file does, the line of its call.
     progress: called with the share of the lines that is reached, from 0 to 1. Raises ProgramError naming file, line,
     column and word.

@@ -5,13 +5,13 @@ A line is parsed into a scratch block, checked whole and then executed: a refuse
 
 Reads a line whose dialect has a preprocessor: piece by piece, errors with their place in the line as written.
 
-In a language of records each is a block of its own: what a refused one stands behind has been read.
+In a language of records each is a block of its own: the records before a refused one have been read.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Generator, Iterable
 from dataclasses import replace
 from typing import Protocol
 
@@ -33,12 +33,19 @@ from CNCStepper.gcode.interpreter.state.model import Model, Point, model_at
 from CNCStepper.gcode.interpreter.state.system_parameters import SystemParameters
 from CNCStepper.gcode.syntax.error_location import located_error
 from CNCStepper.gcode.syntax.line_grammar import PLAIN_NUMBER, Grammar, Plan
-from CNCStepper.gcode.syntax.words import Comment, PercentMarkers, Word, is_percent_mark, split_line, words_of
+from CNCStepper.gcode.syntax.words import (
+    Comment,
+    PercentMarkers,
+    Word,
+    is_percent_mark,
+    scanned_codes,
+    split_line,
+    words_of,
+)
 from CNCStepper.state import Start
 from CNCStepper.toolpath import TableBuilder, Toolpath
 
 _WORD = re.compile(r"[A-Z][ \t]*[+-]?[0-9.]+", re.IGNORECASE)
-_CODE = re.compile(r"([GM])[ \t]*([0-9.]+)", re.IGNORECASE)
 
 
 class Reader(Protocol):
@@ -88,8 +95,7 @@ def _in_line(error: ProgramError, piece: Piece, line: str) -> ProgramError:
 def _after_record(reader: Reader, piece: Piece) -> None:
     """A motion lasts until the next G or M; in absolute mode an axis without a word stays, with a warning."""
     code = piece.text.partition("(")[0].upper()
-    names = {f"{letter}{float(number):g}" for letter, number in _CODE.findall(code)}
-    known = [reader.dialect.codes[name] for name in names if name in reader.dialect.codes]
+    known = [reader.dialect.codes[name] for name in scanned_codes(code) if name in reader.dialect.codes]
     if piece.ends_chunk or (known and all(one.group != "motion" for one in known)):
         reader.forget_motion()
     axes = [axis for axis in "XZ" if axis in code]
@@ -137,7 +143,7 @@ class Interpreter:
 
     @property
     def runs(self) -> bool:
-        """Whether the next lines may be executed as a run (`compiled_reader.py`): in plain modes, and nobody hears
+        """Whether the next lines may be executed as a run (`compiled_reader.py`): in plain modes, and nobody gets
         the calls."""
         model = self.model
         plain = model.plain and model.motion < NO_MOTION and self._keeps_moves
@@ -164,6 +170,28 @@ class Interpreter:
             read_pieces(self, text, self._line)
         else:
             self._line(text)
+
+    def lines(self, lines: Iterable[str]) -> bool:
+        """Read lines up to the first that leads elsewhere; return whether there was none.
+
+        Raises ProgramError at the line that is refused, after all lines before it.
+        """
+        for line in lines:
+            if self.leads(line):
+                return False
+            self.line(line)
+        return True
+
+    def refusals(self, lines: Iterable[str]) -> Generator[ProgramError, None, bool]:
+        """Read lines as `lines` does; yield why lines are refused, which change nothing, and go on after them."""
+        for line in lines:
+            if self.leads(line):
+                return False
+            try:
+                self.line(line)
+            except ProgramError as error:
+                yield error
+        return True
 
     def forget_motion(self) -> None:
         """Let no motion be modal."""
@@ -264,7 +292,7 @@ class Interpreter:
         return ProgramError("line-too-long", what, limit=limit, advice=advice, place=self._at(self._too_long))
 
     def _any_line(self, text: str) -> None:
-        """Read any line, with all that may stand on it."""
+        """Read any line, with all words that it may hold."""
         if self.ended:
             self.tape.closed = self.tape.closed or is_percent_mark(text)
             return

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import tempfile
 from array import array
-from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
 from types import TracebackType
 from typing import overload
@@ -220,7 +220,12 @@ class FileReading:
         size, read, mark = self.path.stat().st_size, 0, BOM if encoding == "utf-8" else b""
         reader = compiled_reader(self.interpreter, size)
         for piece in self._pieces(mark):
-            if not (reader.read(piece, encoding) if reader else self._lines(piece.decode(encoding))):
+            whole = (
+                reader.read(piece, encoding)
+                if reader
+                else self.interpreter.lines(program_lines(piece.decode(encoding)))
+            )
+            if not whole:
                 yield from self._run_on(mark, encoding)
                 break
             read += len(piece)
@@ -248,20 +253,10 @@ class FileReading:
             if reader:
                 whole = yield from reader.refused(piece, encoding)
             else:
-                whole = yield from self._refused_lines(piece.decode(encoding))
+                whole = yield from self.interpreter.refusals(program_lines(piece.decode(encoding)))
             if not whole:
                 yield from self._refusals_behind(mark, encoding)
                 return
-
-    def _refused_lines(self, text: str) -> Generator[ProgramError, None, bool]:
-        for line in program_lines(text):
-            if self.interpreter.leads(line):
-                return False
-            try:
-                self.interpreter.line(line)
-            except ProgramError as error:
-                yield error
-        return True
 
     def _refusals_behind(self, mark: bytes, encoding: str) -> Iterator[ProgramError]:
         """Yield the refusal behind a line that leads elsewhere, which is the last."""
@@ -270,14 +265,6 @@ class FileReading:
                 pass
         except ProgramError as error:
             yield error
-
-    def _lines(self, text: str) -> bool:
-        """Read lines up to the first that leads elsewhere; return whether there was none."""
-        for line in program_lines(text):
-            if self.interpreter.leads(line):
-                return False
-            self.interpreter.line(line)
-        return True
 
     def _pieces(self, mark: bytes = b"") -> Iterator[bytes]:
         """Yield the file as pieces of whole lines, without the byte-order mark; raises ProgramError when cancelled."""

@@ -18,9 +18,9 @@ from CNCStepper.gcode.lathe.profile import Segment
 from CNCStepper.gcode.lathe.roughing_and_finishing import Turning
 from CNCStepper.gcode.syntax.line_grammar import Plan
 from CNCStepper.gcode.syntax.words import Word
+from CNCStepper.tolerances import SAME_TEXT_PLACE
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, RAPID
 
-SAME = 1e-4  # of two places along X or Z, in units of the text
 PROFILE_WORDS = "XZUWIKRAC"
 
 
@@ -171,7 +171,7 @@ class _Tool:
     def arc(self, ccw: bool, centre: complex, end: complex) -> None:
         """G2 or G3; an arc that leads nowhere is none."""
         way = end - _place(self.block)
-        if max(abs(way.real), abs(way.imag)) > SAME:
+        if max(abs(way.real), abs(way.imag)) > SAME_TEXT_PLACE:
             motion = ARC_CCW if ccw else ARC_CW
             self._move(motion, X=end.imag, Z=end.real, I=centre.imag, K=centre.real)
 

@@ -18,6 +18,7 @@ from CNCStepper.errors import Place, ProgramError, Text
 NUMBER = r"[+-]?(?:[0-9]{1,15}(?:\.[0-9]*)?|\.[0-9]+)(?![0-9])"
 SIGNS = "@^$"  # polar distance and angle, and the number of a spindle, are words too
 _WORD = re.compile(rf"([A-Z@^]|(?<!^)\$)({NUMBER})")  # a line that begins with $ is no program's
+_NAMED = re.compile(r"<[^>]*>")  # the name of a parameter or of a subroutine
 MOST_LINE = 100_000  # characters: each takes some 200 bytes of memory while it is read; controllers take 80 to 256
 _BLANKS = " \t\r\n"
 _CAPITALS = str.maketrans(ascii_lowercase, ascii_uppercase)
@@ -144,6 +145,20 @@ def words_of(code: str) -> list[Word]:
         words.append(Word(match[1], match[2], columns[position]))
         position = match.end()
     return words
+
+
+def scanned_words(code: str) -> list[tuple[str, str]]:
+    """Return letter and number of the words of a line without comments, in capitals, as far as there are any.
+
+    Nothing is refused: expressions, names of parameters and whatever else is no word are passed over. This is for
+    those who look something up in lines that the interpreter reads or has read.
+    """
+    return _WORD.findall(_NAMED.sub("", pack(code)[0]))
+
+
+def scanned_codes(code: str) -> set[str]:
+    """Return the names of the G and M codes of a line without comments, "G1" for G01, as `scanned_words` finds them."""
+    return {Word(letter, number, 1).name for letter, number in scanned_words(code) if letter in "GM"}
 
 
 def _without_comments(text: str, strict: bool) -> tuple[str, list[Comment]]:

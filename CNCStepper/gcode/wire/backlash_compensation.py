@@ -43,9 +43,10 @@ from CNCStepper.gcode.interpreter.state.model import Model
 from CNCStepper.gcode.syntax.words import Word, words_of
 from CNCStepper.gcode.wire.monotonic_split import Piece, arc_pieces, straight_pieces
 from CNCStepper.gcode.wire.wire_text import WireLines, WireText, check_wire_line
-from CNCStepper.machine.backlash import SAME_MM, Backlash, Motors
+from CNCStepper.machine.backlash import Backlash, Motors
 from CNCStepper.machine.profile import Machine
 from CNCStepper.state import Start
+from CNCStepper.tolerances import SAME_SUM_MM
 from CNCStepper.toolpath import ARC_CCW, LINE, PLANE_AXES, PLANE_NAMES, RAPID, Chunk
 
 Vector = tuple[float, ...]
@@ -61,7 +62,7 @@ class AsWritten:
     def ready_mm(self, position_mm: Sequence[float], first_mm: Sequence[float]) -> Vector | None:
         """Return the motor positions at which the tool starts with them; None when they are there.
 
-        position_mm: of the tool, as the text says. first_mm: to which the motors go first.
+        position_mm: of the tool, as programmed. first_mm: to which the motors go first.
         """
         at_mm = self._motors.at_mm
         ready = list(at_mm)
@@ -71,10 +72,10 @@ class AsWritten:
                 sense = self._play.sense(axis, at_mm[axis], first_mm[axis])
                 place = at_mm[axis] - ahead_mm + self._play.ahead_mm(axis, sense)
                 ready[axis] = min(place, first_mm[axis]) if sense > 0 else max(place, first_mm[axis])
-        return tuple(ready) if any(abs(one - at) > SAME_MM for one, at in zip(ready, at_mm, strict=True)) else None
+        return tuple(ready) if any(abs(one - at) > SAME_SUM_MM for one, at in zip(ready, at_mm, strict=True)) else None
 
     def go(self, axes: Iterable[int], position_mm: Sequence[float], places_mm: Iterable[Sequence[float]]) -> None:
-        """Let the motors of some axes go from place to place, the tool being where the text says."""
+        """Let the motors of some axes go from place to place, the tool being at its programmed position."""
         places = list(places_mm)
         for axis in axes:
             ahead_mm, at_mm = self._ahead_mm(axis, position_mm), self._motors.at_mm[axis]
@@ -83,11 +84,11 @@ class AsWritten:
                 at_mm = place[axis]
             self._motors.at_mm[axis] = at_mm
             self._short.pop(axis, None)
-            if abs(ahead_mm) > SAME_MM and not isnan(at_mm):
+            if abs(ahead_mm) > SAME_SUM_MM and not isnan(at_mm):
                 self._short[axis] = ahead_mm
 
     def rest_mm(self, moved: Set[int]) -> Vector | None:
-        """Return where the motors go before a feed move so that the tool is where the text says; None where it is.
+        """Return where the motors go before a feed move to bring the tool to its programmed position; None where it is.
 
         moved: the axes that the move leads; one that it leads alone comes to its way by itself.
         """
@@ -134,7 +135,9 @@ def crossing(model: Model, stood_mm: Sequence[float], end_mm: Sequence[float], f
     if model.turn is not None:
         what = "the play of the axes cannot be taken up in coordinates that are turned"
         raise ProgramError("take-up", what, advice="turn the program instead")
-    moved = [axis for axis, pair in enumerate(zip(stood_mm, end_mm, strict=True)) if abs(pair[0] - pair[1]) > SAME_MM]
+    moved = [
+        axis for axis, pair in enumerate(zip(stood_mm, end_mm, strict=True)) if abs(pair[0] - pair[1]) > SAME_SUM_MM
+    ]
     places = "".join(AXES[axis] + place_text(model, axis, stood_mm, end_mm) for axis in moved)
     if feed_mm_min is None:
         return f"G0{places}"
@@ -155,7 +158,7 @@ def place_text(model: Model, axis: int, stood_mm: Sequence[float], end_mm: Seque
 
 
 def _feed_word(model: Model, feed_mm_min: float, way_mm: float) -> str:
-    """Return the F word of a way at this feed, nothing where the feed in force says it."""
+    """Return the F word of a way at this feed, nothing where this feed is in force."""
     mode, feed = model.state.feed_mode, feed_mm_min / model.scale
     if mode == "inverse_time":
         feed = feed_mm_min / way_mm
@@ -197,9 +200,9 @@ class Words:
         return "".join([*words, *(word.text for word in self._stops if last)])
 
     def _end(self, word: Word, motor_mm: float) -> str:
-        """Return an axis word with the number at which the motor stands."""
+        """Return an axis word with the motor's position."""
         ahead_mm = motor_mm - self._pieces[-1].end_mm[AXES.index(word.letter)]
-        if math.isnan(ahead_mm) or abs(ahead_mm) <= SAME_MM or not self._model.absolute:
+        if math.isnan(ahead_mm) or abs(ahead_mm) <= SAME_SUM_MM or not self._model.absolute:
             return word.text
         places = len(word.number.partition(".")[2])
         return word.letter + number_text(float(word.number) + ahead_mm / self._model.scale, self._model, places)
@@ -288,7 +291,7 @@ class BacklashCompensation:
             yield from self._arc(words, before, rows)
 
     def _to_machine(self, letters: set[str], before: Model, rows: Chunk | None) -> Iterator[str]:
-        """Lead the motors of the named axes, or of all, to where the text says; yield the line that goes before."""
+        """Lead the motors of the named axes, or of all, to the programmed position; yield the line that goes before."""
         axes = [axis for axis, letter in enumerate(AXES) if letter in letters] or range(len(AXES))
         places = self._places(axes, before, rows)
         ready_mm = self._as_written.ready_mm(before.position, places[0]) if len(places) == 1 else None
@@ -316,7 +319,7 @@ class BacklashCompensation:
         """Yield the rapid by which the motors go to where the tool stands, which it does not notice."""
         stood = self._motors.at_mm
         here = [stands if isnan(tool) else tool for stands, tool in zip(stood, model.position, strict=True)]
-        if any(abs(one - other) > SAME_MM for one, other in zip(stood, here, strict=True)):
+        if any(abs(one - other) > SAME_SUM_MM for one, other in zip(stood, here, strict=True)):
             yield self._crossing(model, stood, here, None)
         self._motors.at_mm = here
 

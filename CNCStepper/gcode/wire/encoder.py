@@ -268,7 +268,7 @@ def _words(code: str, piece: Piece) -> list[Word]:
 
 
 def _code(raw: str, language: Dialect) -> str:
-    """Return a line that computes or leads elsewhere as it stands, without its comments."""
+    """Return a line that computes or leads elsewhere as it is, without its comments."""
     return " ".join(split_line(raw, language.strict_comments).code.split())
 
 

@@ -57,7 +57,7 @@ def read_back(
 
 
 def _read_expanded(reader: Interpreter, wire: WireText, text: str, start: Start | None) -> None:
-    """Read the lines that are sent, in their order, and the comments that stand between them."""
+    """Read the lines that are sent, in their order, and the comments between them."""
     sent = groups_of(wire)
     for block in expanded(text, reader.dialect, start, reader.file):
         read_block(reader, block, sent)
@@ -101,7 +101,7 @@ def _joined(wire: WireText, text: str, file: str) -> tuple[np.ndarray, str]:
 def joined_lines(wire: WireText, lines: list[str], first: int = 1) -> tuple[np.ndarray, list[str]]:
     """Return a program with the lines that are sent in place of those that they were made from, and the number of each.
 
-    lines: of the program from its line `first` on, for which all of `wire` stands. The numbers are int32[n].
+    lines: of the program from its line `first` on, which became all of `wire`. The numbers are int32[n].
     """
     instead: dict[int, list[str]] = {}
     for number, line in zip(wire.file_lines.tolist(), wire.lines, strict=True):

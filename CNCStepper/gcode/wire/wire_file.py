@@ -23,6 +23,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from itertools import islice
 from pathlib import Path
+from typing import TypedDict, Unpack
 
 import numpy as np
 
@@ -43,6 +44,14 @@ from CNCStepper.state import Start
 from CNCStepper.toolpath import Chunk, Event, TableBuilder
 
 Sink = Callable[[WireText], None]
+
+
+class WireOptions(TypedDict, total=False):
+    """What every reading takes; `WireFile` has the meanings and the defaults."""
+
+    sink: Sink
+    progress: Callable[[float], None]
+    name: str
 
 
 class WireFile:
@@ -137,7 +146,7 @@ class WireFile:
         return self._taken_up(wire) if self._take_up else wire
 
     def _taken_up(self, wire: WireText) -> WireText:
-        """Return a piece with what takes up play; a message is told at the last line that its line has become."""
+        """Return a piece with backlash compensation; a message belongs to the last line that its line has become."""
         assert self._take_up
         lines, numbers, leads = bytearray(), [], bytearray()
         messages: dict[int, str] = {}
@@ -225,16 +234,13 @@ def wire_of_file(
     start: Start | None,
     dialect: str | Dialect,
     play: Backlash | None = None,
-    *,
-    sink: Sink = lambda wire: None,
-    progress: Callable[[float], None] = lambda share: None,
-    name: str = "",
+    **options: Unpack[WireOptions],
 ) -> WireFile:
     """Return the reading of any program's file; see `WireFile`."""
     language = dialect_named(dialect)
     written_out = writes_out(language) and not all(map(is_plain, text_pieces(path)))
     reading = WireBlocks if written_out else WireFile
-    return reading(path, start, language, play, sink=sink, progress=progress, name=name)
+    return reading(path, start, language, play, **options)
 
 
 class WireBlocks(WireFile):

@@ -35,7 +35,7 @@ class WireLines(Sequence[str]):
     """Lines of plain ASCII, each made from the bytes when it is asked for; a sequence as a tuple of them is.
 
     data    G21\\nG0X1\\nM2\\n
-    ends       3    8  11      of each line, where its newline stands
+    ends       3    8  11      of each line, the place of its newline
     """
 
     def __init__(self, data: bytes):
@@ -80,7 +80,7 @@ class WireLines(Sequence[str]):
         return repr(tuple(self))
 
 
-REALTIME = frozenset(b"!?~\x18") | frozenset(range(0x80, 0x100))  # bytes that grbl acts upon wherever they stand
+REALTIME = frozenset(b"!?~\x18") | frozenset(range(0x80, 0x100))  # bytes that grbl acts upon anywhere
 
 
 @dataclass(frozen=True)

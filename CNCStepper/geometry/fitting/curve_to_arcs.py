@@ -16,7 +16,7 @@ tolerance. `fit_curve` first looks for corners and cusps, which stay where they 
 Where a parametric curve has a corner or a cusp: where its direction jumps, however closely one looks.
 
 Three neighbouring samples between which the way turns by more than SHARP are looked at again, finer, about the
-sharpest of them; a bend becomes gentle on the way, a corner stays as sharp until it is found to SAME_MM.
+sharpest of them; a bend becomes gentle on the way, a corner stays as sharp until it is found to SAME_SUM_MM.
 """
 
 from __future__ import annotations
@@ -29,10 +29,10 @@ import numpy as np
 from CNCStepper.cancellation import checkpoint
 from CNCStepper.errors import GeometryError
 from CNCStepper.geometry.curve import Curve, joined
+from CNCStepper.tolerances import SAME_SUM_MM
 
 CORNER_SAMPLES = 256
 SHARP_RAD = np.radians(10.0)
-SAME_MM = 1e-7
 FINER = 8  # times, at each look
 LOOKS = 18  # FINER ** LOOKS is beyond the resolution of a float
 Function = Callable[[np.ndarray], np.ndarray]  # parameters float64[m] -> float64[m, 2]
@@ -66,7 +66,7 @@ def _sharpened(point: Function, low: float, middle: float, high: float) -> float
         if not turns[sharpest] > SHARP_RAD:
             return None
         low, middle, high = fine[sharpest : sharpest + 3].tolist()
-        if np.hypot(*np.diff(places[sharpest : sharpest + 3], axis=0).T).sum() <= SAME_MM:
+        if np.hypot(*np.diff(places[sharpest : sharpest + 3], axis=0).T).sum() <= SAME_SUM_MM:
             break
     return middle
 

@@ -16,7 +16,7 @@ from CNCStepper.simulation.finding import Finding
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.state import Start
 
-SAME = 1.001  # how far beyond a limit counts as no farther: an edit rounds
+NO_FARTHER = 1.001  # how far beyond a limit counts as no farther: an edit rounds
 
 
 @dataclass(frozen=True)
@@ -43,7 +43,9 @@ class EditCheck:
             if len(new) > len(old):
                 found += new
             else:
-                found += [one for one, beyond in zip(new, old, strict=False) if _beyond_limit(one) > SAME * beyond]
+                found += [
+                    one for one, beyond in zip(new, old, strict=False) if _beyond_limit(one) > NO_FARTHER * beyond
+                ]
         return found
 
     def _errors_of_old(self, text: str) -> list[Finding]:

@@ -26,9 +26,9 @@ from CNCStepper.errors import GeometryError
 from CNCStepper.kernels import njit
 from CNCStepper.motion.interpolation.iteration_stream import iteration_stream
 from CNCStepper.motion.signals.pulse_stream import PULSE_ROWS, PulseStream
+from CNCStepper.tolerances import SAME_ANGLE_RAD
 
 QUARTER = math.pi / 2.0
-SAME_ANGLE = 1e-9  # rad: an arc that begins on an axis has that extreme behind it
 
 _STATE = np.dtype(
     [
@@ -88,8 +88,8 @@ def _quadrants(
     if tuple(begin) == tuple(end):
         sweep = math.tau
     sweep += math.tau * (turns - 1)
-    first = math.floor(turn * begin_rad / QUARTER + SAME_ANGLE) + 1
-    last = math.ceil((turn * begin_rad + sweep) / QUARTER - SAME_ANGLE)
+    first = math.floor(turn * begin_rad / QUARTER + SAME_ANGLE_RAD) + 1
+    last = math.ceil((turn * begin_rad + sweep) / QUARTER - SAME_ANGLE_RAD)
     quarters = (turn * np.arange(first, last)).astype(np.int64) % 4
     unit = np.array([(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)])
     extremes = np.array(centre) + radius * unit[quarters]

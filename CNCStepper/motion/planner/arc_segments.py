@@ -14,9 +14,9 @@ import numpy as np
 
 from CNCStepper.kernels import njit_inline
 from CNCStepper.motion.planner.buffers import copy_axes
+from CNCStepper.tolerances import FULL_CIRCLE_RAD
 from CNCStepper.toolpath import ARC_CW, PLANE_AXES
 
-FULL_CIRCLE_BELOW_RAD = 5e-7
 CORRECT_EVERY = 12
 
 ARC = np.dtype(
@@ -93,8 +93,8 @@ def _sweep(arc, end, clockwise, turns):
     angle = math.atan2(float(sine), float(cosine))
     extra = 2.0 * math.pi * max(0, turns - 1)
     if clockwise:
-        return (angle if angle < -FULL_CIRCLE_BELOW_RAD else angle - 2.0 * math.pi) - extra
-    return (angle if angle > FULL_CIRCLE_BELOW_RAD else angle + 2.0 * math.pi) + extra
+        return (angle if angle < -FULL_CIRCLE_RAD else angle - 2.0 * math.pi) - extra
+    return (angle if angle > FULL_CIRCLE_RAD else angle + 2.0 * math.pi) + extra
 
 
 @njit_inline

@@ -21,7 +21,7 @@ from CNCStepper.machine.backlash import Backlash, Motors
 from CNCStepper.machine.profile import Machine
 from CNCStepper.motion.planner.chunk_window import ChunkWindow
 from CNCStepper.motion.planner.plan import duration_s, times_s
-from CNCStepper.toolpath import CHUNK_ROWS, LINE, RAPID, XY, Chunk, Event, Toolpath, begins_of
+from CNCStepper.toolpath import CHUNK_ROWS, LINE, RAPID, XY, Chunk, Event, Toolpath, begins_of, chunk_of_rows
 
 Row = tuple[int, tuple[float, ...], tuple[float, ...], int, int, float, int, int]  # the columns of a chunk
 
@@ -149,19 +149,7 @@ def _beside(centre, piece: Piece, motors_mm: list[float]) -> tuple[float, ...]:
 
 def _chunks(rows: list[Row], first: int) -> Iterator[Chunk]:
     for begin in range(0, max(len(rows), 1), CHUNK_ROWS):
-        some = rows[begin : begin + CHUNK_ROWS]
-        kind, end, centre, plane, turns, feed, state, line = zip(*some, strict=True) if some else ((),) * 8
-        yield Chunk(
-            first + begin,
-            np.array(kind, np.uint8),
-            np.array(end, float).reshape(-1, 3),
-            np.array(centre, float).reshape(-1, 3),
-            np.array(plane, np.uint8),
-            np.array(turns, np.uint16),
-            np.array(feed, float),
-            np.array(state, np.int32),
-            np.array(line, np.int32),
-        )
+        yield chunk_of_rows(rows[begin : begin + CHUNK_ROWS], first + begin, axes=3)
 
 
 def tool_moves(path: Toolpath, play: Backlash) -> Toolpath:

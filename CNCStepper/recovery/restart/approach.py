@@ -17,8 +17,9 @@ from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.machine.tools.tool_shapes import BEAMS
 from CNCStepper.recovery.power_on import own_wait_s, pierce_height_mm
 from CNCStepper.recovery.restart.entry_point import EntryPoint
-from CNCStepper.recovery.restart.interrupted_program import LEVEL_MM, Program
+from CNCStepper.recovery.restart.interrupted_program import Program
 from CNCStepper.state import State
+from CNCStepper.tolerances import SAME_MM
 
 
 @dataclass(frozen=True)
@@ -76,7 +77,7 @@ class Approach:
 
 
 def approach_to(program: Program, entrance: EntryPoint, model: Model, options: Options) -> Approach:
-    """Return the way to an entrance; raises ProgramError where no safe height is known, or nothing says how fast."""
+    """Return the way to an entrance; raises ProgramError where no safe height or no feed is known."""
     row, state = entrance.row, model.state
     x, y, z = (program.at(row, entrance.share) if entrance.share else program.begins[row]).tolist()
     safe_mm = _safe_mm(program, row, state, z, options)
@@ -106,7 +107,7 @@ def _safe_mm(program: Program, row: int, state: State, z_mm: float, options: Opt
         return safe_mm
     heights = program.table.end[:, 2] - program.lengths_mm
     ways = np.abs(program.table.end[:, :2] - program.begins[:, :2])
-    crossing = ~program.feeds & ~(ways <= LEVEL_MM).all(axis=1) & np.isfinite(heights)
+    crossing = ~program.feeds & ~(ways <= SAME_MM).all(axis=1) & np.isfinite(heights)
     if not crossing.any():
         what = "no rapid of the program says at what height the tool may cross the work"
         raise program.refusal("restart-height", what, row, advice="give the height")
@@ -120,7 +121,7 @@ def _plunge_mm_min(program: Program, row: int, state: State, options: Options) -
         return tool.plunge_mm_min
     table, ways = program.table, program.table.end[:, :3] - program.begins
     first = np.isnan(program.begins[:, 2]) & np.isfinite(table.end[:, 2])  # from a height that is not known
-    upright = program.feeds & ((ways[:, 2] < -LEVEL_MM) | first) & (np.abs(ways[:, :2]) <= LEVEL_MM).all(axis=1)
+    upright = program.feeds & ((ways[:, 2] < -SAME_MM) | first) & (np.abs(ways[:, :2]) <= SAME_MM).all(axis=1)
     numbers = np.array([one.tool for one in program.path.states], int)[table.state]
     plunges = np.flatnonzero(upright & (numbers == state.tool))
     if len(plunges):

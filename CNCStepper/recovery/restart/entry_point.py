@@ -3,7 +3,7 @@
 
 Straight above a place where the tool has been there is no material, for no cutter is wider below than above. So any
 place of a cut can be entered from above once the moves before it have been made, unless a line would have to be cut in
-two that cannot be: then the entrance goes back, and says why.
+two that cannot be: then the entrance goes back, and gives the reason.
 """
 
 from __future__ import annotations
@@ -19,10 +19,10 @@ from CNCStepper.gcode.dialects.codes import CYCLES
 from CNCStepper.recovery.power_on import cut_begin
 from CNCStepper.recovery.restart.interrupted_program import Program, entry_of, stretch_of
 from CNCStepper.recovery.restart.places import Place
+from CNCStepper.tolerances import SAME_MM
 from CNCStepper.toolpath import LINE, XY
 
 LEAST_MM = 0.01  # a shorter part of a move is not written
-SAME_HEIGHT_MM = 1e-6
 WAITS = frozenset(("pause", "optional_pause", "tool_change", "probe", "input", "output"))
 _CYCLE = re.compile(r"G[ \t]*(?:7[ \t]*[346]|8[ \t]*[1-9])(?![0-9])", re.IGNORECASE)
 
@@ -138,7 +138,7 @@ def _whole_thread(program: Program, place: Place) -> tuple[Place, str] | None:
         return None
     first, table = stretch_of(program, place.row).first, program.table
     rows = slice(first, place.row + 1)
-    rises = table.end[rows, 2] > program.begins[rows, 2] + SAME_HEIGHT_MM
+    rises = table.end[rows, 2] > program.begins[rows, 2] + SAME_MM
     if place == Place(first) or not (rises & (table.kind[rows] > LINE) & (table.plane[rows] == XY)).any():
         return None
     begin = program.file_line(first)
@@ -193,9 +193,9 @@ def _in_air(program: Program, place: Place) -> tuple[Place, str] | None:
         return None
     first, last = _rapids_about(program, place.row)
     heights = program.begins[first : last + 1, 2]
-    if np.isnan(heights[place.row - first]) or heights[place.row - first] >= np.nanmax(heights) - SAME_HEIGHT_MM:
+    if np.isnan(heights[place.row - first]) or heights[place.row - first] >= np.nanmax(heights) - SAME_MM:
         return None
-    high = first + np.flatnonzero(heights >= np.nanmax(heights) - SAME_HEIGHT_MM)
+    high = first + np.flatnonzero(heights >= np.nanmax(heights) - SAME_MM)
     before = high[high <= place.row]
     if len(before):
         return Place(int(before[-1])), ""
@@ -232,7 +232,7 @@ _STEPS: tuple[Step, ...] = (
 
 
 def _first_line(program: Program, place: Place) -> int:
-    """Return the first line that is run after the entrance: what stands between two moves belongs to the second."""
+    """Return the first line that is run after the entrance: lines between two moves belong to the second."""
     line = int(program.table.line[place.row])
     if place.share:
         return line + 1

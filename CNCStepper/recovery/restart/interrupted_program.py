@@ -37,6 +37,7 @@ from CNCStepper.gcode.interpreter.state.model import Model
 from CNCStepper.gcode.syntax.words import program_lines
 from CNCStepper.gcode.wire.expansion import expanded
 from CNCStepper.state import Start
+from CNCStepper.tolerances import CLOSED_CONTOUR_MM, SAME_MM
 from CNCStepper.toolpath import LINE, PLANE_AXES, RAPID, Chunk, Span, Toolpath, require_straight_axes
 
 _COMPENSATION = re.compile(r"G[ \t]*0*4[ \t]*[12]", re.IGNORECASE)
@@ -182,8 +183,6 @@ def _written_out(text: str, language: Dialect, start: Start, file: str) -> tuple
     return lines, numbers
 
 
-LEVEL_MM = 1e-6  # a move that falls by less is level
-SAME_PLACE_MM = 0.002  # of the begin and the end of a contour
 LEAD_ROWS = 3  # a lead-in is a line, an arc, or both
 
 
@@ -220,9 +219,9 @@ def descents(program: Program, stretch: Stretch) -> list[Stretch]:
     """
     rows = slice(stretch.first, stretch.last)
     way = program.table.end[rows, :3] - program.begins[rows]
-    falls = way[:, 2] < -LEVEL_MM
-    level = np.abs(way[:, 2]) <= LEVEL_MM
-    upright = falls & (np.hypot(way[:, 0], way[:, 1]) <= LEVEL_MM) & (program.ways.sweep_rad[rows] == 0)
+    falls = way[:, 2] < -SAME_MM
+    level = np.abs(way[:, 2]) <= SAME_MM
+    upright = falls & (np.hypot(way[:, 0], way[:, 1]) <= SAME_MM) & (program.ways.sweep_rad[rows] == 0)
     edges = np.flatnonzero(np.diff(np.r_[False, falls, False].astype(np.int8)))
     found = []
     for first, last in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
@@ -246,7 +245,7 @@ def _lead_end(program: Program, stretch: Stretch, first: int) -> int:
     """Return where a lead-in from `first` on ends: the first place to which the way comes back; `first` for none."""
     ends = program.table.end[first : stretch.last, :3]
     for row in range(first, min(first + LEAD_ROWS, stretch.last - 1)):
-        back = np.abs(ends[row - first :] - program.begins[row]).max(axis=1) <= SAME_PLACE_MM
+        back = np.abs(ends[row - first :] - program.begins[row]).max(axis=1) <= CLOSED_CONTOUR_MM
         if back.any():
             return row
     return first

@@ -12,10 +12,10 @@ import numpy as np
 from CNCStepper.errors import Place as FilePlace
 from CNCStepper.errors import ProgramError, Text
 from CNCStepper.recovery.restart.interrupted_program import Program, Stretch, cutting
+from CNCStepper.tolerances import PICKED_MM
 from CNCStepper.toolpath import LINE, Span
 
 COARSE, FINE = 9, 65  # places on an arc that are looked at: on all arcs, then on the nearest, then about the best
-SAME_MM = 0.01  # ways that are as near to a point as that lie on top of each other
 
 
 class Place(NamedTuple):
@@ -118,7 +118,7 @@ def by_point(program: Program, at_mm: Sequence[float]) -> Place:
     if not len(rows):
         raise ProgramError("restart-point", "the program cuts nothing", advice="give a line", place=_file(program))
     away, shares = _nearest(program, rows, np.array(at_mm, float))
-    best = int(np.flatnonzero(away <= away.min() + SAME_MM)[0])
+    best = int(np.flatnonzero(away <= away.min() + PICKED_MM)[0])
     row, share = int(rows[best]), float(shares[best])
     return Place(row, share) if share < 1 else Place(min(row + 1, len(program.table) - 1))
 

@@ -31,7 +31,8 @@ from CNCStepper.gcode.writer.block_emitter import comment_lines
 from CNCStepper.gcode.writer.state_changes import SPINDLE_CODES
 from CNCStepper.recovery.restart.approach import Approach
 from CNCStepper.recovery.restart.entry_point import EntryPoint
-from CNCStepper.recovery.restart.interrupted_program import LEVEL_MM, Program
+from CNCStepper.recovery.restart.interrupted_program import Program
+from CNCStepper.tolerances import SAME_MM
 from CNCStepper.toolpath import LINE, PLANE_AXES
 from CNCStepper.units import UNIT_MM
 
@@ -54,7 +55,7 @@ class EntryWriter:
         self.decimals = dialect_decimals(self.dialect, self.state.units) + MORE_DECIMALS
 
     def lines(self, marks: int = 0) -> list[str]:
-        """Return the lines, in their order; `marks`: how many lines are to stand before them."""
+        """Return the lines, in their order; `marks`: how many lines come before them."""
         switched = self._switched_on()
         before, after = ([], self._pierced(switched)) if self.approach.is_beam else (switched, [])
         found = ["M5 M9", *self._modes(), *self._up(), *self._tool(), *self._over(), *self._outputs()]
@@ -152,7 +153,7 @@ class EntryWriter:
     def _pierced(self, switched: list[str]) -> list[str]:
         """Return the lines that switch a beam on, and those from its pierce height down to the cut."""
         z = self.approach.at_mm[2]
-        return [*switched, self._down_to(z)] if self.approach.pierce_mm > z + LEVEL_MM else switched
+        return [*switched, self._down_to(z)] if self.approach.pierce_mm > z + SAME_MM else switched
 
     def _down_to(self, z_mm: float) -> str:
         feed = self.approach.plunge_mm_min or float(self.program.table.feed[self.entrance.row])

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from math import isnan
 from pathlib import Path
-from typing import Any
+from typing import Any, Unpack
 
 from CNCStepper.control.journal.replay import FirstProgram, pairs_of
 from CNCStepper.control.program.certificate import Certificate, digest_of_text
@@ -22,9 +22,7 @@ from CNCStepper.job.model import Job
 from CNCStepper.job.prove import (
     PriorPrograms,
     Proof,
-    See,
-    Share,
-    Tell,
+    ProofOptions,
     operations_before,
     prove,
     prove_operations,
@@ -66,28 +64,24 @@ def restart_program(
     entering: EntryOptions | None = None,
     *,
     file: str = "",
-    dialect: str = "",
     start: Start | None = None,
     stock: Stock | None = None,
     tools: dict[int, Tool] | Tool | None = None,
-    tell: Tell = lambda stage: None,
-    share: Share = lambda share: None,
+    **options: Unpack[ProofOptions],
 ) -> ProvenRestart:
     """Return the restart of a program at a place, proven as `prove` does; raises ProgramError where it cannot be."""
-    language = machine.language(dialect)
+    options["dialect"] = language = machine.language(options.get("dialect", ""))
     made = restart(text, where, language, start, file, _options(machine, tools, entering))
     before = PriorPrograms(made.cut, (digest_of_text(text),))
     proof = prove(
         made.text,
         machine,
         file=restart_name(file),
-        dialect=language,
         start=made.start,
         stock=stock,
         tools=tools,
         before=before,
-        tell=tell,
-        share=share,
+        **options,
     )
     return ProvenRestart(made, proof)
 
@@ -100,23 +94,20 @@ def restart_job(
     entering: EntryOptions | None = None,
     *,
     file: str = "",
-    dialect: str = "",
     start: Start | None = None,
     earlier: Sequence[Proof] = (),
-    tell: Tell = lambda stage: None,
-    share: Share = lambda share: None,
-    see: See = lambda part: None,
+    **options: Unpack[ProofOptions],
 ) -> ProvenRestart:
     """Return the restart of a job's program at a place, judged against the whole shapes that the job wants removed.
 
     earlier: the proofs of the programs that the job was split into and that were run before this one
     (`prior_proofs`). Raises ProgramError where it cannot be restarted there.
     """
-    language = machine.language(dialect)
-    tools = job.on(machine).tools
-    options = _options(machine, tools, entering)
-    made = restart(text, where, language, job.started(start, machine), file, options)
-    tell("make")
+    options["dialect"] = language = machine.language(options.get("dialect", ""))
+    entry = _options(machine, job.on(machine).tools, entering)
+    made = restart(text, where, language, job.started(start, machine), file, entry)
+    if tell := options.get("tell"):
+        tell("make")
     answers = (make_parts(job, machine)[len(earlier)] if is_split(job, machine) else make_program(job, machine)).answers
     done = sum(span.last <= made.entrance.row for span in made.program.operations)
     removals = [removal for answer in answers for removal in answer.removals]
@@ -130,10 +121,7 @@ def restart_job(
         before=_before(made, text, earlier),
         file=restart_name(file),
         start=made.start,
-        dialect=language,
-        tell=tell,
-        share=share,
-        see=see,
+        **options,
     )
     return ProvenRestart(made, with_findings(proof, _incomplete(proof)))
 

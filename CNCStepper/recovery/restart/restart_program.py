@@ -42,6 +42,7 @@ from CNCStepper.recovery.restart.interrupted_program import Program, read_progra
 from CNCStepper.recovery.restart.places import RequestedPlace, place_of
 from CNCStepper.recovery.restart.preamble import EntryWriter
 from CNCStepper.state import WORK_SYSTEMS, ZERO3, Start, State
+from CNCStepper.tolerances import SAME_ENTRY_MM
 from CNCStepper.toolpath import COLUMNS, RAPID, XY, Chunk, Toolpath
 
 
@@ -112,7 +113,7 @@ def _first_bare_move(lines: list[str], dialect: Dialect) -> tuple[int, list[Toke
 
 
 def _sticky(model: Model, tokens: list[Token]) -> list[str]:
-    """Return the words of a modal canned cycle that stick, where the line does not say them itself."""
+    """Return the sticky words of a modal canned cycle that the line itself does not have."""
     if model.motion not in CYCLES or model.run is None:
         return []
     own = OWN_WORD.get(MOTION_NAMES[model.motion], "")
@@ -121,7 +122,6 @@ def _sticky(model: Model, tokens: list[Token]) -> list[str]:
     return [f"{letter}{number_text(value, MOST_DECIMALS)}" for letter, value in stuck.items() if letter not in said]
 
 
-SAME_MM = 1e-5  # what the numbers of the entry leave
 SAME_FEED = 1e-6  # of the feed
 
 
@@ -138,13 +138,13 @@ def require_same_rest(program: Program, entrance: EntryPoint, restart: Toolpath,
         raise _differs(program, min(first, len(old) - 1), "moves")
     begin = restart.table().end[own - 1, :3] if own else np.full(3, np.nan)
     wanted = old.end[entrance.row, :3] if entrance.share else program.begins[entrance.row]
-    if not np.allclose(begin, wanted, rtol=0.0, atol=SAME_MM, equal_nan=True):
+    if not np.allclose(begin, wanted, rtol=0.0, atol=SAME_ENTRY_MM, equal_nan=True):
         raise _differs(program, entrance.row, "begin")
     for name in ("kind", "plane", "turns"):
         _require(program, first, getattr(new, name)[own:] == getattr(old, name)[first:], name)
     for name in ("end", "centre"):
         one, other = getattr(new, name)[own:], getattr(old, name)[first:]
-        _require(program, first, np.isclose(one, other, 0.0, SAME_MM, equal_nan=True).all(axis=1), name)
+        _require(program, first, np.isclose(one, other, 0.0, SAME_ENTRY_MM, equal_nan=True).all(axis=1), name)
     _require(program, first, np.isclose(new.feed[own:], old.feed[first:], SAME_FEED, SAME_FEED), "feed")
     _require_states(program, first, restart, own)
     _require_events(program, first, restart, own, entrance)
@@ -191,7 +191,7 @@ def _same(old: State, new: State) -> bool:
         "feed_mm_min": 0.0,
         "feed_mm_turn": 0.0,
     }
-    near = bool(np.allclose(one, other, rtol=SAME_FEED, atol=SAME_MM))
+    near = bool(np.allclose(one, other, rtol=SAME_FEED, atol=SAME_ENTRY_MM))
     return near and replace(old, **blank) == replace(new, **blank)
 
 
@@ -263,7 +263,7 @@ def restart_of(program: Program, where: RequestedPlace, options: Options | None 
 
 
 def _read(text: str, begin: Start, program: Program, entrance: EntryPoint) -> Toolpath:
-    """Return the moves of the restart program; raises ProgramError where it cannot stand alone."""
+    """Return the moves of the restart program; raises ProgramError where it cannot be run alone."""
     try:
         return interpret(text, begin, program.dialect)
     except ProgramError as error:

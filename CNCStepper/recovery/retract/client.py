@@ -31,7 +31,7 @@ from CNCStepper.recovery.retract.retract_legs import HeldProgram, held_program
 
 LOOK_EVERY_S = 0.05
 DOOR = "door"
-ANSWER_LIMIT_S = 60.0  # a long program is told in seconds
+ANSWER_LIMIT_S = 60.0  # a long program is found in seconds
 
 
 class RetractClient:

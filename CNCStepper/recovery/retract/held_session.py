@@ -98,7 +98,7 @@ def _machine(known: Mapping[str, Any], machine: Machine | None) -> Machine:
 
 
 def _started(start: Start, origin: Mapping[str, Any]) -> Start:
-    """Return the start of the program with the place and the offsets that the controller itself told then."""
+    """Return the start of the program with the position and the offsets that the controller itself reported then."""
     offsets = {name: tuple(offset) for name, offset in origin["work_offsets_mm"].items()}
     return replace(
         start,
@@ -111,7 +111,7 @@ def _started(start: Start, origin: Mapping[str, Any]) -> Start:
 
 
 def _controller(told: Mapping[str, Any], machine: Machine) -> Controller:
-    """Return what the controller told of itself, or the profile where it did not."""
+    """Return the controller's own settings, or those of the profile where it reports none."""
     steps = [said or axis.steps_per_mm for said, axis in zip(told["steps_per_mm"], machine.axes, strict=True)]
     rates = [said or axis.max_rate_mm_min for said, axis in zip(told["max_rate_mm_min"], machine.axes, strict=True)]
     tolerance_mm = told["arc_tolerance_mm"] or machine.planner.arc_tolerance_mm

@@ -13,10 +13,10 @@ from dataclasses import dataclass
 from functools import cached_property
 from math import atan2, ceil, cos, dist, hypot, isnan, sin, sqrt, tau
 
+from CNCStepper.tolerances import FULL_CIRCLE_RAD
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, PLANE_AXES, RAPID
 
 Point = tuple[float, float, float]
-WHOLE_CIRCLE_RAD = 5e-7  # an arc of at most this angle is a whole circle, as in grbl
 SAME_SHARE = 1e-9
 STILL_MM = 1e-4  # far less than a step, and more than the last digits of a text
 
@@ -61,7 +61,7 @@ class Move:
         """The angle of an arc, positive counter-clockwise."""
         sense = 1.0 if self.kind == ARC_CCW else -1.0
         angle = ((self._angle(self.end) - self._angle(self.begin)) * sense) % tau
-        angle = tau if angle <= WHOLE_CIRCLE_RAD or tau - angle < 1e-12 else angle
+        angle = tau if angle <= FULL_CIRCLE_RAD or tau - angle < 1e-12 else angle
         return sense * (angle + tau * max(self.turns - 1, 0))
 
     @property

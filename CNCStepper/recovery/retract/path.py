@@ -19,9 +19,9 @@ import numpy as np
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.recovery.retract.move_curve import Move, Point
+from CNCStepper.tolerances import SAME_MM
 from CNCStepper.toolpath import LINE, RAPID, Toolpath
 
-SAME_MM = 1e-6
 KEPT_MOVES = 4096
 BARRIERS = ("tool_change", "probe")  # events that no way back crosses
 
@@ -149,7 +149,7 @@ def _point(values: np.ndarray) -> Point:
     return float(values[0]), float(values[1]), float(values[2])
 
 
-SHORT_MM = 0.01  # shorter arcs become lines: their rounded ends would say another angle
+SHORT_MM = 0.01  # shorter arcs become lines: their rounded ends would give another angle
 MOST_SWEEP_RAD = 0.75 * tau  # of one move: beyond it rounded ends could make a whole circle of it, or none
 
 Part = tuple[int, float, float]  # row, from share, to share

@@ -216,7 +216,7 @@ class HeldProgram:
             yield crossing(motors.at_mm, own.end, own, play), (*target, target.share)
 
     def _over(self) -> Iterable[tuple[Axes, float]]:
-        """Return the places and speeds of the way back to the cut; none for a machine that stands on it."""
+        """Return the places and speeds of the way back to the cut; none for a machine that is on it."""
         if not self._is_off:
             return ()
         if self.ground.play:

@@ -95,7 +95,7 @@ def modes_line(state: State, feed_mm_min: float) -> str:
 
 
 def _line(move: Move, state: State) -> str:
-    """Return the line of a move; the centre is told from the begin as it was rounded."""
+    """Return the line of a move; the centre counts from the begin as it was rounded."""
     feed = f"F{_number(move.feed_mm_min)}" if move.kind != RAPID else ""
     words = f"{MOTION_NAMES[move.kind]}{_point_words(move.end, state)}"
     if not move.is_arc:
@@ -120,7 +120,7 @@ def _number(value: float) -> str:
 def taken_up(moves: Iterable[tuple[Move, Part]], motors: Motors) -> Iterator[tuple[Move, Part]]:
     """Yield the motors' moves that lead the tool along some of its own, which `motors` follows.
 
-    motors.at_mm: where they stand before the first, anywhere in their gaps.
+    motors.at_mm: their position before the first, anywhere in their gaps.
     """
     for move, (row, first, last) in moves:
         share = first

@@ -11,17 +11,18 @@ import shapely
 
 from CNCStepper.errors import JobError, Text
 from CNCStepper.machine.tools.tool import Tool
+from CNCStepper.machine.tools.tool_profile import Form, form_of
 from CNCStepper.simulation.check_context import CheckContext
-from CNCStepper.simulation.cutter_solid import BEAM, POINT, Cutter, Form, Tools, form_of, tool_numbered
+from CNCStepper.simulation.cutter_solid import BEAM, POINT, Cutter, Tools, tool_numbered
 from CNCStepper.simulation.exact.beams import beam_cuts, through
 from CNCStepper.simulation.exact.edge_tree import flat_edges
 from CNCStepper.simulation.finding import Finding
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.simulation.tip_segments import Segments, clipped_below, segments, split_ramps
+from CNCStepper.tolerances import TOUCHING_MM
 
 FLATTEN_MM = 0.0005
 RAMP_STEP_MM = 0.02  # a ramp counts with the lower end of parts of this height
-TOUCH_MM = 0.001
 
 
 @dataclass(frozen=True)
@@ -81,7 +82,7 @@ def sheet_edge(subject: CheckContext, tools: Tools, stock: Stock, edge_mm: float
         inside = shapely.contains(stock.outline, lines)
         left = np.where(inside, away, -away) - _widest(Cutter(form_of(tool)), pieces, stock.top_mm)
         left[shapely.disjoint(stock.outline, lines) & (away > tool.radius_mm)] = np.inf  # in the air beside it
-        rows = np.unique(pieces.row[left < edge_mm - TOUCH_MM])
+        rows = np.unique(pieces.row[left < edge_mm - TOUCHING_MM])
         if len(rows):
             k = int(left.argmin())
             yield subject.finding(
@@ -109,7 +110,7 @@ def _cuts(subject: CheckContext, tools: Tools, stock: Stock) -> Iterator[tuple[i
         if tool is not None and tool.shape in BEAM:
             pieces = through(path[cut_by_beam[path.row]], stock.bottom_mm).known()
         else:
-            pieces = clipped_below(path[subject.is_feed[path.row]].known(), stock.top_mm - TOUCH_MM)
+            pieces = clipped_below(path[subject.is_feed[path.row]].known(), stock.top_mm - TOUCHING_MM)
         if tool is not None and len(pieces):
             yield number, tool, pieces
 
@@ -135,13 +136,13 @@ def _bodies(tool: Tool | None) -> list[_Body]:
 def _touched(
     subject: CheckContext, path: Segments, body: _Body, clamp: Clamp, number: int, group: str
 ) -> Iterator[Finding]:
-    low = split_ramps(clipped_below(path, clamp.top_mm - body.lift_mm - TOUCH_MM), RAMP_STEP_MM)
+    low = split_ramps(clipped_below(path, clamp.top_mm - body.lift_mm - TOUCHING_MM), RAMP_STEP_MM)
     if not len(low):
         return
     lines = shapely.linestrings(flat_edges(low))
     into = _widest(body.cutter, low, clamp.top_mm - body.lift_mm) - shapely.distance(lines, clamp.outline)
     inside = shapely.intersects(lines, clamp.outline)
-    hits = np.flatnonzero((into > TOUCH_MM) | inside)
+    hits = np.flatnonzero((into > TOUCHING_MM) | inside)
     if len(hits):
         first = hits[low.row[hits] == low.row[hits[0]]]
         worst = int(first[into[first].argmax()])

@@ -9,13 +9,14 @@ import numpy as np
 
 from CNCStepper.errors import Text
 from CNCStepper.machine.tools.tool import Tool
+from CNCStepper.machine.tools.tool_profile import Form
 from CNCStepper.simulation.checks.stock_checks import StockChecks
-from CNCStepper.simulation.cutter_solid import Cutter, Form
+from CNCStepper.simulation.cutter_solid import Cutter
 from CNCStepper.simulation.exact.stock_contact import RUB_MM
 from CNCStepper.simulation.finding import Finding
 from CNCStepper.simulation.tip_segments import Segments
+from CNCStepper.tolerances import SAME_MM
 
-SAME_PLACE_MM = 1e-6
 STEEPER = 1 + 1e-6  # than allowed, before it counts
 
 
@@ -57,7 +58,7 @@ def sideways(checks: StockChecks) -> Iterator[Finding]:
         move = checks.pieces(row)
         aside = np.hypot(*(move.end - move.begin)[:, :2].T)
         cutter = checks.cutter(row)
-        point = checks.contact(cutter, move[aside > SAME_PLACE_MM]) if cutter else None
+        point = checks.contact(cutter, move[aside > SAME_MM]) if cutter else None
         if point is not None:
             text, advice = "a drill goes sideways through stock", "use a mill, or lift the drill before it"
             yield checks.subject.finding(row, "error", "drill-sideways", text, advice=advice, place_mm=point)

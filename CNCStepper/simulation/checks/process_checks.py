@@ -17,10 +17,12 @@ import numpy as np
 import shapely
 
 from CNCStepper.errors import Text
+from CNCStepper.gcode.dialects import dialect
 from CNCStepper.motion.planner.standstills import EventsAsOne
 from CNCStepper.simulation.check_context import CheckContext, Cutting, PartCheck
 from CNCStepper.simulation.cutter_solid import Tools, tool_numbered
 from CNCStepper.simulation.exact.beams import beam_rows
+from CNCStepper.simulation.exact.sheet_cuts import is_torch
 from CNCStepper.simulation.finding import Finding
 from CNCStepper.simulation.stock import Stock
 
@@ -63,7 +65,8 @@ class PowerStands(PartCheck):
         yield from self._pauses(subject)
         if not len(subject.table):
             return
-        cuts = beam_rows(subject.toolpath, self._tools)[1] & subject.is_feed
+        torch = np.array([is_torch(state) for state in subject.toolpath.states], bool)[subject.table.state]
+        cuts = beam_rows(subject.toolpath, self._tools)[1] & subject.is_feed & torch
         moves = np.append(np.flatnonzero(cuts & _sideways(subject)), len(cuts))
         firsts = np.flatnonzero(cuts & ~np.append(self._was_on, cuts[:-1]))
         index, value = _dwells(subject)
@@ -100,7 +103,7 @@ class PowerStands(PartCheck):
     def _pierced(self, subject: CheckContext, pierce: _Pierce) -> Iterator[Finding]:
         """Yield what is wrong with how long the power is on before the cut moves, as the chart has it."""
         data, process = self._cutting.cut_data, self._cutting.process
-        if data is None:
+        if data is None or dialect(subject.machine.controller).plasma:  # which waits by itself
             return
         least_s, waited_s = data.pierce_delay_s, pierce.waited_s
         most_s = least_s + data.preheat_s + process.stand_s
@@ -130,7 +133,8 @@ class PowerStands(PartCheck):
 
     def _stands(self, subject: CheckContext, index: np.ndarray, value: np.ndarray) -> Iterator[Finding]:
         """Yield dwells with power that are at no pierce."""
-        limit_s = self._cutting.process.stand_s
+        data = self._cutting.cut_data
+        limit_s = self._cutting.process.stand_s + (data.pause_at_end_s if data else 0.0)
         for at in np.unique(index).tolist():
             waited_s = float(value[index == at].sum())
             row = min(at, len(subject.table) - 1)
@@ -192,9 +196,9 @@ class ChartRange(PartCheck):
         feeds, heights = subject.table.feed[moving], subject.end[moving, 2]
         low, high = SLOWEST * self._data.feed_mm_min, FASTEST * self._data.feed_mm_min
         yield from _beyond(subject, moving, feeds, (low, high), "feed", "mm/min")
-        if self._data.cut_height_mm:
+        if self._data.cut_height_mm and subject.machine.has_z:
             yield from _beyond(subject, moving, heights, _around(self._data.cut_height_mm), "height", "mm")
-        if self._data.pierce_height_mm:
+        if self._data.pierce_height_mm and subject.machine.has_z:
             rows = np.flatnonzero(cuts & ~np.append(self._was_on, cuts[:-1]))
             pierced = subject.begin[rows, 2]
             yield from _beyond(subject, rows, pierced, _around(self._data.pierce_height_mm), "pierce-height", "mm")
@@ -302,6 +306,6 @@ def _dwells(subject: CheckContext) -> tuple[np.ndarray, np.ndarray]:
     found = [
         (event.index, event.value)
         for event in subject.toolpath.events
-        if event.kind == "dwell" and states[event.state].spindle_turns
+        if event.kind == "dwell" and states[event.state].spindle_turns and is_torch(states[event.state])
     ]
     return np.array([index for index, _ in found], np.int64), np.array([value for _, value in found], float)

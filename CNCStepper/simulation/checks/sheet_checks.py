@@ -21,9 +21,9 @@ from CNCStepper.simulation.check_context import CheckContext
 from CNCStepper.simulation.exact.free_pieces import Freed, FreePiece
 from CNCStepper.simulation.exact.sheet_cuts import SheetCuts
 from CNCStepper.simulation.finding import Finding, Severity
+from CNCStepper.tolerances import SAME_PASS_MM
 
 PART_TOLERANCE_MM = 0.025  # the removals' 0.01, and what flattening the path and the parts adds
-SAME_PLACE_MM = 0.05  # a pass begins where the one before did
 SLAT_SPACE_MM = 75.0  # from slat to slat under the sheet
 LIFT_MM = 0.5  # over the cut height, before the head counts as lifted
 NEAR_MM = 0.01
@@ -111,7 +111,7 @@ def _without_passes(
     """Leave out earlier cuts that begin at the same place: the pierce begins another pass of theirs."""
     path, begins = sheet.moving, shapely.points(sheet.moving.ends_mm[sheet.moving.first_of_cuts, :2])
     cut = np.searchsorted(path.cut[path.first_of_cuts], path.cut[other])
-    apart = shapely.distance(points[number], begins[cut]) > SAME_PLACE_MM
+    apart = shapely.distance(points[number], begins[cut]) > SAME_PASS_MM
     return number[apart], other[apart]
 
 

@@ -12,9 +12,10 @@ import shapely
 from CNCStepper.errors import Text
 from CNCStepper.machine.processes import MILLING, Process
 from CNCStepper.machine.tools.tool import Tool
+from CNCStepper.machine.tools.tool_profile import form_of
 from CNCStepper.machine.tools.tool_shapes import OWN_KEYS
 from CNCStepper.simulation.check_context import CheckContext
-from CNCStepper.simulation.cutter_solid import BEAM, Cutter, Tools, form_of, tool_numbered
+from CNCStepper.simulation.cutter_solid import BEAM, Cutter, Tools, tool_numbered
 from CNCStepper.simulation.exact.edge_tree import flat_edges
 from CNCStepper.simulation.exact.gouge import Worst
 from CNCStepper.simulation.exact.stock_contact import RUB_MM, Cuts, Remaining

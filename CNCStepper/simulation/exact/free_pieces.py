@@ -31,8 +31,8 @@ from CNCStepper.simulation.check_context import CheckContext, Cutting
 from CNCStepper.simulation.cutter_solid import Tools
 from CNCStepper.simulation.exact.sheet_cuts import PathPieces, SheetCuts
 from CNCStepper.simulation.stock import Stock
+from CNCStepper.tolerances import SAME_MM
 
-TOUCH_MM = 1e-6
 SLIVER_MM = 0.02  # what is narrower is left by rounding
 QUAD_SEGMENTS = 8  # of the round ends of a kerf
 SHORT_KERFS = 4  # pieces of a wire's one cut are at least that many kerfs long
@@ -138,7 +138,7 @@ def _units(path: PathPieces, is_one_cut: bool) -> np.ndarray:
     if not is_one_cut:
         return np.unique(path.cut, return_inverse=True)[1]
     length = np.hypot(path.ends_mm[:, 2] - path.ends_mm[:, 0], path.ends_mm[:, 3] - path.ends_mm[:, 1])
-    stretch = (np.cumsum(length) // np.maximum(2 * SHORT_KERFS * path.radius_mm, TOUCH_MM)).astype(np.int64)
+    stretch = (np.cumsum(length) // np.maximum(2 * SHORT_KERFS * path.radius_mm, SAME_MM)).astype(np.int64)
     new = (np.diff(stretch, prepend=-1) != 0) | (np.diff(path.cut, prepend=-1) != 0)
     return np.cumsum(new) - 1
 
@@ -172,8 +172,8 @@ class _Sheet:
     def neighbours(self) -> np.ndarray:
         """Return pairs of nodes that touch, the pieces first and the own parts behind them, int64[n, 2]."""
         tree, count = shapely.STRtree(self.own), len(self.pieces)
-        piece, own = tree.query(self.pieces, predicate="dwithin", distance=TOUCH_MM)
-        one, other = tree.query(self.own, predicate="dwithin", distance=TOUCH_MM)
+        piece, own = tree.query(self.pieces, predicate="dwithin", distance=SAME_MM)
+        one, other = tree.query(self.own, predicate="dwithin", distance=SAME_MM)
         apart = one < other
         return np.vstack([np.column_stack([piece, own + count]), np.column_stack([one, other])[apart] + count])
 

@@ -26,14 +26,13 @@ from CNCStepper.simulation.exact.segment_blocks import Blocks, joined
 from CNCStepper.simulation.exact.wall_distance import Region, climbed, zoomed
 from CNCStepper.simulation.stock import HeightField
 from CNCStepper.simulation.tip_segments import Segments, shortened, split_ramps
+from CNCStepper.tolerances import SAME_HEIGHT_MM, WORST_PLACE_MM
 
 SMALL_MM = 0.0003  # what flattening may add; less is no gouge
-SAME_PLACE_MM = 0.0003  # a piece that comes this near to the worst place has cut it too
 FIELD_STEP_MM = 1.0  # over a height field a piece counts with the highest top near parts of this length
 RAMP_STEP_MM = 0.05  # a ramp counts with the lower end of parts of this height
 WORST_PIECES = 64
 FEW_PIECES = 4  # of these are looked at first: they often show that no other can be worse
-AS_DEEP_MM = 1e-4
 COARSE_DISCS = 32  # with which the pieces that enter nothing are told from the rest
 FACE_RINGS = 12  # on the face of a cutter that is not flat
 MOST_AT_ONCE = 2_000_000  # discs of pieces
@@ -141,8 +140,8 @@ def _before(place: tuple[float, ...], row: int, radius_mm: float, pieces: Segmen
     """Return the pieces of the rows before one whose box is within a radius of a place."""
     near = pieces.row < row
     for axis in range(2):
-        near &= np.minimum(pieces.begin[:, axis], pieces.end[:, axis]) <= place[axis] + radius_mm + SAME_PLACE_MM
-        near &= np.maximum(pieces.begin[:, axis], pieces.end[:, axis]) >= place[axis] - radius_mm - SAME_PLACE_MM
+        near &= np.minimum(pieces.begin[:, axis], pieces.end[:, axis]) <= place[axis] + radius_mm + WORST_PLACE_MM
+        near &= np.maximum(pieces.begin[:, axis], pieces.end[:, axis]) >= place[axis] - radius_mm - WORST_PLACE_MM
     return pieces[near]
 
 
@@ -253,7 +252,7 @@ def deepest(ranked: Ranked, kept: ProtectedMaterial) -> Worst:
     further: Ranked | None = ranked
     while further and further.top:
         top, first = further.top, 0
-        while first < len(top.bound_mm) and top.bound_mm[first] > best.depth_mm + AS_DEEP_MM:
+        while first < len(top.bound_mm) and top.bound_mm[first] > best.depth_mm + SAME_HEIGHT_MM:
             here = _deepest_of(top[first : first + count], ranked, kept)
             best = max(best, here, key=lambda worst: worst.depth_mm)
             first, count = first + count, 2 * count
@@ -285,7 +284,7 @@ def _promising(
     angles = np.tile(ROUND_RAD, (int(few.sum()), 1))
     tip = np.maximum(centres[few, 2], kept.stock_bottom_mm)
     best = _best_on_discs(centres[few], tip, index[few], worst, kept, angles, (0.0, 0.5, 1.0))
-    rest = (index == best.piece) | (worst.bound_mm[index] > best.depth + AS_DEEP_MM)
+    rest = (index == best.piece) | (worst.bound_mm[index] > best.depth + SAME_HEIGHT_MM)
     return centres[rest], index[rest]
 
 
@@ -296,7 +295,7 @@ def _first_row(place: tuple[float, ...], found: Ranked, kept: ProtectedMaterial,
         earlier = some.pieces[(some.bound_mm > SMALL_MM) & (some.pieces.row < row)]
         rise = place[2] - np.maximum(earlier.low_mm, kept.stock_bottom_mm)
         beside = shapely.distance(shapely.linestrings(flat_edges(earlier)), shapely.Point(place[:2]))
-        cuts = (rise >= -SAME_PLACE_MM) & (beside <= some.cutter.radius_at(rise) + SAME_PLACE_MM)
+        cuts = (rise >= -WORST_PLACE_MM) & (beside <= some.cutter.radius_at(rise) + WORST_PLACE_MM)
         first = min(first, int(earlier.row[cuts].min(initial=row)))
     return first
 

@@ -29,8 +29,8 @@ from CNCStepper.simulation.exact.voronoi_corners import Places, corners_within
 from CNCStepper.simulation.exact.wall_distance import climbed
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.simulation.tip_segments import Segments, chains, clipped_below
+from CNCStepper.tolerances import SAME_HEIGHT_MM, TOUCHING_MM
 
-SAME_LEVEL_MM = 1e-4
 MOST_LEVELS = 200
 MOST_BELOW = 50  # levels below a floor, where a point is wider at the floor
 WALL_STEP_MM = 0.1
@@ -40,7 +40,6 @@ RUN_POINTS = 400  # of the path are simplified at once
 MOST_AREAS = 16  # are joined at once
 ISLAND_REACH_MM = 0.5  # middles closer than twice this belong to one island
 MOST_CLIMBED = 100
-AS_NEAR_MM = 0.001
 BESIDE_MM = 1.0  # a path may lie this far beside what it was meant to remove, and is still measured
 
 
@@ -113,7 +112,7 @@ def left_over(removal: Removal, cuts: Cuts, stock: Stock | None = None) -> Lefto
         middles.meet([cover])
         if removal.region.area > 0 and cover.drop_mm >= 0:
             middles.join(_Candidates(_middles(removal.region, cover), alone=True), covers)
-    if removal.region.length and wall.thickest > SAME_LEVEL_MM and covers:
+    if removal.region.length and wall.thickest > SAME_HEIGHT_MM and covers:
         wall.join(_Candidates(_finer(removal.region, wall), alone=False), covers)
     for found in (wall, middles):
         found.limit(removal, stock)
@@ -174,7 +173,7 @@ def _covers(removal: Removal, cuts: Cuts) -> Iterator[_Cover]:
     lowest = [removal.bottom_mm - full_mm] if pointed else []
     room = [MOST_HELD]
     for level in np.r_[lowest, below, removal.bottom_mm, above].tolist():
-        lower = partial(clipped_below, level_mm=level + SAME_LEVEL_MM)
+        lower = partial(clipped_below, level_mm=level + SAME_HEIGHT_MM)
         parts = [(cutter, Trees(Blocks(blocks, lower), room)) for cutter, blocks in cuts]
         yield _Cover(level - removal.bottom_mm, parts)
 
@@ -184,8 +183,8 @@ def _ends(cuts: Cuts, low_mm: float, high_mm: float, most: int) -> np.ndarray:
     levels = np.zeros(0)
     for pieces in (pieces for _, blocks in cuts for pieces in blocks):
         ends = np.r_[pieces.begin[:, 2], pieces.end[:, 2]]
-        between = ends[(ends > low_mm + SAME_LEVEL_MM) & (ends < high_mm - SAME_LEVEL_MM)]
-        levels = np.union1d(levels, np.round(between / SAME_LEVEL_MM) * SAME_LEVEL_MM)
+        between = ends[(ends > low_mm + SAME_HEIGHT_MM) & (ends < high_mm - SAME_HEIGHT_MM)]
+        levels = np.union1d(levels, np.round(between / SAME_HEIGHT_MM) * SAME_HEIGHT_MM)
     return levels if len(levels) <= most else levels[np.linspace(0, len(levels) - 1, most).astype(int)]
 
 
@@ -295,7 +294,7 @@ def _answer(removal: Removal, wall: _Candidates, middles: _Candidates, covers: l
     points = np.vstack([wall.points, middles.points])
     thickness = np.r_[wall.thickness, middles.thickness]
     k = int(thickness.argmax()) if len(points) else 0
-    if not len(points) or thickness[k] <= SAME_LEVEL_MM:
+    if not len(points) or thickness[k] <= SAME_HEIGHT_MM:
         return Leftover(removal.tolerance_mm)
     place = (*points[k].tolist(), removal.bottom_mm)
     islands = _islands(removal, middles)
@@ -320,4 +319,4 @@ def _nearest_row(point: np.ndarray, covers: list[_Cover]) -> int:
     found = [trees.nearest(point) for _, trees in covers[-1].parts] if covers else []
     known = [one for one in found if one]
     nearest = min(known, default=(0.0, -1))[0]
-    return max((row for distance, row in known if distance <= nearest + AS_NEAR_MM), default=-1)
+    return max((row for distance, row in known if distance <= nearest + TOUCHING_MM), default=-1)

@@ -23,6 +23,7 @@ from CNCStepper.simulation.cutter_solid import Tools, tool_numbered
 from CNCStepper.simulation.exact.beams import beam_rows
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.simulation.tip_segments import Segments, segments
+from CNCStepper.state import State
 from CNCStepper.toolpath import RAPID
 
 FLATTEN_MM = 0.01
@@ -30,6 +31,7 @@ MOST_SEGMENTS = 1_000_000
 MARKING_SHARE = 0.5  # of the chart's power
 BESIDE_MM = 1000.0  # how far a sheet that is not known reaches beyond the path
 NO_LENGTH_MM = 1e-6
+TORCH = 0  # of $ behind M3
 
 
 @dataclass(frozen=True)
@@ -69,6 +71,11 @@ class PathPieces:
     def first_of_cuts(self) -> np.ndarray:
         """The index of the first segment of each cut, int64[cuts]."""
         return np.flatnonzero(np.diff(self.cut, prepend=-1))
+
+
+def is_torch(state: State) -> bool:
+    """Return whether what is on is the torch: QtPlasmaC's scribe ($1) and its spots ($2) do not go through."""
+    return state.spindle_number == TORCH
 
 
 def joined(parts: list[PathPieces]) -> PathPieces:
@@ -139,9 +146,9 @@ class SheetCuts:
         """Return which rows cut through the sheet, and on which the beam is not on, bool[n] each."""
         is_beam, on = beam_rows(subject.toolpath, self._tools)
         feeds, data = subject.table.kind != RAPID, self.cutting.cut_data
-        power = np.array([state.spindle_rpm for state in subject.toolpath.states], float)[subject.table.state]
         least = MARKING_SHARE * data.power if data else 0.0
-        return on & feeds & (power >= least), is_beam & ~(on & feeds)
+        through = [is_torch(state) and state.spindle_rpm >= least for state in subject.toolpath.states]
+        return on & feeds & np.array(through, bool)[subject.table.state], is_beam & ~(on & feeds)
 
     def _numbers(self, through: np.ndarray) -> np.ndarray:
         """Return the number of the cut that each row belongs to, int64[n]; of other rows, that of the one before."""

@@ -19,13 +19,13 @@ from CNCStepper.simulation.cutter_solid import Cutter
 from CNCStepper.simulation.exact.edge_tree import EdgeTree, flat_edges, square_from
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.simulation.tip_segments import Segments, clipped_below
+from CNCStepper.tolerances import SAME_HEIGHT_MM
 
 RUB_MM = 0.005  # contact that is no deeper is no contact
 STEP_MM = 0.25  # between the places of the tool on a move
 LEVEL_STEP_MM = (
     0.05  # places on a ramp are looked at together within this height: all at its upper end, then the lowest
 )
-SAME_TIP_MM = 1e-4  # heights of the tip are rounded up to it: a level below the path would not see it
 DISCS = 9  # of a cutter that is not flat are looked at, spread over what is below the stock's top
 RIM_STEP_MM = 0.25  # between the points of a disc's rim, at most; the places of a move close the gaps
 ALONE_STEP_MM = 0.02  # between those of a disc that has one place only
@@ -138,8 +138,8 @@ def _levels_of(cutter: Cutter, pieces: Segments, z_mm: float) -> np.ndarray:
     """Return the heights of the tip to look at: the lowest cut widest, a flat is as wide everywhere."""
     if cutter.is_flat:
         return np.array([z_mm])
-    steps = np.r_[pieces.low_mm, pieces.begin[:, 2], pieces.end[:, 2]] / SAME_TIP_MM
-    tips = (np.unique(np.ceil(steps)) + 1e-6) * SAME_TIP_MM
+    steps = np.r_[pieces.low_mm, pieces.begin[:, 2], pieces.end[:, 2]] / SAME_HEIGHT_MM
+    tips = (np.unique(np.ceil(steps)) + 1e-6) * SAME_HEIGHT_MM
     tips = tips[tips < z_mm]
     return tips[np.unique(np.linspace(0, max(len(tips) - 1, 0), 40).astype(int))] if len(tips) else tips
 

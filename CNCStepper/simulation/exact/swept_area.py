@@ -17,16 +17,18 @@ import numpy as np
 import shapely
 
 from CNCStepper.cycles.cycle import Removal
-from CNCStepper.simulation.cutter_solid import BEAM, POINT, Cutter, Tools, form_of, tool_numbered
+from CNCStepper.machine.tools.tool_profile import form_of
+from CNCStepper.simulation.cutter_solid import BEAM, POINT, Cutter, Tools, tool_numbered
 from CNCStepper.simulation.exact.beams import beam_cuts, through
 from CNCStepper.simulation.exact.edge_tree import EdgeTree, flat_edges
 from CNCStepper.simulation.exact.gouge import SMALL_MM, Entries, PathEntries, ProtectedMaterial, Ranked, Worst, deepest
-from CNCStepper.simulation.exact.remaining_material import SAME_LEVEL_MM, Island, Leftover, left_over
+from CNCStepper.simulation.exact.remaining_material import Island, Leftover, left_over
 from CNCStepper.simulation.exact.segment_blocks import Blocks, Cuts
 from CNCStepper.simulation.exact.stored_cuts import StoredCuts
 from CNCStepper.simulation.exact.wall_distance import Region
 from CNCStepper.simulation.stock import HeightField, Stock
 from CNCStepper.simulation.tip_segments import Segments, clipped_below, segments
+from CNCStepper.tolerances import SAME_HEIGHT_MM
 from CNCStepper.toolpath import Toolpath
 
 FLATTEN_MM = 0.0002
@@ -136,7 +138,7 @@ def cutting_path(
             if stock is not None and tool.shape in BEAM:
                 pieces = through(pieces[cuts[pieces.row]], stock.bottom_mm)
             by_cutter.setdefault(Cutter(form_of(tool, through_mm)), []).append(pieces.known())
-    return [(cutter, clipped_below(_joined(parts), top_mm - SAME_LEVEL_MM)) for cutter, parts in by_cutter.items()]
+    return [(cutter, clipped_below(_joined(parts), top_mm - SAME_HEIGHT_MM)) for cutter, parts in by_cutter.items()]
 
 
 def _joined(parts: list[Segments]) -> Segments:
@@ -237,9 +239,9 @@ class _LevelSums:
 
     def add(self, pieces: Segments, bound_mm: np.ndarray) -> None:
         """Take further path with what bounds its gouge."""
-        level = np.abs(pieces.begin[:, 2] - pieces.end[:, 2]) <= SAME_LEVEL_MM
+        level = np.abs(pieces.begin[:, 2] - pieces.end[:, 2]) <= SAME_HEIGHT_MM
         length = np.hypot(*(pieces.end - pieces.begin)[level, :2].T)
-        z, which = np.unique(np.round(pieces.end[level, 2] / SAME_LEVEL_MM) * SAME_LEVEL_MM, return_inverse=True)
+        z, which = np.unique(np.round(pieces.end[level, 2] / SAME_HEIGHT_MM) * SAME_HEIGHT_MM, return_inverse=True)
         path, worst = np.bincount(which, length, minlength=len(z)), np.zeros(len(z))
         np.maximum.at(worst, which, bound_mm[level])
         for height, path_mm, worst_mm in zip(z.tolist(), path.tolist(), worst.tolist(), strict=True):

@@ -15,9 +15,9 @@ import numpy as np
 
 from CNCStepper.simulation.removal.heightmap import HeightMap
 from CNCStepper.simulation.stock import Stock
+from CNCStepper.tolerances import SAME_HEIGHT_MM
 
 MOST_FACES = 40_000  # a part that needs more is drawn from larger cells
-SAME_MM = 1e-4  # heights that differ by less are one
 BLUR = 2  # cells on each side over which a wall's direction is averaged
 RIM = BLUR + 2  # cells around a rectangle of cells that its walls' directions depend on
 UPRIGHT = 0.2  # a wall's normal leans at least that much towards its open side
@@ -59,7 +59,7 @@ def _faces_and_step(part: HeightMap, most: int) -> tuple[Faces, int]:
 def drawn_heights(heights_mm: np.ndarray, bottom_mm: float, step: int) -> np.ndarray:
     """Return the heights that are drawn, of every `step`-th cell along x and y: none below the bottom, and rounded."""
     heights = np.maximum(heights_mm[step // 2 :: step, step // 2 :: step], bottom_mm)
-    return np.round(heights.astype(float) / SAME_MM) * SAME_MM
+    return np.round(heights.astype(float) / SAME_HEIGHT_MM) * SAME_HEIGHT_MM
 
 
 def borders_mm(stock: Stock, shape: tuple[int, ...]) -> tuple[np.ndarray, np.ndarray]:

@@ -26,6 +26,7 @@ import numpy as np
 
 from CNCStepper.atomic_file import whole_file
 from CNCStepper.simulation.removal.heightmap import HeightMap
+from CNCStepper.tolerances import NO_MATERIAL_MM
 
 LARGEST = 64  # cells along the side of a square
 
@@ -85,7 +86,6 @@ def fans(squares: Squares, used: np.ndarray, numbers: np.ndarray, middles: np.nd
     return np.column_stack([point, following, middles[which]])
 
 
-GONE_MM = 1e-6  # material that is thinner is none
 CORNERS = ((0, 0), (0, 1), (1, 1), (1, 0))  # row and column, counter-clockwise from above
 STL_FACET = np.dtype([("normal", "<f4", 3), ("points", "<f4", (3, 3)), ("zero", "<u2")])
 
@@ -156,7 +156,7 @@ def _thickness_mm(part: HeightMap) -> np.ndarray:
 
 def _joined(heights: np.ndarray) -> np.ndarray:
     """Return which cells hold material; of two that would touch only at a corner a third one joins them."""
-    solid = heights > GONE_MM
+    solid = heights > NO_MATERIAL_MM
     while True:
         a, b, c, d = solid[:-1, :-1], solid[:-1, 1:], solid[1:, :-1], solid[1:, 1:]
         rising, falling = a & d & ~b & ~c, b & c & ~a & ~d

@@ -10,7 +10,8 @@ from __future__ import annotations
 import numpy as np
 
 from CNCStepper.machine.tools.tool import Tool
-from CNCStepper.simulation.cutter_solid import form_of, height_at
+from CNCStepper.machine.tools.tool_profile import form_of
+from CNCStepper.simulation.cutter_solid import height_at
 
 FLUTES = 3.0  # usual length of the cutting part, in diameters
 SHANK = 2.5  # usual length of the shank above it, in diameters

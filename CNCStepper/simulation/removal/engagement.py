@@ -17,7 +17,8 @@ import numpy as np
 
 from CNCStepper.kernels import COMPILED, njit
 from CNCStepper.machine.tools.tool import Tool
-from CNCStepper.simulation.cutter_solid import BEAM, Form, Tools, form_of, height_at, tool_numbered
+from CNCStepper.machine.tools.tool_profile import Form, form_of
+from CNCStepper.simulation.cutter_solid import BEAM, Tools, height_at, tool_numbered
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.simulation.tip_segments import Segments, segments
 from CNCStepper.toolpath import Toolpath

@@ -23,7 +23,8 @@ from functools import cached_property
 import numpy as np
 
 from CNCStepper.kernels import COMPILED
-from CNCStepper.simulation.cutter_solid import Form, Tools
+from CNCStepper.machine.tools.tool_profile import Form
+from CNCStepper.simulation.cutter_solid import Tools
 from CNCStepper.simulation.removal.removal_moves import Moves, moves_of
 from CNCStepper.simulation.removal.tile_kernels import TILE, bins, cut_tile
 from CNCStepper.simulation.stock import Stock

@@ -11,8 +11,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from CNCStepper.machine.tools.tool_profile import Form, form_of
 from CNCStepper.simulation.arc_chords import Arcs, arcs_of
-from CNCStepper.simulation.cutter_solid import BEAM, Form, Tools, form_of, tool_numbered
+from CNCStepper.simulation.cutter_solid import BEAM, Tools, tool_numbered
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.simulation.tip_segments import Segments, segments, tips_mm
 from CNCStepper.toolpath import RAPID, XY, Toolpath

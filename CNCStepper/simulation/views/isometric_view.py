@@ -25,12 +25,12 @@ from CNCStepper.simulation.removal.heightmap import HeightMap
 from CNCStepper.simulation.views.fallen_pieces import draw_fallen
 from CNCStepper.simulation.views.picture_style import COLOURS, GREY, GROUND, MATERIAL_MAP, TEXTS, draw_path, number_text
 from CNCStepper.simulation.views.scene import Scene
+from CNCStepper.tolerances import NO_MATERIAL_MM
 
 LIGHT = np.array([-0.35, -0.5, 0.8]) / np.linalg.norm([-0.35, -0.5, 0.8])
 AMBIENT = 0.5
 MOST_CELLS = 420  # along a side; more would not be seen
 FRONT_SHADE, RIGHT_SHADE = 0.85, 0.66
-GONE_MM = 1e-6  # material that is thinner is none
 SMOOTHINGS = 3  # of the heights before they are shaded: a round wall in square cells would look striped
 
 
@@ -62,7 +62,7 @@ def surface(
 
 def _is_floor(z: np.ndarray, bottom_mm: float) -> np.ndarray:
     """Return the quads at whose four corners no material is left: there one looks through the part."""
-    return np.maximum.reduce([z[:-1, :-1], z[:-1, 1:], z[1:, :-1], z[1:, 1:]]) <= bottom_mm + GONE_MM
+    return np.maximum.reduce([z[:-1, :-1], z[:-1, 1:], z[1:, :-1], z[1:, 1:]]) <= bottom_mm + NO_MATERIAL_MM
 
 
 def _smoothed(z: np.ndarray) -> np.ndarray:

@@ -19,7 +19,7 @@ def register() -> tuple[list[str], list[str]]:
     import FreeCADGui
 
     from CNCStepper.workbench.commands import operations
-    from CNCStepper.workbench.commands.freehand import Freehand
+    from CNCStepper.workbench.commands.create_object import Freehand
     from CNCStepper.workbench.commands.job import ImportTools, NewJob
     from CNCStepper.workbench.commands.program import Controller, EditProgram, OpenProgram, Send, Simulate
     from CNCStepper.workbench.commands.reorder import COMMANDS as ORDERING

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the commands share that make an object: one undo step, and nothing left behind by a refusal.
+"""Commands that make an object, and what they share: one undo step, and nothing left behind by a refusal.
 
 Curved lines of the selected drawings are fitted beside the window before a new operation is made of them:
 
@@ -24,7 +24,7 @@ from CNCStepper.workbench.features.operation import Operation as Feature
 from CNCStepper.workbench.services import missing_packages
 from CNCStepper.workbench.services.command import Command
 from CNCStepper.workbench.services.messages import guarded, note
-from CNCStepper.workbench.services.translation import tr
+from CNCStepper.workbench.services.translation import QT_TRANSLATE_NOOP, tr
 
 WHO = object()  # one asks at a time: a newer click takes the place of the one before
 
@@ -125,6 +125,24 @@ class Operation(Command):
     def values(self, job: Any, tool: Any, is_drawn: bool) -> dict[str, Any]:
         """Return the values with which the operation begins, by key."""
         raise NotImplementedError
+
+
+class Freehand(Command):
+    """Starts drawing a line in the 3D view."""
+
+    name = "CNCStepper_Freehand"
+    menu_text = QT_TRANSLATE_NOOP("CNCStepper_Freehand", "Freehand")
+    tooltip = QT_TRANSLATE_NOOP("CNCStepper_Freehand", "Draws a line with the mouse: press, move, release")
+
+    def why_not(self) -> str:
+        """Return why there is nothing to draw on."""
+        return missing_packages.why_not() or targets.why_no_panel() or targets.why_no_view()
+
+    def run(self) -> None:
+        """Let the mouse draw."""
+        from CNCStepper.workbench import freehand
+
+        freehand.start()
 
 
 def when_fitted(kind: type[Feature], job: Any, pairs: Sequence[Pair], go_on: Callable[[], None]) -> None:

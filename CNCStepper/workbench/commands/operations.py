@@ -99,11 +99,18 @@ class Contour(Operation):
 
 
 class Holes(Operation):
-    """Adds an operation that makes holes."""
+    """Adds an operation that makes holes; diameter_key: of the diameter that follows from the tool, "" for none."""
+
+    diameter_key = ""
 
     def values(self, job: Any, tool: Any, is_drawn: bool) -> dict[str, Any]:
-        """Return values that fit the stock: in a pattern in its middle, or where the drawing says."""
-        return default_values.holes(tuple(job.StockSize), job.StockOrigin, is_drawn)
+        """Return values that fit the stock: in a pattern in its middle, or where the drawing says.
+
+        Circles that are drawn have their own diameters, which 0 stands for.
+        """
+        values = default_values.holes(tuple(job.StockSize), job.StockOrigin, is_drawn)
+        diameter_mm = 0.0 if is_drawn else default_values.bored(float(tool.Diameter))
+        return values | ({self.diameter_key: diameter_mm} if self.diameter_key else {})
 
 
 class Drill(Holes):
@@ -124,11 +131,7 @@ class Bore(Holes):
     tooltip = QT_TRANSLATE_NOOP("CNCStepper_Bore", "Cuts holes wider than the tool along helices: the selected circles")
     cycle = "bore"
     label = later("Boring")
-
-    def values(self, job: Any, tool: Any, is_drawn: bool) -> dict[str, Any]:
-        """Return values that fit the stock and the tool; circles that are drawn have their own diameters."""
-        values = super().values(job, tool, is_drawn)
-        return {**values, "diameter_mm": 0.0 if is_drawn else default_values.bored(float(tool.Diameter))}
+    diameter_key = "diameter_mm"
 
 
 class Thread(Holes):
@@ -139,11 +142,7 @@ class Thread(Holes):
     tooltip = QT_TRANSLATE_NOOP("CNCStepper_Thread", "Mills threads at the selected circles, or in a pattern")
     cycle = "thread"
     label = later("Thread")
-
-    def values(self, job: Any, tool: Any, is_drawn: bool) -> dict[str, Any]:
-        """Return values that fit the stock; circles that are drawn have their own diameters."""
-        values = super().values(job, tool, is_drawn)
-        return {**values, "major_diameter_mm": 0.0 if is_drawn else default_values.bored(float(tool.Diameter))}
+    diameter_key = "major_diameter_mm"
 
 
 class Engrave(Operation):

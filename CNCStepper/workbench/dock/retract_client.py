@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Leads the tool back along the cut from the dock: the wishes of `back` with the process behind them that proves."""
+"""Leads the tool back along the cut from the dock: the requests of `back` with the process behind them that proves."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from CNCStepper.workbench.services.request_queue import RequestQueue
 from CNCStepper.workbench.services.translation import tr
 
 WORKER = "CNCStepper.workers.path_retract"
-COMMANDS = ("tell_place", "retrace")  # of the process; it is told itself why the desk refuses them
+COMMANDS = ("tell_place", "retrace")  # of the process; it is told itself why the service refuses them
 
 
 class RetractRun:
@@ -58,8 +58,8 @@ class RetractRun:
             self.end()
         elif self.flow.follow(moment):
             self._ask(FIND, True)
-        if wish := self.flow.request_of_machine(request_of(self._link.status), moment):
-            self.go(*wish)
+        if request := self.flow.request_of_machine(request_of(self._link.status), moment):
+            self.go(*request)
 
     def end(self) -> None:
         """Ask nothing any more, and end the process."""

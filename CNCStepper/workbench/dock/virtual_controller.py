@@ -17,7 +17,7 @@ from CNCStepper.control.stream.position_trust import LOST
 from CNCStepper.dependencies import MACHINE, modules
 from CNCStepper.errors import LinkError
 
-NEEDS = (*PROOF, *modules(MACHINE))  # of it, and of the desk that comes after it
+NEEDS = (*PROOF, *modules(MACHINE))  # of it, and of the service that comes after it
 ADDRESS = re.compile(r"^virtual grbl at (\S+)\s*$", re.MULTILINE)
 
 

@@ -9,9 +9,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from CNCStepper.errors import GeometryError, Text
+from CNCStepper.tolerances import SAME_MM, SAME_SHARE
 from CNCStepper.workbench.drawings.shapes import edges_of
-
-SAME = 1e-6  # mm and radians: two arcs that differ by less lie on one ellipse
 
 
 @dataclass(frozen=True)
@@ -39,7 +38,7 @@ def ellipse_of(drawing: Any, picked: Sequence[str] = ()) -> EllipseFound:
             advice="leave one ellipse in it and draw the rest elsewhere or as construction lines",
         )
     sweep_rad = sum(edge.LastParameter - edge.FirstParameter for edge in edges)
-    if abs(sweep_rad - math.tau) > SAME:
+    if abs(sweep_rad - math.tau) > SAME_SHARE:
         raise GeometryError(
             "ellipse-open",
             Text("the ellipse in '{drawing}' is open", drawing=drawing.Label),
@@ -79,6 +78,6 @@ def _clean(angle_deg: float) -> float:
 
 
 def _same(one: EllipseFound, other: EllipseFound) -> bool:
-    near = math.dist(one.centre_mm, other.centre_mm) < SAME
-    radii = abs(one.radius_x_mm - other.radius_x_mm) + abs(one.radius_y_mm - other.radius_y_mm) < SAME
-    return near and radii and abs(one.rotation_deg - other.rotation_deg) < SAME
+    near = math.dist(one.centre_mm, other.centre_mm) < SAME_MM
+    radii = abs(one.radius_x_mm - other.radius_x_mm) + abs(one.radius_y_mm - other.radius_y_mm) < SAME_MM
+    return near and radii and abs(one.rotation_deg - other.rotation_deg) < SAME_SHARE

@@ -8,7 +8,7 @@ import numpy as np
 from CNCStepper.errors import GeometryError
 from CNCStepper.geometry.curve import from_points
 from CNCStepper.geometry.fitting.simplify import simplified
-from CNCStepper.workbench.drawings.shapes import FLAT_MM
+from CNCStepper.tolerances import SAME_HEIGHT_MM
 
 
 def simplified_line(points: list[tuple[float, ...]], tolerance_mm: float, closed: bool) -> tuple[float, np.ndarray]:
@@ -19,12 +19,12 @@ def simplified_line(points: list[tuple[float, ...]], tolerance_mm: float, closed
     if not tolerance_mm >= 0:
         raise GeometryError("tolerance", "the tolerance must not be negative", value=f"{tolerance_mm:g} mm")
     rows = np.array(points, float).reshape(-1, 3)
-    if len(rows) and np.ptp(rows[:, 2]) > FLAT_MM:
+    if len(rows) and np.ptp(rows[:, 2]) > SAME_HEIGHT_MM:
         raise GeometryError(
             "line-not-flat",
             "the points of a freehand line lie at different heights",
             value=f"{np.ptp(rows[:, 2]):.4g} mm",
-            limit=f"{FLAT_MM} mm",
+            limit=f"{SAME_HEIGHT_MM} mm",
             advice="give all points one Z and tilt the line by its Placement",
         )
     curve = from_points(rows[:, :2], closed)

@@ -13,9 +13,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from CNCStepper.errors import GeometryError, Text
+from CNCStepper.tolerances import JOINED_ENDS_MM
 from CNCStepper.workbench.drawings.shapes import parts_of, placed_shape
 
-SAME_MM = 1e-4
 UPRIGHT = 1e-6  # sine of the tilt that a circle's axis may have against Z
 PLACE = tuple[float, float]
 
@@ -88,10 +88,10 @@ def _wanted(drawing: Any, picked: Sequence[str]) -> list[Hole]:
 
 def _near(cells: dict[tuple[int, int], list[PLACE]], centre: PLACE) -> PLACE:
     """Return the place of a hole that is known already, or the centre itself, which is known from now on."""
-    column, row = (math.floor(value / SAME_MM) for value in centre)
+    column, row = (math.floor(value / JOINED_ENDS_MM) for value in centre)
     for step in itertools.product((-1, 0, 1), repeat=2):
         for place in cells.get((column + step[0], row + step[1]), ()):
-            if math.dist(place, centre) < SAME_MM:
+            if math.dist(place, centre) < JOINED_ENDS_MM:
                 return place
     cells.setdefault((column, row), []).append(centre)
     return centre

@@ -20,11 +20,11 @@ import numpy as np
 
 from CNCStepper.errors import GeometryError, Text
 from CNCStepper.geometry.curve import Curve, from_points, joined
+from CNCStepper.tolerances import TOUCHING_MM
 from CNCStepper.workbench.drawings.joined_curves import DrawnCurve
 from CNCStepper.workbench.drawings.shapes import open_line
 
 SAMPLES = 64  # places along a curve by which it is seen whether another one holds it, beside its vertices
-TOUCH_MM = 1e-3  # a point that is nearer to the other curve says nothing
 
 
 def nested(drawn: Sequence[DrawnCurve]) -> tuple[tuple[Curve, ...], tuple[Curve, ...]]:
@@ -59,7 +59,7 @@ def _holds(outer: DrawnCurve, inner: DrawnCurve) -> bool:
     """Return whether a closed curve lies within a larger one; raises GeometryError where the two cross."""
     places, _ = inner.curve.at_length((np.arange(SAMPLES) + 0.37) * inner.curve.length_mm / SAMPLES)
     points = np.vstack([places, inner.curve.xy])
-    clear = points[outer.curve.distances_mm(points) > TOUCH_MM]
+    clear = points[outer.curve.distances_mm(points) > TOUCHING_MM]
     within = outer.curve.winding(clear) != 0
     if within.any() and not within.all():
         x, y = clear[int(np.argmax(within != within[0]))]

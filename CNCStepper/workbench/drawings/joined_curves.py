@@ -20,10 +20,10 @@ import numpy as np
 from CNCStepper.errors import Text
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.job.curve_fit_cache import Line, require
+from CNCStepper.tolerances import SAME_CURVE_MM, SAME_HEIGHT_MM
 from CNCStepper.workbench.drawings.curves import SHORTEST_MM, Piece, curve_of_chain, pieces_of, require_tolerance
-from CNCStepper.workbench.drawings.shapes import FLAT_MM, DrawingSnapshot, line_groups, refuse_unflat, sorted_chains
+from CNCStepper.workbench.drawings.shapes import DrawingSnapshot, line_groups, refuse_unflat, sorted_chains
 
-SAME_MM = 1e-3  # two curves that are nearer than this everywhere are one that is drawn twice
 CELL_MM = 0.01  # of the grid in which ends that meet are looked for
 MOST_DRAWINGS = 64  # whose chains are kept
 SAMPLES = 16  # places along a curve where its distance from another one is looked at
@@ -58,7 +58,7 @@ class Drawn:
             Text("'{out}' is drawn where '{kept}' is, and counts once", out=out, kept=kept) for out, kept in pairs
         ]
         heights = [each.height_mm for each in self.curves]
-        if heights and max(heights) - min(heights) > FLAT_MM:
+        if heights and max(heights) - min(heights) > SAME_HEIGHT_MM:
             said.append(
                 Text(
                     "the drawings lie at heights from Z{least_heights:.4g} to Z{most_heights:.4g} mm; "
@@ -117,7 +117,7 @@ def _looked_for(drawing: Any, names: tuple[str, ...]) -> list[_Chain]:
 
 def _doubled(curves: Sequence[Curve]) -> dict[int, int]:
     """Return which curves are drawn along another one all their way, and along which, by their numbers."""
-    reach_mm = np.array([SAME_MM + np.abs(curve.bulge).max(initial=0.0) * curve.length_mm for curve in curves])
+    reach_mm = np.array([SAME_CURVE_MM + np.abs(curve.bulge).max(initial=0.0) * curve.length_mm for curve in curves])
     low = np.array([curve.xy.min(axis=0) for curve in curves]).reshape(-1, 2)
     high = np.array([curve.xy.max(axis=0) for curve in curves]).reshape(-1, 2)
     found: dict[int, int] = {}
@@ -136,10 +136,10 @@ def _doubled(curves: Sequence[Curve]) -> dict[int, int]:
 
 def _lies_on(one: Curve, other: Curve) -> bool:
     """Return whether a curve is drawn along another one all its way; a closed one is then the same as that."""
-    if one.closed and (not other.closed or abs(one.length_mm - other.length_mm) > SAME_MM):
+    if one.closed and (not other.closed or abs(one.length_mm - other.length_mm) > SAME_CURVE_MM):
         return False
     places, _ = one.at_length((np.arange(SAMPLES) + 0.5) * one.length_mm / SAMPLES)
-    return bool(np.all(other.distances_mm(np.vstack([places, one.xy])) < SAME_MM))
+    return bool(np.all(other.distances_mm(np.vstack([places, one.xy])) < SAME_CURVE_MM))
 
 
 def _joined(curves: Sequence[DrawnCurve]) -> list[DrawnCurve]:

@@ -9,9 +9,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from CNCStepper.errors import GeometryError, Text
+from CNCStepper.tolerances import SAME_SHARE
 from CNCStepper.workbench.drawings.shapes import edges_of, require_closed
-
-SAME = 1e-6  # mm, and of an area its share
 
 
 @dataclass(frozen=True)
@@ -46,7 +45,7 @@ def rectangle_of(drawing: Any, picked: Sequence[str] = ()) -> RectangleFound:
     box = upright.optimalBoundingBox(False)
     radius_mm = arcs[0].Curve.Radius if arcs else 0.0
     area_mm2 = box.XLength * box.YLength - (4.0 - math.pi) * radius_mm**2
-    if abs(Part.Face(wire).Area - area_mm2) > SAME * max(area_mm2, 1.0):
+    if abs(Part.Face(wire).Area - area_mm2) > SAME_SHARE * max(area_mm2, 1.0):
         raise _none(drawing)
     turn = FreeCAD.Rotation(FreeCAD.Vector(0, 0, 1), rotation_deg)
     corner = turn.multVec(FreeCAD.Vector(box.XMin, box.YMin, 0))

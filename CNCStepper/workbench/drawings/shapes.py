@@ -12,9 +12,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from CNCStepper.errors import GeometryError, Text
+from CNCStepper.tolerances import SAME_HEIGHT_MM
 
 CURVE_POINTS = 64  # of an edge, where its distance from the middle is looked for
-FLAT_MM = 1e-4  # a drawing whose heights differ by less is flat
 
 
 @dataclass(frozen=True)
@@ -186,11 +186,11 @@ def refuse_unflat(edges: list[Any], label: str) -> None:
     """Raise GeometryError when the edges do not lie in one plane parallel to XY."""
     heights = [point.z for edge in edges for point in edge.discretize(9)]
     rise = max(heights) - min(heights)
-    if rise > FLAT_MM:
+    if rise > SAME_HEIGHT_MM:
         raise GeometryError(
             "drawing-not-flat",
             Text("the drawing '{label}' does not lie flat", label=label),
             value=Text("heights differ by {rise:.4g} mm", rise=rise),
-            limit=f"{FLAT_MM} mm",
+            limit=f"{SAME_HEIGHT_MM} mm",
             advice="draw it on the XY plane or on one parallel to it",
         )

@@ -206,10 +206,10 @@ class EditorPanel(QtGui.QWidget):
         self.edit.go_to(mark.line, max(mark.column, 1))
         self.edit.setFocus()
 
-    def _heed(self, wish: str) -> None:
+    def _handle(self, request: str) -> None:
         """Do what a key asks for."""
-        wishes = {"save": self.save, "find": self.find.begin, "find_next": self.find.next}
-        wishes.get(wish, self.find.before)()
+        requests = {"save": self.save, "find": self.find.begin, "find_next": self.find.next}
+        requests.get(request, self.find.before)()
 
     def _source_changed(self) -> None:
         """Follow a program that was made anew or undone, unless that would lose what was typed."""
@@ -243,7 +243,7 @@ class EditorPanel(QtGui.QWidget):
         edit.changed.connect(self._sender.start)
         edit.filled.connect(guarded(self._filled))
         edit.cursorPositionChanged.connect(guarded(self._cursor_moved))
-        edit.wanted.connect(guarded(self._heed))
+        edit.wanted.connect(guarded(self._handle))
         edit.document().modificationChanged.connect(lambda _: self.title_changed.emit())
         reader.read.connect(guarded(self._read))
         reader.timed.connect(guarded(self._timed))

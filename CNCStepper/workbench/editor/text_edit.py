@@ -167,9 +167,9 @@ class ProgramEdit(QtGui.QPlainTextEdit):
 
     def keyPressEvent(self, event: Any) -> None:
         """Heed our keys, leave the others to Qt."""
-        wish = _wanted(event)
-        if wish:
-            self.wanted.emit(wish)
+        request = _wanted(event)
+        if request:
+            self.wanted.emit(request)
         else:
             super().keyPressEvent(event)
 

@@ -42,7 +42,12 @@ CHOOSERS = (
     _chooser("power_ramp", RULES, later("Power ramp"), later("A laser's power that rises behind the pierce"),
              (NONE, OWN)),
 )  # fmt: skip
-BY_TABS = {"tabs_count": ("count",), "tabs_spacing_mm": ("spacing",), "tabs_width_mm": ("count", "spacing")}
+BY_TABS: dict[str, tuple[str, ...]] = {
+    "tabs_count": ("count",),
+    "tabs_spacing_mm": ("spacing",),
+    "tabs_width_mm": ("count", "spacing"),
+}
+CHOOSER_OF = {"lead_out": "lead_in_by"}  # other tables have a chooser of their own
 BY_PROCESS = {
     "pierce_mm": PIERCING,
     "pierce_delay_s": PIERCING,
@@ -71,8 +76,7 @@ def _with_what_decides(entry: Property) -> Property:
         return entry
     if table == "tabs":
         return replace(entry, only=("tabs_by", BY_TABS[entry.key]))
-    chooser = "lead_in_by" if table == "lead_out" else f"{table}_by"
-    return replace(entry, only=(chooser, (OWN,)))
+    return replace(entry, only=(CHOOSER_OF.get(table, f"{table}_by"), (OWN,)))
 
 
 def _properties() -> tuple[Property, ...]:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Random sheets of random parts: parts in holes, tight gaps, small holes, slots, bays with parts in them, arcs.
 
-    sheet = random_sheet(seed)      sheet.curves: as drawn, in any order and direction; sheet.traits: what is in it
+sheet = random_sheet(seed)      sheet.curves: as drawn, in any order and direction; sheet.traits: what is in it
 """
 
 from __future__ import annotations
@@ -81,7 +81,12 @@ def ring_with_part(sheet: Sheet, rng: np.random.Generator) -> list[Curve]:
     sheet.traits |= {"part in hole", "arcs"}
     gap_mm = float(rng.uniform(1.1 * sheet.kerf_mm, 8.0)) + 2.0 * sheet.pierce_mm + sheet.kerf_mm
     inner = 24.0 - gap_mm
-    return [circle((0.0, 0.0), 34.0), circle((0.0, 0.0), 24.0), circle((0.0, 0.0), inner), circle((1.0, 0.0), inner / 2)]
+    return [
+        circle((0.0, 0.0), 34.0),
+        circle((0.0, 0.0), 24.0),
+        circle((0.0, 0.0), inner),
+        circle((1.0, 0.0), inner / 2),
+    ]
 
 
 def slotted(sheet: Sheet, rng: np.random.Generator) -> list[Curve]:
@@ -119,7 +124,9 @@ def three_discs(sheet: Sheet, rng: np.random.Generator) -> list[Curve]:
     if rng.random() < 0.5:
         radius_mm = 22.0
     else:  # room for the small part, its pierce and its cut
-        radius_mm = (2.0 * sheet.pierce_mm + 1.5 * sheet.kerf_mm + small_mm + 1.0) / (1.0 / math.cos(math.pi / 6.0) - 1.0)
+        radius_mm = (2.0 * sheet.pierce_mm + 1.5 * sheet.kerf_mm + small_mm + 1.0) / (
+            1.0 / math.cos(math.pi / 6.0) - 1.0
+        )
     far_mm = (radius_mm + gap_mm / 2.0) / math.cos(math.pi / 6.0)
     corners = [far_mm * np.exp(2j * math.pi * number / 3.0) for number in range(3)]
     discs = [circle((corner.real, corner.imag), radius_mm) for corner in corners]

@@ -98,9 +98,7 @@ def _cut_edges(cuts: Sequence[Powered], kerf_mm: float, pierce_mm: float) -> lis
     return told
 
 
-def _moved(
-    cuts: Sequence[Powered], bands: Sequence[BaseGeometry], material: BaseGeometry, kerf_mm: float
-) -> list[str]:
+def _moved(cuts: Sequence[Powered], bands: Sequence[BaseGeometry], material: BaseGeometry, kerf_mm: float) -> list[str]:
     """Return the cuts into what was free before: neither in the sheet nor in a cut that was made."""
     told, left = [], material
     rim = material.exterior

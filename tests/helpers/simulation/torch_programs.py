@@ -4,8 +4,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 
+import numpy as np
 import shapely
 
 from CNCStepper.gcode.interpreter.interpret import interpret
@@ -16,7 +17,9 @@ from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.simulation.checks.check_program import check
 from CNCStepper.simulation.finding import Finding
 from CNCStepper.simulation.stock import Stock
+from CNCStepper.simulation.tip_segments import tips_mm
 from CNCStepper.state import Start
+from CNCStepper.toolpath import LINE, RAPID, Toolpath
 
 KERF_MM = 1.5
 DATA = CutData(
@@ -48,7 +51,7 @@ class Cut:
     """One cut from M3 to M5, as blocks of G1, G2 and G3 behind its pierce; what is empty is not written."""
 
     pierce_mm: tuple[float, float]
-    blocks: Sequence[str]
+    blocks: list[str]
     on: str = "M3 S1000"
     delay: str = "G4 P0.4"
     off: str = "M5"
@@ -68,6 +71,24 @@ class Cut:
 def text_of(cuts: Sequence[Cut]) -> str:
     """Return the whole program."""
     return "\n".join(["G21 G90 G54", "G0 Z10", *(line for cut in cuts for line in cut.lines()), "M5", "M2", ""])
+
+
+def cuts_of(path: Toolpath) -> list[Cut]:
+    """Return the cuts of a program that was read back, each block with all its words; heights stay the usual ones."""
+    table, (begin, end) = path.table(), tips_mm(path)
+    centre = table.centre - (table.end[:, :3] - end)
+    found: list[Cut] = []
+    was_on = False
+    for row, (kind, state) in enumerate(zip(table.kind.tolist(), table.state.tolist(), strict=True)):
+        is_on = path.states[state].spindle_turns and kind != RAPID
+        if is_on and not was_on:
+            found.append(Cut(tuple(begin[row, :2].tolist()), []))
+        was_on = is_on
+        if is_on and (kind != LINE or np.hypot(*(end - begin)[row, :2]) > 1e-9):
+            words = f"G{kind} X{end[row, 0]:.4f} Y{end[row, 1]:.4f}"
+            way = centre[row] - begin[row]
+            found[-1].blocks.append(words if kind == LINE else f"{words} I{way[0]:.4f} J{way[1]:.4f}")
+    return found
 
 
 def hole(x: float, y: float, radius_mm: float, **changes) -> Cut:
@@ -104,21 +125,22 @@ class Plate:
     machine: Machine = TABLE
     data: CutData | None = DATA
     stock: Stock | None = SHEET
-    given: dict = field(default_factory=dict)
+    start: Start = START
+    tool: Tool | None = None
+    language: str = "grbl"
 
     def findings(self, text: str) -> list[Finding]:
         """Return what the check finds in a program's text."""
-        toolpath = interpret(text, START)
+        toolpath = interpret(text, self.start, self.language)
         return check(
             toolpath,
             self.machine,
             file="p.nc",
             stock=self.stock,
-            tools=beam(self.process),
+            tools=self.tool or beam(self.process),
             process=self.process,
             cut_data=self.data,
             parts=self.parts,
-            **self.given,
         )
 
     def codes(self, text: str, severity: str = "error") -> set[str]:

@@ -52,5 +52,5 @@ def test_every_key_of_every_cycle_is_declared_with_its_help(cycle: str) -> None:
     if "those of `pocket`" in told:
         told += PAGE.partition("### `pocket`\n")[2].partition("\n### ")[0]
     keys = {key.partition(".")[0] for key in re.findall(r"^\| `([\w.]+)` \|", told, re.MULTILINE)}
-    shapes = {"outlines", "islands", "curves", *(["pattern"] if "`pattern.circles`" in told else [])}
+    shapes = {"outlines", "islands", "curves", "marks", *(["pattern"] if "`pattern.circles`" in told else [])}
     assert keys == set(CYCLES[cycle].model_fields) - shapes - {"cycle", "tool"}

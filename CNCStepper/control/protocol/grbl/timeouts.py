@@ -16,7 +16,7 @@ class Timing:
     silent_s: nothing heard of a machine that is to stop; still_s: it does not get slower. reset_s: from a reset to the
     greeting. So a stop is over within 5 s unless the machine is seen to slow down for longer.
     hold_s: from a feed hold to standstill, on slow axes too. homing_s: a whole homing cycle, in which grbl is silent.
-    service_poll_s: between two `?` of a desk without a job. alone_s: a desk without clients and without work ends.
+    service_poll_s: between two `?` of a service without a job. alone_s: a service without clients and work ends then.
     """
 
     poll_s: float = 0.2

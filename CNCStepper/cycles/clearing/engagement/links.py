@@ -22,8 +22,8 @@ from CNCStepper.cycles.clearing.engagement.clearing_map import ClearingMap
 from CNCStepper.cycles.clearing.engagement.map_kernels import engaged, nodes, square_from, value_at
 from CNCStepper.cycles.clearing.pattern import Pass
 from CNCStepper.geometry.curve import from_points
-from CNCStepper.geometry.curve_columns import COINCIDENT_MM
 from CNCStepper.kernels import njit
+from CNCStepper.tolerances import COINCIDENT_MM
 
 MARGIN = 0.05  # of the radius: rapids keep it to walls and material
 STRIDE = 0.25  # of the radius: between the places of the coarse grid

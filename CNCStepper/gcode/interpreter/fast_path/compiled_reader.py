@@ -229,22 +229,11 @@ class CompiledReader:
 
         Raises ProgramError at the line that is refused, after all lines before it.
         """
-        for line in self._others(data, encoding):
-            if self.interpreter.leads(line):
-                return False
-            self.interpreter.line(line)
-        return True
+        return self.interpreter.lines(self._others(data, encoding))
 
     def refused(self, data: bytes, encoding: str = "utf-8") -> Generator[ProgramError, None, bool]:
         """Read `data` as `read` does; yield why lines are refused, which change nothing, and go on after them."""
-        for line in self._others(data, encoding):
-            if self.interpreter.leads(line):
-                return False
-            try:
-                self.interpreter.line(line)
-            except ProgramError as error:
-                yield error
-        return True
+        return (yield from self.interpreter.refusals(self._others(data, encoding)))
 
     def _others(self, data: bytes, encoding: str) -> Iterator[str]:
         """Let the kernel execute its runs, and yield each line between them, which is to be read before going on."""

@@ -74,7 +74,7 @@ class Blocks:
         return self._begin_round(line, label, test)
 
     def _opens(self, line: FlowLine, label: str, source: Source, index: int) -> None:
-        """Note where a label stands, if it is new; a `while` may also end the `do` of its label."""
+        """Note the line of a label, if it is new; a `while` may also end the `do` of its label."""
         known = self.labels.get(label)
         ends_do = known is not None and known.keyword == "do" and line.keyword == "while"
         if not ends_do and (known is None or known.source is not source or known.index != index):

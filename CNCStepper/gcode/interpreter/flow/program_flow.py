@@ -175,7 +175,7 @@ class Flow:
             self.interpreter.line_at(text, number, place)
 
     def profile(self, number: int, model: Model, take: Callable[[Model, list[Word], list[float]], None]) -> None:
-        """Run the subroutine o<number> for a cycle that takes its lines; `model` stands in for the interpreter's."""
+        """Run the subroutine o<number> for a cycle that takes its lines; `model` replaces the interpreter's."""
         reader, depth, left = self.interpreter, len(self.calls), self.limits.lines
         kept = reader.model, reader.line_number, reader.sequence, self._take
         reader.model, self._take = model, take
@@ -289,7 +289,7 @@ class Flow:
         return left != 0
 
     def _go(self, label: str) -> None:
-        """Go to where a label stands; one that was never met is looked for in a file, then further on."""
+        """Go to the line of a label; one that was never met is looked for in a file, then further on."""
         known = self.blocks.labels.get(label)
         if known:
             self.source, self.index = known.source, known.index

@@ -51,13 +51,13 @@ def work_system(block: Block, code: Code) -> None:
 
 
 def emit_work_offset(block: Block) -> None:
-    """Tell the canonical call of the work system in force."""
+    """Emit the canonical call of the work system in force."""
     number = WORK_SYSTEMS.index(block.model.state.work_system) + 1
     block.point(SET_WORK % number, block.model.origin)
 
 
 def emit_rotation(block: Block) -> None:
-    """Tell the canonical call of its turn about Z."""
+    """Emit the canonical call of its turn about Z."""
     block.call(f"SET_XY_ROTATION({block.model.state.rotation_deg:.4f})")
 
 

@@ -6,7 +6,8 @@
     M62 P3          the torch goes off, the motion goes on; M63 P3 releases it     State.spindle
     M190 P7         material 7; M66 P3 L3 Q1 waits until it is taken               event "material"
 
-The height control, the pierce and their times are QtPlasmaC's own: no program moves Z or waits for them.
+The height control and the pierce are QtPlasmaC's own: no program moves Z or waits. Where the text has the material, the
+table has its pierce delay behind M3.
 """
 
 from __future__ import annotations
@@ -61,6 +62,8 @@ def plasma_tool(block: Block, code: Code) -> None:
     block.model.plasma = replace(plasma, tool=number)
     block.model.change(spindle="off" if plasma.cut_off else "cw", spindle_number=number, spindle_rpm=state.spindle_rpm)
     block.call(START["cw"])
+    if number == 0 and plasma.pierce_s:
+        block.event("dwell", plasma.pierce_s)
 
 
 def plasma_output(block: Block, code: Code) -> None:
@@ -148,8 +151,9 @@ def _keep(block: Block, found: MaterialComment) -> None:
 
 def _use(block: Block, known: MaterialComment | None, text: str) -> None:
     kerf_mm = known.values.get("kw", 0.0) if known else 0.0
-    feed_mm_min = known.feed_mm_min if known else 0.0
-    block.model.plasma = replace(plasma_of(block), cut_feed_mm_min=feed_mm_min, kerf_mm=kerf_mm)
+    feed_mm_min, pierce_s = (known.feed_mm_min, known.values["pd"]) if known else (0.0, 0.0)
+    plasma = replace(plasma_of(block), cut_feed_mm_min=feed_mm_min, kerf_mm=kerf_mm, pierce_s=pierce_s)
+    block.model.plasma = plasma
     block.event("material", feed_mm_min, text)
 
 

@@ -106,7 +106,7 @@ def _load(block: Block, tool: int) -> None:
 
 
 def _place_in_table(block: Block, tool: int) -> int:
-    """Return the line of the table in which a tool stands, from 1; 0 for no tool."""
+    """Return the line of a tool in the table, from 1; 0 for no tool."""
     return [0, *block.model.tools].index(tool) if tool in block.model.tools else tool
 
 
@@ -216,7 +216,7 @@ def _new_offset(block: Block, entry: ToolEntry, kind: int) -> tuple[float, ...]:
 
 
 def _emit_entry(block: Block, place: int, number: int, entry: ToolEntry) -> None:
-    """Tell an entry in the machine's own unit."""
+    """Emit an entry in the machine's own unit."""
     unit = block.model.unit_mm
     offset = " ".join(f"{value / length_scale(axis, unit):.4f}" for axis, value in enumerate(entry.offset_mm))
     angles = f"{entry.front_deg:.4f}, {entry.back_deg:.4f}, {entry.orientation}"

@@ -22,7 +22,7 @@ from CNCStepper.gcode.interpreter.motion.nurbs import Nurbs, nurbs_knots, nurbs_
 from CNCStepper.gcode.interpreter.state import stand_alone_position
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, XY
 
-TOLERANCE_MM = 0.002  # of the arcs that stand for a spline in the table
+TOLERANCE_MM = 0.002  # of the arcs that replace a spline in the table
 STRAIGHT = 1e-9  # bulge below which a piece is a line
 
 
@@ -122,7 +122,7 @@ def _ends(block: Block) -> tuple[Flat, Flat]:
 
 
 def _cut(block: Block, nurbs: Nurbs, motion: int) -> None:
-    """Tell the call and make a row of each arc; a spline that stays where it is makes none."""
+    """Emit the call and make a row of each arc; a spline that stays where it is makes none."""
     block.call(f"NURBS_FEED({len(nurbs.points)}, ...)")
     block.unheard = True
     stood = stand_alone_position.machine_position_at(block.model)

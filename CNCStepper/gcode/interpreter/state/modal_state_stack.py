@@ -117,7 +117,7 @@ def path_words(modes: Modes) -> str:
 
 
 def _switches(modes: Modes) -> list[str]:
-    """Return the M codes of coolant and overrides, "" where none says it."""
+    """Return the M codes of coolant and overrides, "" where there are none."""
     state, on = modes.state, modes.overrides
     feed_and_speed = {(True, True): "M48", (True, False): "M50", (False, True): "M51", (False, False): "M49"}
     return [

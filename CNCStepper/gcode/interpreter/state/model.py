@@ -68,12 +68,16 @@ class Run(NamedTuple):
 
 @dataclass(frozen=True)
 class Plasma:
-    """What QtPlasmaC's words have set: materials by number as the text has them, the cut feed and kerf of the one in
-    force (0: not in the text), the share of the feed, the tool that runs, and whether the torch is kept off."""
+    """What QtPlasmaC's words have set.
+
+    materials: by number, as the text has them. cut_feed_mm_min, kerf_mm, pierce_s: of the one in force, 0 where it is
+    not in the text. share: of the feed. tool: that runs. cut_off: whether the torch is kept off.
+    """
 
     materials: Mapping[int, MaterialComment] = field(default_factory=dict)
     cut_feed_mm_min: float = 0.0
     kerf_mm: float = 0.0
+    pierce_s: float = 0.0
     share: float = 1.0
     tool: int | None = None
     cut_off: bool = False

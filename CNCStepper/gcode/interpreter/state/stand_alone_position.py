@@ -69,7 +69,7 @@ def moved(model: Model, end: Point) -> None:
 
 
 def spline_made(model: Model, stood: Point) -> None:
-    """Note that the bare interpreter's idea of a machine makes no splines: it stays where it stood."""
+    """Note that the bare interpreter's idea of a machine makes no splines: its position does not change."""
     if model.bare:
         model.stands = stood
         model.look()

@@ -77,7 +77,7 @@ class SystemParameters:
         return float(_OF_THE_MODEL[name](self.model))
 
     def _position(self, axis: int) -> float:
-        """Return where the tool stands along an axis, in the coordinates and units of the text."""
+        """Return the tool's position along an axis, in the coordinates and units of the text."""
         model = self.model
         if axis >= 3:
             return model.further_work()[axis - 3] / length_scale(axis, model.scale)
@@ -136,7 +136,7 @@ def _speed(model: Model) -> float:
 
 
 def _tool(model: Model) -> tuple[float, ...]:
-    """Return what #5400 to #5413 say of the tool in the spindle, lengths in the machine's own unit."""
+    """Return #5400 to #5413 of the tool in the spindle, lengths in the machine's own unit."""
     tool, unit = model.loaded, model.unit_mm
     offsets = (value / length_scale(axis, unit) for axis, value in enumerate(tool.offset_mm))
     diameter = 0.0 if tool.diameter_mm != tool.diameter_mm else tool.diameter_mm / unit

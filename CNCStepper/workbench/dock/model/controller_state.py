@@ -20,7 +20,7 @@ class ControllerSnapshot:
     """The dock's view of the machine at one time.
 
     phase: "off" (no controller), "starting", "connecting", "unreached" (no connection came about), "gone" (it ended by
-    itself), or the desk's phase. machine_state: as grbl writes it. message: the program's words at a pause, the
+    itself), or the service's phase. machine_state: as grbl writes it. message: the program's words at a pause, the
     sentence of an alarm or of what ended the connection. job: whether a job is on its way; a machine may be
     held without one. homing, position_known: None while it is not known.
     """

@@ -19,7 +19,7 @@ BACK, LINE, ENTRY, FORWARD, ASIDE = (
     "forward_mm",
     "aside",
 )  # as `workers/path_retract.py` says
-Wish = tuple[str, float | bool]  # one of these, and how far
+Request = tuple[str, float | bool]  # one of these, and how far
 THERE_MM = 0.001  # no further behind is where the cut has come to
 RULE_OF = {BACK: "back", LINE: "back", ENTRY: "back", FORWARD: "forward", ASIDE: "aside", RESUME: "resume"}
 DOES = {
@@ -37,7 +37,7 @@ GOING = later("The tool moves along the cut.")
 UNKNOWN = later("The tool can go back along exactly the way by which it came.")
 
 
-def request_of(status: SenderStatus | None) -> Wish | None:
+def request_of(status: SenderStatus | None) -> Request | None:
     """Return the request of the machine's buttons, from its session's status."""
     if status is None or (status.wanted_back_mm is None and not status.wanted_rest):
         return None
@@ -49,7 +49,7 @@ class RetractFlow:
     """The retract in progress, and the tool's place on its cut.
 
     line: of the program, 0 where it is not known. behind_mm: how far the tool is behind where the cut has come to.
-    trouble: why the last wish was refused.
+    trouble: why the last request was refused.
     """
 
     line: int = 0
@@ -57,8 +57,8 @@ class RetractFlow:
     trouble: str = ""
     _pending: list[str] = field(default_factory=list)  # asked, and answered in this order
     _phase: str = ""
-    _wish: Wish | None = None  # of the machine's buttons, as it was last
-    _due: Wish | None = None  # of theirs, what was not asked for yet
+    _request: Request | None = None  # of the machine's buttons, as it was last
+    _due: Request | None = None  # of theirs, what was not asked for yet
 
     @property
     def asked(self) -> str:
@@ -92,27 +92,27 @@ class RetractFlow:
             self.forget()
         return entered and moment.phase == "held" and moment.job_runs and not self.asked
 
-    def request_of_machine(self, wish: Wish | None, moment: ControllerSnapshot) -> Wish | None:
+    def request_of_machine(self, request: Request | None, moment: ControllerSnapshot) -> Request | None:
         """Return what to do now for the buttons of the machine, once for each time that one is pressed.
 
-        A wish leaves the status as soon as anybody asks for the place; pressed on the way, it is done after that.
+        A request leaves the status as soon as anybody asks for the place; pressed on the way, it is done after that.
         """
-        before, self._wish = self._wish, wish
-        if wish is not None and wish != before:
-            self._due = _added(self._due, before, wish)
+        before, self._request = self._request, request
+        if request is not None and request != before:
+            self._due = _added(self._due, before, request)
         if self._due is None or why_not_back(self._due[0], self, moment):
             return None
         due, self._due = self._due, None
         return due
 
 
-def _added(due: Wish | None, before: Wish | None, wish: Wish) -> Wish:
+def _added(due: Request | None, before: Request | None, request: Request) -> Request:
     """Return what is due after another press: lengths in the status, and those that wait here, add up."""
-    if wish[0] != BACK:
-        return wish
-    seen_mm = before[1] if before and before[0] == BACK and before[1] < wish[1] else 0.0
+    if request[0] != BACK:
+        return request
+    seen_mm = before[1] if before and before[0] == BACK and before[1] < request[1] else 0.0
     waiting_mm = due[1] if due and due[0] == BACK else 0.0
-    return BACK, waiting_mm + wish[1] - seen_mm
+    return BACK, waiting_mm + request[1] - seen_mm
 
 
 def why_not_back(kind: str, flow: RetractFlow, moment: ControllerSnapshot) -> str:

@@ -3,8 +3,7 @@
 
 from __future__ import annotations
 
-import re
-
+from CNCStepper.gcode.syntax.words import scanned_codes, scanned_words
 from CNCStepper.workbench.services.translation import later, tr
 
 CODES = {
@@ -97,13 +96,12 @@ LETTERS = {
     "Z": later("place along Z"),
 }
 WORK_SYSTEMS = ("G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3")
-_CODE = re.compile(r"([GM])0*([0-9]+(?:\.[0-9]+)?)$")
 
 
 def meaning_of(word: str) -> str:
     """Return "G1: straight cut, at the feed F" for a word in capitals without blanks, "" for what is not known."""
-    code = _CODE.match(word)
-    name = f"{code[1]}{float(code[2]):g}" if code else word
+    is_code = [letter + number for letter, number in scanned_words(word) if letter in "GM"] == [word]
+    name = next(iter(scanned_codes(word))) if is_code else word
     if name in CODES:
         return f"{name}: {tr(CODES[name])}"
     if name in WORK_SYSTEMS:

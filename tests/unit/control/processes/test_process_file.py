@@ -29,11 +29,11 @@ from CNCStepper.control.session import client as session
 from CNCStepper.control.session import files
 from CNCStepper.control.session.client import SessionClient
 from CNCStepper.control.session.files import (  # fmt: skip
-    DESK,
     KEPT,
     LOG,
     OUTCOME,
     RECENT_S,
+    SERVICE,
     SESSION,
     WIRE,
     new_session,
@@ -161,7 +161,7 @@ def test_many_may_look_at_once(tmp_path):
 
 
 def test_its_own_process_removes_it(tmp_path):
-    own = ProcessFile(tmp_path / f"a{DESK}")
+    own = ProcessFile(tmp_path / f"a{SERVICE}")
     own.write({})
     own.remove()
     own.keep()
@@ -207,14 +207,14 @@ def test_a_desk_leaves_nothing_where_the_disk_takes_no_outcome(tmp_path, monkeyp
     monkeypatch.setattr(connection_service, "write_private", full)
     tmp_path.chmod(0o700)
     with pytest.raises(OSError, match="No space"):
-        connection_service.main([str(tmp_path / f"a{DESK}"), str(tmp_path / "port"), "115200"])
-    assert not [path for path in tmp_path.iterdir() if path.suffix in (DESK, WIRE, ".sock")]
+        connection_service.main([str(tmp_path / f"a{SERVICE}"), str(tmp_path / "port"), "115200"])
+    assert not [path for path in tmp_path.iterdir() if path.suffix in (SERVICE, WIRE, ".sock")]
 
 
 @pytest.mark.parametrize("how", [*(how for how in SPOILED if how != "a directory"), "removed"])
 def test_its_process_mends_it(tmp_path, monkeypatch, how):
     monkeypatch.setattr(process_file, "LOOK_EVERY_S", 0.0)
-    path = tmp_path / f"a{DESK}"
+    path = tmp_path / f"a{SERVICE}"
     own = ProcessFile(path)
     own.write({"machine_port": "COM3"})
     path.unlink() if how == "removed" else spoiled(path, how)
@@ -231,11 +231,11 @@ def test_nothing_of_a_living_one_is_pruned_and_nothing_that_is_young(tmp_path, m
         for kind in (OUTCOME, LOG, WIRE):
             (tmp_path / f"{name}{kind}").write_text("{}")
             os.utime(tmp_path / f"{name}{kind}", (old_s, old_s))
-    own = ProcessFile(tmp_path / f"000{DESK}")  # the oldest, as after days
+    own = ProcessFile(tmp_path / f"000{SERVICE}")  # the oldest, as after days
     own.write({})
     (tmp_path / f"001{LOG}").write_text("of a process that begins, after the clock was put back")
     new_session(tmp_path)
-    assert {path.name for path in tmp_path.glob("000*")} == {f"000{kind}" for kind in (DESK, OUTCOME, LOG, WIRE)}
+    assert {path.name for path in tmp_path.glob("000*")} == {f"000{kind}" for kind in (SERVICE, OUTCOME, LOG, WIRE)}
     assert [path.name for path in tmp_path.glob("001*")] == [f"001{LOG}"]
     assert not list(tmp_path.glob("002*")) and len(list(tmp_path.glob(f"*{OUTCOME}"))) == KEPT + 1
     own.remove()
@@ -266,13 +266,13 @@ def test_a_damaged_journal_is_refused_and_waited_for_by_nobody(tmp_path, how):
 
 @pytest.mark.parametrize("how", SPOILED)
 def test_damaged_files_of_dead_sessions_are_no_sessions(tmp_path, how):
-    for kind in (SESSION, DESK):
+    for kind in (SESSION, SERVICE):
         spoiled(tmp_path / f"a{kind}", how)
     assert sessions(tmp_path) == [] and running_services(tmp_path) == [] and jobs_running(tmp_path) == []
     check_free("COM3", tmp_path)
     for attach in (SessionClient.attach, ConnectionSession.attach):
         with pytest.raises(LinkError, match="not there, or was killed"):
-            attach(tmp_path / f"a{SESSION if attach == SessionClient.attach else DESK}")
+            attach(tmp_path / f"a{SESSION if attach == SessionClient.attach else SERVICE}")
     new_session(tmp_path)
     assert how == "a directory" or not list(tmp_path.iterdir())
 
@@ -282,7 +282,7 @@ def test_an_outcome_that_cannot_be_read_is_told_in_a_sentence(tmp_path, how):
     spoiled(tmp_path / f"a{OUTCOME}", how)
     with pytest.raises(LinkError, match=r"outcome cannot be read.*position is unknown"):
         SessionClient.attach(tmp_path / f"a{SESSION}")
-    desk = ConnectionClient.attach(tmp_path / f"a{DESK}")
+    desk = ConnectionClient.attach(tmp_path / f"a{SERVICE}")
     desk.poll()
     assert desk.phase == "gone" and isinstance(desk.error, CNCStepperError)
 

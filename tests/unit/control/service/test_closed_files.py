@@ -23,11 +23,11 @@ from CNCStepper.control.service.connection_session import jobs_running
 from CNCStepper.control.service.port_owner import check_free, warn_of_closed
 from CNCStepper.control.service.position_trust_file import PositionTrustFile
 from CNCStepper.control.session.files import (  # fmt: skip
-    DESK,
     KEPT,
     LOG,
     OUTCOME,
     RECENT_S,
+    SERVICE,
     SESSION,
     WIRE,
     closed_files,
@@ -43,7 +43,7 @@ from CNCStepper.errors import JobError, LinkError
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the list of locks")
 fcntl = pytest.importorskip("fcntl")
-KINDS = ((SESSION, session_at, sessions), (DESK, service_at, running_services))
+KINDS = ((SESSION, session_at, sessions), (SERVICE, service_at, running_services))
 NOBODY = 65534
 LOOK = """
 import sys; from pathlib import Path
@@ -161,19 +161,19 @@ def test_hold_works_beside_it(folder, close):
 def test_only_of_one_that_may_live_is_told_where_a_port_is_opened(folder, close, locked):
     told: list[str] = []
     close(folder / f"a{SESSION}")
-    locked(close(folder / f"b{DESK}"))
+    locked(close(folder / f"b{SERVICE}"))
     warn_of_closed(told.append)
-    assert len(told) == 1 and f"b{DESK}" in told[0] and "session-closed" in told[0]
+    assert len(told) == 1 and f"b{SERVICE}" in told[0] and "session-closed" in told[0]
 
 
 def test_attaching_to_it_is_refused_at_once(folder, close, locked):
     begin_s = time.monotonic()
-    for kind in (SESSION, DESK):
+    for kind in (SESSION, SERVICE):
         locked(close(folder / f"a{kind}"))
         with pytest.raises(LinkError, match=r"belongs to .* \[session-closed\]"):
             connection_session.attach(folder / f"a{kind}")
     assert time.monotonic() - begin_s < 2.0
-    client = ConnectionClient.attach(folder / f"a{DESK}")
+    client = ConnectionClient.attach(folder / f"a{SERVICE}")
     client.poll()
     assert client.phase == "gone" and client.error and client.error.code == "session-closed"
 
@@ -218,7 +218,7 @@ def test_a_socket_that_nobody_serves_says_that_it_has_ended(folder, close, monke
 
 def test_no_closed_file_is_ever_removed(folder, close):
     old_s = time.time() - RECENT_S - 1
-    kept = [close(folder / f"000{kind}") for kind in (SESSION, DESK)]
+    kept = [close(folder / f"000{kind}") for kind in (SESSION, SERVICE)]
     beside = [close(folder / f"001{kind}") for kind in (OUTCOME, LOG, WIRE)]
     for number in range(KEPT + 5):
         for kind in (OUTCOME, LOG, WIRE):

@@ -19,7 +19,7 @@ from CNCStepper.control.processes.process_file import ProcessFile
 from CNCStepper.control.program.send_job import SendJob, write_job
 from CNCStepper.control.service.connection_client import WORKER, ConnectionClient, running_services
 from CNCStepper.control.session import detached_process
-from CNCStepper.control.session.files import DESK, LOG, OUTCOME, new_session, service_at
+from CNCStepper.control.session.files import LOG, OUTCOME, SERVICE, new_session, service_at
 from CNCStepper.control.session.status import DONE, STOPPED
 from CNCStepper.control.transport.link import PortChoice, port_list
 from CNCStepper.errors import CNCStepperError, MissingPackage
@@ -215,7 +215,7 @@ def test_second_launch_on_one_port_attaches_to_the_desk_that_is_there(window, tm
 
 @pytest.mark.slow
 def test_two_desks_started_at_one_moment_agree_on_one(window, tmp_path):
-    path = new_session(tmp_path, DESK).with_name(f"99990101-000000-ff{DESK}")
+    path = new_session(tmp_path, SERVICE).with_name(f"99990101-000000-ff{SERVICE}")
     process = detached_process.start(sys.executable, WORKER, path, window.client.port, "115200")
     assert process.wait(LIMIT_S) == 1
     late = Window(ConnectionClient.attach(path))
@@ -323,7 +323,7 @@ def test_desk_that_nobody_visits_ends_by_itself(table, tmp_path):
 
 
 def test_file_that_nobody_holds_is_no_running_desk(tmp_path):
-    path = new_session(tmp_path, DESK)
+    path = new_session(tmp_path, SERVICE)
     owner = ProcessFile(path)
     owner.write({})
     assert running_services(tmp_path) == [path]
@@ -332,15 +332,15 @@ def test_file_that_nobody_holds_is_no_running_desk(tmp_path):
     client = ConnectionClient.attach(path)
     client.poll()
     assert client.phase == "gone" and client.error.code == "desk-lost" and path.exists()
-    new_session(tmp_path, DESK)
+    new_session(tmp_path, SERVICE)
     assert not path.exists()
 
 
 def test_desk_is_found_by_its_port(tmp_path):
-    path = tmp_path / f"a{DESK}"
+    path = tmp_path / f"a{SERVICE}"
     owner = ProcessFile(path)
     owner.write({"machine_port": "COM3"})
-    (tmp_path / f"b{DESK}").write_text('{"machine_port": "COM4"}')  # of a killed one
+    (tmp_path / f"b{SERVICE}").write_text('{"machine_port": "COM4"}')  # of a killed one
     assert service_at("COM3", tmp_path) == path
     assert service_at("COM4", tmp_path) is None
     owner.remove()

@@ -14,6 +14,8 @@ import pytest
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.writer.write import WriteOptions, written
+from CNCStepper.job.make import make_program
+from CNCStepper.job.model import load_job
 from CNCStepper.machine.cut_charts import cut_data_for, write_chart
 from CNCStepper.machine.cut_data import CutData
 from CNCStepper.state import Start, State, ToolEntry
@@ -21,6 +23,7 @@ from CNCStepper.toolpath import ARC_CCW, RAPID, TableBuilder, Toolpath
 from helpers.gcode.qtplasmac_words import filtered, out_of_order, undocumented, with_numbers
 from helpers.gcode.rs274_runs import rs274_calls
 
+ROOT = Path(__file__).parents[4]
 ROW = cut_data_for("plasma", "mild-steel", 3.0)
 NUMBERED = ROW.model_copy(update={"number": 7})
 ZERO = Start.at_zero()
@@ -277,3 +280,22 @@ def test_the_samples_that_ship_with_linuxcnc_are_read():
             text = materials + text
         path = interpret(text, replace(ZERO, tools={0: ToolEntry(), 1: ToolEntry()}), language)
         assert len(path) > 1 and (path.table().end[:, 2] == 0).all()
+
+
+# a job
+
+
+def test_the_gasket_is_cut_by_a_table_with_qtplasmac(tmp_path):
+    torch = (ROOT / "CNCStepper" / "machine" / "profiles" / "torch-table.toml").read_text("utf-8")
+    flat = torch[: torch.index("[axis.z]")].replace('"grbl"', '"qtplasmac"')
+    (tmp_path / "table.toml").write_text(flat, "utf-8")
+    job = (ROOT / "examples" / "jobs" / "gasket-plasma.toml").read_text("utf-8").replace("torch-table", "table.toml")
+    drawings = (ROOT / "examples" / "drawings").as_posix()
+    (tmp_path / "gasket.toml").write_text(job.replace("../drawings", drawings), "utf-8")
+    text = make_program(*load_job(tmp_path / "gasket.toml")).program
+    assert undocumented(text) == [] and out_of_order(text) == [] and "Z" not in text and "G4 " not in text
+    assert text.count("M3 $0 S1") == text.count("M5 $0") == 7
+    assert text.count("M67 E3 Q60") == text.count("M62 P3") == text.count("M63 P3") == 4  # the small holes
+    assert filtered(text, tmp_path)[1] == [] and rs274_calls(with_numbers(text, 3850), tmp_path)[1]
+    read = interpret(text, ZERO, "qtplasmac")
+    assert [event.value for event in read.events if event.kind == "dwell"] == [0.4] * 7  # the material's pierce delay

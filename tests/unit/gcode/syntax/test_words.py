@@ -3,13 +3,24 @@
 
 from __future__ import annotations
 
+import random
+import re
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpreter.interpret import interpret
-from CNCStepper.gcode.syntax.words import is_percent_mark, program_lines, split_line, words_of
+from CNCStepper.gcode.syntax.words import (
+    is_percent_mark,
+    program_lines,
+    scanned_codes,
+    scanned_words,
+    split_line,
+    words_of,
+)
+from helpers.imports import modules
 
 
 def test_blanks_may_stand_anywhere_and_columns_stay():
@@ -77,3 +88,45 @@ def test_any_program_is_read_or_refused_with_its_place(parts):
         interpret(text)
     except ProgramError as error:
         assert error.place.line >= 1
+
+
+@pytest.mark.parametrize(
+    ("code", "codes"),
+    [
+        ("N10 g01 X1.5 m 3", {"G1", "M3"}),
+        ("G59.10", {"G59.1"}),
+        ("#<g5> = 2", set()),
+        ("O<m3> CALL [1]", set()),
+        ("G[1] M#2 X-3", set()),
+        ("G1.X2", {"G1"}),
+    ],
+)
+def test_codes_are_scanned_without_refusing(code: str, codes: set[str]) -> None:
+    assert scanned_codes(code) == codes
+
+
+def test_scanned_words_are_the_read_ones() -> None:
+    seed = random.randrange(2**32)
+    print("seed", seed)
+    chance, blanks = random.Random(seed), 0
+    for _ in range(300):
+        words = [chance.choice("GMXYZFSTN") + f"{chance.uniform(-99, 99):.3f}" for _ in range(5)]
+        code = "".join(chance.choice(["", " ", "\t"]) + chance.choice([word, word.lower()]) for word in words)
+        blanks += " " in code
+        assert scanned_words(code) == [(word.letter, word.number) for word in words_of(code)]
+    assert blanks > 100
+
+
+SCANNERS = {  # of words; a tool table's are no program's
+    "CNCStepper.gcode.interpreter.functions.tools",
+    "CNCStepper.machine.tools.linuxcnc_tool_table",
+}
+_LETTER = re.compile(r"\(\[(?:A-Z|A-Za-z|GM)[@^$]*\][)|]")  # the group in which a scanner has a word's letter
+
+
+def test_only_this_module_scans_words() -> None:
+    found = {name for name, path in modules().items() if _LETTER.search(path.read_text("utf-8"))}
+    ours = {name for name in found if not name.startswith(("CNCStepper.gcode.syntax.", "CNCStepper.virtual."))}
+    assert ours == SCANNERS, "scan words with CNCStepper.gcode.syntax.words"
+    assert "CNCStepper.gcode.syntax.words" in found
+    assert _LETTER.search('re.compile(r"([GM])0*([0-9]+)")')

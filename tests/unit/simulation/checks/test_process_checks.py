@@ -6,7 +6,7 @@ from dataclasses import replace
 import pytest
 
 from CNCStepper.machine.processes import PROCESSES
-from helpers.simulation.torch_programs import DATA, LASER, Plate, hole, square, text_of
+from helpers.simulation.torch_programs import DATA, LASER, TABLE, Plate, hole, square, text_of
 
 PLATE = Plate()
 TWO = (hole(40, 40, 8), square(90, 60, 30))
@@ -73,6 +73,17 @@ def test_a_spot_without_a_cut_is_a_pierce_of_its_own() -> None:
     begin = "G21 G90\nG0 Z10\n"
     assert PLATE.findings(begin + spot.format(0.4) + "M2\n") == []
     assert PLATE.codes(begin + spot.format(2) + "M2\n") == {"power-standing"}
+
+
+def test_qtplasmac_waits_by_itself_and_its_scribe_cuts_nothing() -> None:
+    machine = TABLE.model_copy(update={"controller": "qtplasmac"})
+    plate = Plate(machine=machine, language="qtplasmac")
+    lines = "G21 G90\nG0 X75 Y55\nM3 ${0} S1\nG1 Y59.25 F3000\nG1 X59.25\nG1 Y90.75\nG1 X90.75\nG1 Y59.25\nG1 X75\n"
+    hole_in_it = "M5 ${0}\nG0 X75 Y75\nM3 $0 S1\nG1 X80 F3000\nM5 $0\nM2\n"
+    assert plate.codes(lines.format(1) + hole_in_it.format(1)) == set()
+    assert plate.codes(lines.format(0) + hole_in_it.format(0)) == {"piece-free"}
+    other = Plate(language="qtplasmac")  # the same text on a controller that does not wait
+    assert "pierce-delay" in other.codes(lines.format(0) + hole_in_it.format(0))
 
 
 def test_power_on_a_rapid_is_refused_even_beside_the_stock() -> None:

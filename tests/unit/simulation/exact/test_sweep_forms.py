@@ -9,8 +9,9 @@ from shapely import affinity
 from CNCStepper.cycles.cycle import Removal
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.machine.tools.tool import Tool
+from CNCStepper.machine.tools.tool_profile import form_of
 from CNCStepper.simulation.checks.check_program import check
-from CNCStepper.simulation.cutter_solid import Cutter, form_of
+from CNCStepper.simulation.cutter_solid import Cutter
 from CNCStepper.simulation.exact.swept_area import judge
 from CNCStepper.simulation.stock import Stock
 from helpers.simulation.programs import begun

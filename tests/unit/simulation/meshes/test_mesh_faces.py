@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from CNCStepper.simulation.cutter_solid import Form
+from CNCStepper.machine.tools.tool_profile import Form
 from CNCStepper.simulation.meshes.mesh_faces import Faces, faces_of
 from CNCStepper.simulation.removal.heightmap import HeightMap
 from CNCStepper.simulation.stock import Stock

@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 
 from CNCStepper.machine.tools.tool import Tool
-from CNCStepper.simulation.cutter_solid import Form, form_of, height_at
+from CNCStepper.machine.tools.tool_profile import Form, form_of
+from CNCStepper.simulation.cutter_solid import height_at
 from CNCStepper.simulation.removal.heightmap import Grid, HeightMap, Part
 from CNCStepper.simulation.removal.removal_moves import Moves, moves_of
 from CNCStepper.simulation.stock import Stock

@@ -10,7 +10,8 @@ import pytest
 import shapely
 
 from CNCStepper.machine.tools.tool import Tool
-from CNCStepper.simulation.cutter_solid import form_of, height_at
+from CNCStepper.machine.tools.tool_profile import form_of
+from CNCStepper.simulation.cutter_solid import height_at
 from CNCStepper.simulation.removal.heightmap import height_map
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.toolpath import ARC_CCW, ARC_CW
