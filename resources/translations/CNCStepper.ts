@@ -1468,6 +1468,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Result</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Retract</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3343,6 +3347,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Grey values are from the chart; what you type wins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>HDPE plastic</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4624,6 +4632,10 @@
         </message>
         <message>
             <source>Restart…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Result</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6120,10 +6132,6 @@
         </message>
         <message>
             <source>follows the path exactly</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>from chart</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

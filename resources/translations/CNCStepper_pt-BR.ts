@@ -5,23 +5,23 @@
         <name>App::Property</name>
         <message>
             <source>A laser's S word for marks; 0: a twentieth of its power</source>
-            <translation type="unfinished"></translation>
+            <translation>A palavra S do laser para marcas; 0: um vigésimo da potência</translation>
         </message>
         <message>
             <source>A laser's power that rises behind the pierce</source>
-            <translation type="unfinished"></translation>
+            <translation>Potência do laser que sobe depois da perfuração</translation>
         </message>
         <message>
             <source>A lower feed at corners</source>
-            <translation type="unfinished"></translation>
+            <translation>Avanço menor nos cantos</translation>
         </message>
         <message>
             <source>A lower feed on arcs of a small radius</source>
-            <translation type="unfinished"></translation>
+            <translation>Avanço menor em arcos de raio pequeno</translation>
         </message>
         <message>
             <source>A share of the machine's greatest power; 0: that of the chart</source>
-            <translation type="unfinished"></translation>
+            <translation>Uma parte da potência máxima da máquina; 0: a da tabela</translation>
         </message>
         <message>
             <source>A shipped profile's name, or a profile's file</source>
@@ -57,7 +57,7 @@
         </message>
         <message>
             <source>Amperes</source>
-            <translation type="unfinished"></translation>
+            <translation>Ampères</translation>
         </message>
         <message>
             <source>Angle</source>
@@ -73,23 +73,23 @@
         </message>
         <message>
             <source>Arcs By</source>
-            <translation type="unfinished"></translation>
+            <translation>Regra dos arcos</translation>
         </message>
         <message>
             <source>Arcs Feed Share</source>
-            <translation type="unfinished"></translation>
+            <translation>Parte do avanço nos arcos</translation>
         </message>
         <message>
             <source>Arcs Radius</source>
-            <translation type="unfinished"></translation>
+            <translation>Raio dos arcos</translation>
         </message>
         <message>
             <source>Arcs below</source>
-            <translation type="unfinished"></translation>
+            <translation>Arcos abaixo de</translation>
         </message>
         <message>
             <source>Arcs of a smaller radius are cut slowly; 0: none</source>
-            <translation type="unfinished"></translation>
+            <translation>Arcos de raio menor são cortados devagar; 0: nenhum</translation>
         </message>
         <message>
             <source>Arcs within a tolerance, or the published points</source>
@@ -97,11 +97,11 @@
         </message>
         <message>
             <source>As a multiple of the thickness; 0: none by thickness</source>
-            <translation type="unfinished"></translation>
+            <translation>Como múltiplo da espessura; 0: nenhum pela espessura</translation>
         </message>
         <message>
             <source>Below thickness times</source>
-            <translation type="unfinished"></translation>
+            <translation>Abaixo de × espessura</translation>
         </message>
         <message>
             <source>Between neighbouring helices at most; 0: 0.4 of the tool's diameter</source>
@@ -121,11 +121,11 @@
         </message>
         <message>
             <source>Blade Offset</source>
-            <translation type="unfinished"></translation>
+            <translation>Recuo da lâmina</translation>
         </message>
         <message>
             <source>Blade offset</source>
-            <translation type="unfinished"></translation>
+            <translation>Recuo da lâmina</translation>
         </message>
         <message>
             <source>Bridges that hold the part until it is broken out</source>
@@ -137,7 +137,7 @@
         </message>
         <message>
             <source>Chart</source>
-            <translation type="unfinished"></translation>
+            <translation>Tabela</translation>
         </message>
         <message>
             <source>Chip Load Max</source>
@@ -181,7 +181,7 @@
         </message>
         <message>
             <source>Consumable</source>
-            <translation type="unfinished"></translation>
+            <translation>Consumível</translation>
         </message>
         <message>
             <source>Containers</source>
@@ -209,7 +209,7 @@
         </message>
         <message>
             <source>Corner Angle</source>
-            <translation type="unfinished"></translation>
+            <translation>Ângulo do canto</translation>
         </message>
         <message>
             <source>Corner B</source>
@@ -217,7 +217,7 @@
         </message>
         <message>
             <source>Corner Dwell</source>
-            <translation type="unfinished"></translation>
+            <translation>Espera no canto</translation>
         </message>
         <message>
             <source>Corner Radius</source>
@@ -225,15 +225,15 @@
         </message>
         <message>
             <source>Corner angle</source>
-            <translation type="unfinished"></translation>
+            <translation>Ângulo do canto</translation>
         </message>
         <message>
             <source>Corner distance</source>
-            <translation type="unfinished"></translation>
+            <translation>Distância do canto</translation>
         </message>
         <message>
             <source>Corner dwell</source>
-            <translation type="unfinished"></translation>
+            <translation>Espera no canto</translation>
         </message>
         <message>
             <source>Corner radius</source>
@@ -241,31 +241,31 @@
         </message>
         <message>
             <source>Corners</source>
-            <translation type="unfinished"></translation>
+            <translation>Cantos</translation>
         </message>
         <message>
             <source>Corners Angle</source>
-            <translation type="unfinished"></translation>
+            <translation>Ângulo dos cantos</translation>
         </message>
         <message>
             <source>Corners By</source>
-            <translation type="unfinished"></translation>
+            <translation>Regra dos cantos</translation>
         </message>
         <message>
             <source>Corners Distance</source>
-            <translation type="unfinished"></translation>
+            <translation>Distância dos cantos</translation>
         </message>
         <message>
             <source>Corners Feed Share</source>
-            <translation type="unfinished"></translation>
+            <translation>Parte do avanço nos cantos</translation>
         </message>
         <message>
             <source>Corners above</source>
-            <translation type="unfinished"></translation>
+            <translation>Cantos acima de</translation>
         </message>
         <message>
             <source>Corners that turn by more are cut slowly; 0: none</source>
-            <translation type="unfinished"></translation>
+            <translation>Cantos que viram mais são cortados devagar; 0: nenhum</translation>
         </message>
         <message>
             <source>Count</source>
@@ -273,7 +273,7 @@
         </message>
         <message>
             <source>Current</source>
-            <translation type="unfinished"></translation>
+            <translation>Corrente</translation>
         </message>
         <message>
             <source>Cut</source>
@@ -281,27 +281,27 @@
         </message>
         <message>
             <source>Cut Feed</source>
-            <translation type="unfinished"></translation>
+            <translation>Avanço de corte</translation>
         </message>
         <message>
             <source>Cut Height</source>
-            <translation type="unfinished"></translation>
+            <translation>Altura de corte</translation>
         </message>
         <message>
             <source>Cut Length</source>
-            <translation type="unfinished"></translation>
+            <translation>Comprimento do corte</translation>
         </message>
         <message>
             <source>Cut chart</source>
-            <translation type="unfinished"></translation>
+            <translation>Tabela de corte</translation>
         </message>
         <message>
             <source>Cut height</source>
-            <translation type="unfinished"></translation>
+            <translation>Altura de corte</translation>
         </message>
         <message>
             <source>Cut length</source>
-            <translation type="unfinished"></translation>
+            <translation>Comprimento do corte</translation>
         </message>
         <message>
             <source>Cutting</source>
@@ -361,11 +361,11 @@
         </message>
         <message>
             <source>Dynamic Power</source>
-            <translation type="unfinished"></translation>
+            <translation>Potência dinâmica</translation>
         </message>
         <message>
             <source>Dynamic power</source>
-            <translation type="unfinished"></translation>
+            <translation>Potência dinâmica</translation>
         </message>
         <message>
             <source>Edge Margin</source>
@@ -393,11 +393,11 @@
         </message>
         <message>
             <source>Enter From</source>
-            <translation type="unfinished"></translation>
+            <translation>Entra por</translation>
         </message>
         <message>
             <source>Enter from</source>
-            <translation type="unfinished"></translation>
+            <translation>Entra por</translation>
         </message>
         <message>
             <source>Entry</source>
@@ -409,7 +409,7 @@
         </message>
         <message>
             <source>Entry Slit</source>
-            <translation type="unfinished"></translation>
+            <translation>Fenda de entrada</translation>
         </message>
         <message>
             <source>Entry angle</source>
@@ -417,7 +417,7 @@
         </message>
         <message>
             <source>Entry slit</source>
-            <translation type="unfinished"></translation>
+            <translation>Fenda de entrada</translation>
         </message>
         <message>
             <source>Feed</source>
@@ -429,15 +429,15 @@
         </message>
         <message>
             <source>Feed at corners</source>
-            <translation type="unfinished"></translation>
+            <translation>Avanço nos cantos</translation>
         </message>
         <message>
             <source>Feed of arcs</source>
-            <translation type="unfinished"></translation>
+            <translation>Avanço dos arcos</translation>
         </message>
         <message>
             <source>Feed of holes</source>
-            <translation type="unfinished"></translation>
+            <translation>Avanço dos furos</translation>
         </message>
         <message>
             <source>Figures</source>
@@ -497,7 +497,7 @@
         </message>
         <message>
             <source>From Chart</source>
-            <translation type="unfinished"></translation>
+            <translation>Da tabela</translation>
         </message>
         <message>
             <source>From X to the ellipse's first axis</source>
@@ -517,7 +517,7 @@
         </message>
         <message>
             <source>From chart</source>
-            <translation type="unfinished"></translation>
+            <translation>Da tabela</translation>
         </message>
         <message>
             <source>From here down the tool feeds</source>
@@ -541,11 +541,11 @@
         </message>
         <message>
             <source>Good Side</source>
-            <translation type="unfinished"></translation>
+            <translation>Lado bom</translation>
         </message>
         <message>
             <source>Good side</source>
-            <translation type="unfinished"></translation>
+            <translation>Lado bom</translation>
         </message>
         <message>
             <source>Greatest chip load</source>
@@ -593,23 +593,23 @@
         </message>
         <message>
             <source>Holes below</source>
-            <translation type="unfinished"></translation>
+            <translation>Furos abaixo de</translation>
         </message>
         <message>
             <source>Holes of a smaller diameter are cut slowly; 0: none by diameter</source>
-            <translation type="unfinished"></translation>
+            <translation>Furos de diâmetro menor são cortados devagar; 0: nenhum pelo diâmetro</translation>
         </message>
         <message>
             <source>Holes of a smaller diameter get a spot at their centre, no cut</source>
-            <translation type="unfinished"></translation>
+            <translation>Furos de diâmetro menor recebem um ponto no centro, sem corte</translation>
         </message>
         <message>
             <source>Holes with a shorter outline are cut slowly; 0: none by length</source>
-            <translation type="unfinished"></translation>
+            <translation>Furos de contorno mais curto são cortados devagar; 0: nenhum pelo comprimento</translation>
         </message>
         <message>
             <source>How deep a knife or point goes; 0: through the sheet, a point 0.2 mm</source>
-            <translation type="unfinished"></translation>
+            <translation>A profundidade de faca ou ponta; 0: através da chapa, a ponta 0,2 mm</translation>
         </message>
         <message>
             <source>How deep one peck goes</source>
@@ -617,7 +617,7 @@
         </message>
         <message>
             <source>How far a closed cut is followed with power beyond its begin</source>
-            <translation type="unfinished"></translation>
+            <translation>Quanto um corte fechado segue com potência além do início</translation>
         </message>
         <message>
             <source>How far a closed line is followed beyond its begin</source>
@@ -625,11 +625,11 @@
         </message>
         <message>
             <source>How far a drag knife's edge trails behind its axis</source>
-            <translation type="unfinished"></translation>
+            <translation>Quanto o fio da faca de arrasto fica atrás do seu eixo</translation>
         </message>
         <message>
             <source>How far a pierce stays from parts and cut edges; 0: that of the cut chart</source>
-            <translation type="unfinished"></translation>
+            <translation>Quanto a perfuração se afasta de peças e bordas cortadas; 0: o da tabela de corte</translation>
         </message>
         <message>
             <source>How far an arc turns, or how far a line leans away from the contour</source>
@@ -637,7 +637,7 @@
         </message>
         <message>
             <source>How far apart joints are at most</source>
-            <translation type="unfinished"></translation>
+            <translation>A maior distância entre as pontes</translation>
         </message>
         <message>
             <source>How far apart tabs are at most</source>
@@ -645,15 +645,15 @@
         </message>
         <message>
             <source>How far before and behind a corner</source>
-            <translation type="unfinished"></translation>
+            <translation>Quanto antes e depois de um canto</translation>
         </message>
         <message>
             <source>How far before its end the cut runs on without power</source>
-            <translation type="unfinished"></translation>
+            <translation>A que distância do fim o corte segue sem potência</translation>
         </message>
         <message>
             <source>How far behind the pierce the power is full</source>
-            <translation type="unfinished"></translation>
+            <translation>A que distância da perfuração a potência é plena</translation>
         </message>
         <message>
             <source>How far from the stock's edge cuts must stay; 0: the edge does not matter</source>
@@ -669,11 +669,11 @@
         </message>
         <message>
             <source>How far the cut may be off the drawing</source>
-            <translation type="unfinished"></translation>
+            <translation>Quanto o corte pode se afastar do desenho</translation>
         </message>
         <message>
             <source>How far the kerf of a way through the scrap stays from every part</source>
-            <translation type="unfinished"></translation>
+            <translation>Quanto o corte de um caminho pelo retalho se afasta de cada peça</translation>
         </message>
         <message>
             <source>How far the path may be off an ellipse or a B-spline; lines and arcs are exact</source>
@@ -685,7 +685,7 @@
         </message>
         <message>
             <source>How far the torch runs on over the begin of the cut without power</source>
-            <translation type="unfinished"></translation>
+            <translation>Quanto a tocha segue sobre o início do corte sem potência</translation>
         </message>
         <message>
             <source>How far the wall may be off the drawing</source>
@@ -697,23 +697,23 @@
         </message>
         <message>
             <source>How it is cut; the machine must be able to</source>
-            <translation type="unfinished"></translation>
+            <translation>Como se corta; a máquina precisa ser capaz disso</translation>
         </message>
         <message>
             <source>How long a spot has power</source>
-            <translation type="unfinished"></translation>
+            <translation>Quanto tempo um ponto tem potência</translation>
         </message>
         <message>
             <source>How long the flame heats before the pierce; 0: that of the chart</source>
-            <translation type="unfinished"></translation>
+            <translation>Quanto tempo a chama aquece antes da perfuração; 0: o da tabela</translation>
         </message>
         <message>
             <source>How long the tool stands with power; 0: that of the cut chart</source>
-            <translation type="unfinished"></translation>
+            <translation>Quanto tempo a ferramenta fica parada com potência; 0: o da tabela de corte</translation>
         </message>
         <message>
             <source>How long the wire stands where the way turns back; less at blunter corners</source>
-            <translation type="unfinished"></translation>
+            <translation>Quanto tempo o fio para onde o caminho volta; menos em cantos mais abertos</translation>
         </message>
         <message>
             <source>How many corners and narrow places the tool does not reach into</source>
@@ -737,11 +737,11 @@
         </message>
         <message>
             <source>How many joints on each outline</source>
-            <translation type="unfinished"></translation>
+            <translation>Quantas pontes em cada contorno</translation>
         </message>
         <message>
             <source>How many parts are cut free</source>
-            <translation type="unfinished"></translation>
+            <translation>Quantas peças são soltas</translation>
         </message>
         <message>
             <source>How many passes at each depth</source>
@@ -789,11 +789,11 @@
         </message>
         <message>
             <source>How often each line is cut</source>
-            <translation type="unfinished"></translation>
+            <translation>Quantas vezes cada linha é cortada</translation>
         </message>
         <message>
             <source>How often the tool pierces</source>
-            <translation type="unfinished"></translation>
+            <translation>Quantas vezes a ferramenta perfura</translation>
         </message>
         <message>
             <source>How steeply a helix or ramp goes down</source>
@@ -833,7 +833,7 @@
         </message>
         <message>
             <source>How the wire comes out at last: back the way it came, or on the shortest way to an edge</source>
-            <translation type="unfinished"></translation>
+            <translation>Como o fio sai no fim: de volta pelo mesmo caminho, ou pelo caminho mais curto até uma borda</translation>
         </message>
         <message>
             <source>How wide a tab is at its top</source>
@@ -841,7 +841,7 @@
         </message>
         <message>
             <source>How wide the material is that stays</source>
-            <translation type="unfinished"></translation>
+            <translation>A largura do material que fica</translation>
         </message>
         <message>
             <source>Identity</source>
@@ -869,7 +869,7 @@
         </message>
         <message>
             <source>Joints that hold the part until it is broken out</source>
-            <translation type="unfinished"></translation>
+            <translation>Pontes que seguram a peça até ela ser destacada</translation>
         </message>
         <message>
             <source>Kept</source>
@@ -881,7 +881,7 @@
         </message>
         <message>
             <source>Kerf Used</source>
-            <translation type="unfinished"></translation>
+            <translation>Largura de corte usada</translation>
         </message>
         <message>
             <source>Last hole</source>
@@ -901,7 +901,7 @@
         </message>
         <message>
             <source>Lead In By</source>
-            <translation type="unfinished"></translation>
+            <translation>Regra das entradas</translation>
         </message>
         <message>
             <source>Lead In Kind</source>
@@ -945,7 +945,7 @@
         </message>
         <message>
             <source>Leads as usual for the process, or with values of your own</source>
-            <translation type="unfinished"></translation>
+            <translation>Entradas e saídas usuais do processo, ou com valores próprios</translation>
         </message>
         <message>
             <source>Least chip load</source>
@@ -953,7 +953,7 @@
         </message>
         <message>
             <source>Leave</source>
-            <translation type="unfinished"></translation>
+            <translation>Sai</translation>
         </message>
         <message>
             <source>Length</source>
@@ -1005,31 +1005,31 @@
         </message>
         <message>
             <source>Loop radius</source>
-            <translation type="unfinished"></translation>
+            <translation>Raio do laço</translation>
         </message>
         <message>
             <source>Loops</source>
-            <translation type="unfinished"></translation>
+            <translation>Laços</translation>
         </message>
         <message>
             <source>Loops Angle</source>
-            <translation type="unfinished"></translation>
+            <translation>Ângulo dos laços</translation>
         </message>
         <message>
             <source>Loops By</source>
-            <translation type="unfinished"></translation>
+            <translation>Regra dos laços</translation>
         </message>
         <message>
             <source>Loops Radius</source>
-            <translation type="unfinished"></translation>
+            <translation>Raio dos laços</translation>
         </message>
         <message>
             <source>Loops above</source>
-            <translation type="unfinished"></translation>
+            <translation>Laços acima de</translation>
         </message>
         <message>
             <source>Loops in the scrap, which make outside corners sharp</source>
-            <translation type="unfinished"></translation>
+            <translation>Laços no retalho, que deixam vivos os cantos externos</translation>
         </message>
         <message>
             <source>Machine</source>
@@ -1061,15 +1061,15 @@
         </message>
         <message>
             <source>Margin</source>
-            <translation type="unfinished"></translation>
+            <translation>Margem</translation>
         </message>
         <message>
             <source>Mark Power</source>
-            <translation type="unfinished"></translation>
+            <translation>Potência de marcação</translation>
         </message>
         <message>
             <source>Marking power</source>
-            <translation type="unfinished"></translation>
+            <translation>Potência de marcação</translation>
         </message>
         <message>
             <source>Material</source>
@@ -1097,7 +1097,7 @@
         </message>
         <message>
             <source>Narrow arcs</source>
-            <translation type="unfinished"></translation>
+            <translation>Arcos estreitos</translation>
         </message>
         <message>
             <source>Note</source>
@@ -1105,7 +1105,7 @@
         </message>
         <message>
             <source>Nozzle, lens, wire or blade; empty: the first of the chart for this thickness</source>
-            <translation type="unfinished"></translation>
+            <translation>Bico, lente, fio ou lâmina; vazio: o primeiro da tabela para esta espessura</translation>
         </message>
         <message>
             <source>Number</source>
@@ -1137,7 +1137,7 @@
         </message>
         <message>
             <source>On which side of the cut the part lies, seen along it</source>
-            <translation type="unfinished"></translation>
+            <translation>De que lado do corte fica a peça, visto ao longo dele</translation>
         </message>
         <message>
             <source>On which side of the lines the tool runs</source>
@@ -1173,11 +1173,11 @@
         </message>
         <message>
             <source>Outside corners that turn by more get a loop</source>
-            <translation type="unfinished"></translation>
+            <translation>Cantos externos que viram mais recebem um laço</translation>
         </message>
         <message>
             <source>Over-burn</source>
-            <translation type="unfinished"></translation>
+            <translation>Sobrecorte</translation>
         </message>
         <message>
             <source>Overcut</source>
@@ -1189,7 +1189,7 @@
         </message>
         <message>
             <source>Parts</source>
-            <translation type="unfinished"></translation>
+            <translation>Peças</translation>
         </message>
         <message>
             <source>Passes</source>
@@ -1213,31 +1213,31 @@
         </message>
         <message>
             <source>Pierce</source>
-            <translation type="unfinished"></translation>
+            <translation>Perfuração</translation>
         </message>
         <message>
             <source>Pierce Delay</source>
-            <translation type="unfinished"></translation>
+            <translation>Espera na perfuração</translation>
         </message>
         <message>
             <source>Pierce Height</source>
-            <translation type="unfinished"></translation>
+            <translation>Altura de perfuração</translation>
         </message>
         <message>
             <source>Pierce delay</source>
-            <translation type="unfinished"></translation>
+            <translation>Espera na perfuração</translation>
         </message>
         <message>
             <source>Pierce distance</source>
-            <translation type="unfinished"></translation>
+            <translation>Distância da perfuração</translation>
         </message>
         <message>
             <source>Pierce height</source>
-            <translation type="unfinished"></translation>
+            <translation>Altura de perfuração</translation>
         </message>
         <message>
             <source>Pierces</source>
-            <translation type="unfinished"></translation>
+            <translation>Perfurações</translation>
         </message>
         <message>
             <source>Pitch</source>
@@ -1329,31 +1329,31 @@
         </message>
         <message>
             <source>Power</source>
-            <translation type="unfinished"></translation>
+            <translation>Potência</translation>
         </message>
         <message>
             <source>Power Ramp Begin Share</source>
-            <translation type="unfinished"></translation>
+            <translation>Início da rampa de potência</translation>
         </message>
         <message>
             <source>Power Ramp By</source>
-            <translation type="unfinished"></translation>
+            <translation>Regra da rampa de potência</translation>
         </message>
         <message>
             <source>Power Ramp Length</source>
-            <translation type="unfinished"></translation>
+            <translation>Comprimento da rampa de potência</translation>
         </message>
         <message>
             <source>Power on before the tool moves; 0: that of the chart</source>
-            <translation type="unfinished"></translation>
+            <translation>Tempo ligado antes de a ferramenta se mover; 0: o da tabela</translation>
         </message>
         <message>
             <source>Power ramp</source>
-            <translation type="unfinished"></translation>
+            <translation>Rampa de potência</translation>
         </message>
         <message>
             <source>Preheat</source>
-            <translation type="unfinished"></translation>
+            <translation>Pré-aquecimento</translation>
         </message>
         <message>
             <source>Preview</source>
@@ -1365,7 +1365,7 @@
         </message>
         <message>
             <source>Process</source>
-            <translation type="unfinished"></translation>
+            <translation>Processo</translation>
         </message>
         <message>
             <source>Profile</source>
@@ -1433,11 +1433,11 @@
         </message>
         <message>
             <source>Ramp begin</source>
-            <translation type="unfinished"></translation>
+            <translation>Início da rampa</translation>
         </message>
         <message>
             <source>Ramp length</source>
-            <translation type="unfinished"></translation>
+            <translation>Comprimento da rampa</translation>
         </message>
         <message>
             <source>Rectangle</source>
@@ -1468,6 +1468,10 @@
             <translation>Cantos com resto</translation>
         </message>
         <message>
+            <source>Result</source>
+            <translation>Resultado</translation>
+        </message>
+        <message>
             <source>Retract</source>
             <translation>Retração</translation>
         </message>
@@ -1489,7 +1493,7 @@
         </message>
         <message>
             <source>Rules</source>
-            <translation type="unfinished"></translation>
+            <translation>Regras</translation>
         </message>
         <message>
             <source>Seconds at the bottom</source>
@@ -1501,7 +1505,7 @@
         </message>
         <message>
             <source>Shorter than</source>
-            <translation type="unfinished"></translation>
+            <translation>Mais curtos que</translation>
         </message>
         <message>
             <source>Side</source>
@@ -1517,39 +1521,39 @@
         </message>
         <message>
             <source>Small Holes By</source>
-            <translation type="unfinished"></translation>
+            <translation>Regra dos furos pequenos</translation>
         </message>
         <message>
             <source>Small Holes Diameter</source>
-            <translation type="unfinished"></translation>
+            <translation>Diâmetro dos furos pequenos</translation>
         </message>
         <message>
             <source>Small Holes Feed Share</source>
-            <translation type="unfinished"></translation>
+            <translation>Parte do avanço nos furos pequenos</translation>
         </message>
         <message>
             <source>Small Holes Length</source>
-            <translation type="unfinished"></translation>
+            <translation>Comprimento dos furos pequenos</translation>
         </message>
         <message>
             <source>Small Holes Over Run</source>
-            <translation type="unfinished"></translation>
+            <translation>Sobrecorte dos furos pequenos</translation>
         </message>
         <message>
             <source>Small Holes Thickness Ratio</source>
-            <translation type="unfinished"></translation>
+            <translation>Furos pequenos por espessura</translation>
         </message>
         <message>
             <source>Small Holes Torch Off</source>
-            <translation type="unfinished"></translation>
+            <translation>Desligar antes nos furos pequenos</translation>
         </message>
         <message>
             <source>Small holes</source>
-            <translation type="unfinished"></translation>
+            <translation>Furos pequenos</translation>
         </message>
         <message>
             <source>Small holes at a feed of their own</source>
-            <translation type="unfinished"></translation>
+            <translation>Furos pequenos com avanço próprio</translation>
         </message>
         <message>
             <source>Solids that hold the work down, which the tool must not touch</source>
@@ -1577,19 +1581,19 @@
         </message>
         <message>
             <source>Spot</source>
-            <translation type="unfinished"></translation>
+            <translation>Ponto</translation>
         </message>
         <message>
             <source>Spot Below</source>
-            <translation type="unfinished"></translation>
+            <translation>Marcar abaixo de</translation>
         </message>
         <message>
             <source>Spot holes below</source>
-            <translation type="unfinished"></translation>
+            <translation>Marca furos abaixo de</translation>
         </message>
         <message>
             <source>Spot time</source>
-            <translation type="unfinished"></translation>
+            <translation>Tempo do ponto</translation>
         </message>
         <message>
             <source>Start angle</source>
@@ -1657,7 +1661,7 @@
         </message>
         <message>
             <source>Tabs By</source>
-            <translation type="unfinished"></translation>
+            <translation>Pontes por</translation>
         </message>
         <message>
             <source>Tabs Count</source>
@@ -1709,7 +1713,7 @@
         </message>
         <message>
             <source>The cut chart gives this value; change it in the job</source>
-            <translation type="unfinished"></translation>
+            <translation>A tabela de corte dá este valor; altere-o no trabalho</translation>
         </message>
         <message>
             <source>The depth below the top of the stock</source>
@@ -1749,7 +1753,7 @@
         </message>
         <message>
             <source>The edge of the sheet through which the wire comes in</source>
-            <translation type="unfinished"></translation>
+            <translation>A borda da chapa por onde o fio entra</translation>
         </message>
         <message>
             <source>The feed of the last pass at the wall; 0: the tool's own feed</source>
@@ -1765,7 +1769,7 @@
         </message>
         <message>
             <source>The file of a cut chart of your own; empty: the chart that ships</source>
-            <translation type="unfinished"></translation>
+            <translation>O arquivo de uma tabela de corte própria; vazio: a tabela que acompanha o programa</translation>
         </message>
         <message>
             <source>The fingerprint of the job's program from which this one was edited</source>
@@ -1801,7 +1805,7 @@
         </message>
         <message>
             <source>The length of all cuts</source>
-            <translation type="unfinished"></translation>
+            <translation>O comprimento de todos os cortes</translation>
         </message>
         <message>
             <source>The length of all lines</source>
@@ -1869,7 +1873,7 @@
         </message>
         <message>
             <source>The radius of loops at sharp outside corners</source>
-            <translation type="unfinished"></translation>
+            <translation>O raio dos laços em cantos externos vivos</translation>
         </message>
         <message>
             <source>The radius of the lead's arc</source>
@@ -1877,15 +1881,15 @@
         </message>
         <message>
             <source>The share of the feed there</source>
-            <translation type="unfinished"></translation>
+            <translation>A parte do avanço ali</translation>
         </message>
         <message>
             <source>The share of the feed with which they are cut</source>
-            <translation type="unfinished"></translation>
+            <translation>A parte do avanço com que são cortados</translation>
         </message>
         <message>
             <source>The share of the power at the pierce</source>
-            <translation type="unfinished"></translation>
+            <translation>A parte da potência na perfuração</translation>
         </message>
         <message>
             <source>The sketch, wire, B-spline or freehand line to follow</source>
@@ -1893,7 +1897,7 @@
         </message>
         <message>
             <source>The sketch, wires or faces whose lines are cut: closed ones are parts and holes in turn</source>
-            <translation type="unfinished"></translation>
+            <translation>O esboço, arames ou faces cujas linhas são cortadas: as fechadas são alternadamente peças e furos</translation>
         </message>
         <message>
             <source>The sketch, wires or faces whose lines are followed</source>
@@ -1905,7 +1909,7 @@
         </message>
         <message>
             <source>The speed of the cut; 0: that of the chart</source>
-            <translation type="unfinished"></translation>
+            <translation>A velocidade do corte; 0: a da tabela</translation>
         </message>
         <message>
             <source>The speed straight down; 0: that of the job's material</source>
@@ -1945,11 +1949,11 @@
         </message>
         <message>
             <source>The torch above the sheet while it cuts; 0: that of the chart</source>
-            <translation type="unfinished"></translation>
+            <translation>A tocha acima da chapa enquanto corta; 0: a altura da tabela</translation>
         </message>
         <message>
             <source>The torch above the sheet while it pierces; 0: that of the chart</source>
-            <translation type="unfinished"></translation>
+            <translation>A tocha acima da chapa enquanto perfura; 0: a altura da tabela</translation>
         </message>
         <message>
             <source>The width of one pass at most, ae</source>
@@ -1957,11 +1961,11 @@
         </message>
         <message>
             <source>The width of the cut</source>
-            <translation type="unfinished"></translation>
+            <translation>A largura do corte</translation>
         </message>
         <message>
             <source>The width of the cut where it is not the chart's; 0: the chart's, else the tool's</source>
-            <translation type="unfinished"></translation>
+            <translation>A largura do corte quando não é a da tabela; 0: a da tabela, senão a da ferramenta</translation>
         </message>
         <message>
             <source>The width of the cut where it is not the tool's diameter; 0: the tool's own</source>
@@ -1969,11 +1973,11 @@
         </message>
         <message>
             <source>The width of the cut; 0: that of the chart</source>
-            <translation type="unfinished"></translation>
+            <translation>A largura do corte; 0: a da tabela</translation>
         </message>
         <message>
             <source>The width of the cut; 0: that of the cut chart or the tool</source>
-            <translation type="unfinished"></translation>
+            <translation>A largura do corte; 0: a da tabela de corte ou da ferramenta</translation>
         </message>
         <message>
             <source>The wire stays this close to every drawn point; 0 keeps every point that bends the line</source>
@@ -2029,7 +2033,7 @@
         </message>
         <message>
             <source>Torch off before</source>
-            <translation type="unfinished"></translation>
+            <translation>Desliga antes</translation>
         </message>
         <message>
             <source>Turns</source>
@@ -2057,7 +2061,7 @@
         </message>
         <message>
             <source>What is set at the power source; 0: that of the chart</source>
-            <translation type="unfinished"></translation>
+            <translation>O que se ajusta na fonte; 0: a corrente da tabela</translation>
         </message>
         <message>
             <source>What is switched on while cutting</source>
@@ -2105,7 +2109,7 @@
         </message>
         <message>
             <source>Where the way turns by less, the wire does not stand</source>
-            <translation type="unfinished"></translation>
+            <translation>Onde o caminho vira menos, o fio não para</translation>
         </message>
         <message>
             <source>Where the work zero lies in this document</source>
@@ -2113,15 +2117,15 @@
         </message>
         <message>
             <source>Whether a laser's power follows its speed (M4)</source>
-            <translation type="unfinished"></translation>
+            <translation>Se a potência do laser acompanha a velocidade (M4)</translation>
         </message>
         <message>
             <source>Whether a slit through the part leads the wire into a closed hole</source>
-            <translation type="unfinished"></translation>
+            <translation>Se uma fenda através da peça leva o fio a um furo fechado</translation>
         </message>
         <message>
             <source>Whether form, kerf and feeds are those of the job's cut chart</source>
-            <translation type="unfinished"></translation>
+            <translation>Se forma, largura do corte e avanços são os da tabela de corte do trabalho</translation>
         </message>
         <message>
             <source>Whether inner corners are opened, so that a square corner fits in</source>
@@ -2232,15 +2236,15 @@
         </message>
         <message>
             <source>45° blade</source>
-            <translation type="unfinished"></translation>
+            <translation>lâmina de 45°</translation>
         </message>
         <message>
             <source>60° blade</source>
-            <translation type="unfinished"></translation>
+            <translation>lâmina de 60°</translation>
         </message>
         <message>
             <source>A chart's file…</source>
-            <translation type="unfinished"></translation>
+            <translation>Um arquivo de tabela…</translation>
         </message>
         <message>
             <source>A controller is connected already.</source>
@@ -2248,7 +2252,7 @@
         </message>
         <message>
             <source>A cut chart</source>
-            <translation type="unfinished"></translation>
+            <translation>Uma tabela de corte</translation>
         </message>
         <message>
             <source>A deleted drawing is checked: uncheck it to go on without it</source>
@@ -2276,11 +2280,11 @@
         </message>
         <message>
             <source>A laser's S word for marks; 0: a twentieth of its power</source>
-            <translation type="unfinished"></translation>
+            <translation>A palavra S do laser para marcas; 0: um vigésimo da potência</translation>
         </message>
         <message>
             <source>A laser's power that rises behind the pierce</source>
-            <translation type="unfinished"></translation>
+            <translation>Potência do laser que sobe depois da perfuração</translation>
         </message>
         <message>
             <source>A line for the controller, sent with Return. The arrow keys bring back the lines before.</source>
@@ -2292,11 +2296,11 @@
         </message>
         <message>
             <source>A lower feed at corners</source>
-            <translation type="unfinished"></translation>
+            <translation>Avanço menor nos cantos</translation>
         </message>
         <message>
             <source>A lower feed on arcs of a small radius</source>
-            <translation type="unfinished"></translation>
+            <translation>Avanço menor em arcos de raio pequeno</translation>
         </message>
         <message>
             <source>A machine's profile</source>
@@ -2312,7 +2316,7 @@
         </message>
         <message>
             <source>A share of the machine's greatest power; 0: that of the chart</source>
-            <translation type="unfinished"></translation>
+            <translation>Uma parte da potência máxima da máquina; 0: a da tabela</translation>
         </message>
         <message>
             <source>A shipped profile's name, or a profile's file</source>
@@ -2440,11 +2444,11 @@
         </message>
         <message>
             <source>Arcs below</source>
-            <translation type="unfinished"></translation>
+            <translation>Arcos abaixo de</translation>
         </message>
         <message>
             <source>Arcs of a smaller radius are cut slowly; 0: none</source>
-            <translation type="unfinished"></translation>
+            <translation>Arcos de raio menor são cortados devagar; 0: nenhum</translation>
         </message>
         <message>
             <source>Arcs within a tolerance, or the published points</source>
@@ -2452,7 +2456,7 @@
         </message>
         <message>
             <source>As a multiple of the thickness; 0: none by thickness</source>
-            <translation type="unfinished"></translation>
+            <translation>Como múltiplo da espessura; 0: nenhum pela espessura</translation>
         </message>
         <message>
             <source>As many as can be made at most, in Hz</source>
@@ -2504,7 +2508,7 @@
         </message>
         <message>
             <source>Below thickness times</source>
-            <translation type="unfinished"></translation>
+            <translation>Abaixo de × espessura</translation>
         </message>
         <message>
             <source>Belt's pitch</source>
@@ -2528,7 +2532,7 @@
         </message>
         <message>
             <source>Blade offset</source>
-            <translation type="unfinished"></translation>
+            <translation>Recuo da lâmina</translation>
         </message>
         <message>
             <source>Boring</source>
@@ -2568,7 +2572,7 @@
         </message>
         <message>
             <source>Chart</source>
-            <translation type="unfinished"></translation>
+            <translation>Tabela</translation>
         </message>
         <message>
             <source>Check a G-code file with the job's machine, stock, tools and clamps, and send it.</source>
@@ -2592,7 +2596,7 @@
         </message>
         <message>
             <source>Choose a material: the chart then gives feed and kerf</source>
-            <translation type="unfinished"></translation>
+            <translation>Escolha um material: a tabela dá então o avanço e a largura do corte</translation>
         </message>
         <message>
             <source>Choose a port, or type an address.</source>
@@ -2680,7 +2684,7 @@
         </message>
         <message>
             <source>Consumable</source>
-            <translation type="unfinished"></translation>
+            <translation>Consumível</translation>
         </message>
         <message>
             <source>Containers</source>
@@ -2724,15 +2728,15 @@
         </message>
         <message>
             <source>Corner angle</source>
-            <translation type="unfinished"></translation>
+            <translation>Ângulo do canto</translation>
         </message>
         <message>
             <source>Corner distance</source>
-            <translation type="unfinished"></translation>
+            <translation>Distância do canto</translation>
         </message>
         <message>
             <source>Corner dwell</source>
-            <translation type="unfinished"></translation>
+            <translation>Espera no canto</translation>
         </message>
         <message>
             <source>Corner radius</source>
@@ -2740,15 +2744,15 @@
         </message>
         <message>
             <source>Corners</source>
-            <translation type="unfinished"></translation>
+            <translation>Cantos</translation>
         </message>
         <message>
             <source>Corners above</source>
-            <translation type="unfinished"></translation>
+            <translation>Cantos acima de</translation>
         </message>
         <message>
             <source>Corners that turn by more are cut slowly; 0: none</source>
-            <translation type="unfinished"></translation>
+            <translation>Cantos que viram mais são cortados devagar; 0: nenhum</translation>
         </message>
         <message>
             <source>Count</source>
@@ -2756,7 +2760,7 @@
         </message>
         <message>
             <source>Current</source>
-            <translation type="unfinished"></translation>
+            <translation>Corrente</translation>
         </message>
         <message>
             <source>Cut</source>
@@ -2764,15 +2768,15 @@
         </message>
         <message>
             <source>Cut chart</source>
-            <translation type="unfinished"></translation>
+            <translation>Tabela de corte</translation>
         </message>
         <message>
             <source>Cut charts (*.toml *.cfg)</source>
-            <translation type="unfinished"></translation>
+            <translation>Tabelas de corte (*.toml *.cfg)</translation>
         </message>
         <message>
             <source>Cut height</source>
-            <translation type="unfinished"></translation>
+            <translation>Altura de corte</translation>
         </message>
         <message>
             <source>Cut in this order; what is not checked is left out of the program</source>
@@ -2788,7 +2792,7 @@
         </message>
         <message>
             <source>Cut length</source>
-            <translation type="unfinished"></translation>
+            <translation>Comprimento do corte</translation>
         </message>
         <message>
             <source>Cutting</source>
@@ -2884,7 +2888,7 @@
         </message>
         <message>
             <source>Drag knife</source>
-            <translation type="unfinished"></translation>
+            <translation>Faca de arrasto</translation>
         </message>
         <message>
             <source>Draw a freehand line</source>
@@ -2908,15 +2912,15 @@
         </message>
         <message>
             <source>Dynamic power</source>
-            <translation type="unfinished"></translation>
+            <translation>Potência dinâmica</translation>
         </message>
         <message>
             <source>EPP foam</source>
-            <translation type="unfinished"></translation>
+            <translation>espuma de EPP</translation>
         </message>
         <message>
             <source>EPS foam</source>
-            <translation type="unfinished"></translation>
+            <translation>isopor (EPS)</translation>
         </message>
         <message>
             <source>Earlier</source>
@@ -2976,7 +2980,7 @@
         </message>
         <message>
             <source>Enter from</source>
-            <translation type="unfinished"></translation>
+            <translation>Entra por</translation>
         </message>
         <message>
             <source>Entry</source>
@@ -2988,7 +2992,7 @@
         </message>
         <message>
             <source>Entry slit</source>
-            <translation type="unfinished"></translation>
+            <translation>Fenda de entrada</translation>
         </message>
         <message>
             <source>Error</source>
@@ -3028,15 +3032,15 @@
         </message>
         <message>
             <source>Feed at corners</source>
-            <translation type="unfinished"></translation>
+            <translation>Avanço nos cantos</translation>
         </message>
         <message>
             <source>Feed of arcs</source>
-            <translation type="unfinished"></translation>
+            <translation>Avanço dos arcos</translation>
         </message>
         <message>
             <source>Feed of holes</source>
-            <translation type="unfinished"></translation>
+            <translation>Avanço dos furos</translation>
         </message>
         <message>
             <source>Feeding in air</source>
@@ -3188,7 +3192,7 @@
         </message>
         <message>
             <source>From chart</source>
-            <translation type="unfinished"></translation>
+            <translation>Da tabela</translation>
         </message>
         <message>
             <source>From contour {0}</source>
@@ -3332,7 +3336,7 @@
         </message>
         <message>
             <source>Good side</source>
-            <translation type="unfinished"></translation>
+            <translation>Lado bom</translation>
         </message>
         <message>
             <source>Greatest chip load</source>
@@ -3341,6 +3345,10 @@
         <message>
             <source>Greatest engagement</source>
             <translation>Ângulo de contato máximo</translation>
+        </message>
+        <message>
+            <source>Grey values are from the chart; what you type wins</source>
+            <translation>Valores em cinza são da tabela; o que você digita prevalece</translation>
         </message>
         <message>
             <source>HDPE plastic</source>
@@ -3404,19 +3412,19 @@
         </message>
         <message>
             <source>Holes below</source>
-            <translation type="unfinished"></translation>
+            <translation>Furos abaixo de</translation>
         </message>
         <message>
             <source>Holes of a smaller diameter are cut slowly; 0: none by diameter</source>
-            <translation type="unfinished"></translation>
+            <translation>Furos de diâmetro menor são cortados devagar; 0: nenhum pelo diâmetro</translation>
         </message>
         <message>
             <source>Holes of a smaller diameter get a spot at their centre, no cut</source>
-            <translation type="unfinished"></translation>
+            <translation>Furos de diâmetro menor recebem um ponto no centro, sem corte</translation>
         </message>
         <message>
             <source>Holes with a shorter outline are cut slowly; 0: none by length</source>
-            <translation type="unfinished"></translation>
+            <translation>Furos de contorno mais curto são cortados devagar; 0: nenhum pelo comprimento</translation>
         </message>
         <message>
             <source>Home</source>
@@ -3432,11 +3440,11 @@
         </message>
         <message>
             <source>Hot wire</source>
-            <translation type="unfinished"></translation>
+            <translation>Fio quente</translation>
         </message>
         <message>
             <source>How deep a knife or point goes; 0: through the sheet, a point 0.2 mm</source>
-            <translation type="unfinished"></translation>
+            <translation>A profundidade de faca ou ponta; 0: através da chapa, a ponta 0,2 mm</translation>
         </message>
         <message>
             <source>How deep one peck goes</source>
@@ -3444,7 +3452,7 @@
         </message>
         <message>
             <source>How far a closed cut is followed with power beyond its begin</source>
-            <translation type="unfinished"></translation>
+            <translation>Quanto um corte fechado segue com potência além do início</translation>
         </message>
         <message>
             <source>How far a closed line is followed beyond its begin</source>
@@ -3452,11 +3460,11 @@
         </message>
         <message>
             <source>How far a drag knife's edge trails behind its axis</source>
-            <translation type="unfinished"></translation>
+            <translation>Quanto o fio da faca de arrasto fica atrás do seu eixo</translation>
         </message>
         <message>
             <source>How far a pierce stays from parts and cut edges; 0: that of the cut chart</source>
-            <translation type="unfinished"></translation>
+            <translation>Quanto a perfuração se afasta de peças e bordas cortadas; 0: o da tabela de corte</translation>
         </message>
         <message>
             <source>How far an arc turns, or how far a line leans away from the contour</source>
@@ -3464,7 +3472,7 @@
         </message>
         <message>
             <source>How far apart joints are at most</source>
-            <translation type="unfinished"></translation>
+            <translation>A maior distância entre as pontes</translation>
         </message>
         <message>
             <source>How far apart tabs are at most</source>
@@ -3472,15 +3480,15 @@
         </message>
         <message>
             <source>How far before and behind a corner</source>
-            <translation type="unfinished"></translation>
+            <translation>Quanto antes e depois de um canto</translation>
         </message>
         <message>
             <source>How far before its end the cut runs on without power</source>
-            <translation type="unfinished"></translation>
+            <translation>A que distância do fim o corte segue sem potência</translation>
         </message>
         <message>
             <source>How far behind the pierce the power is full</source>
-            <translation type="unfinished"></translation>
+            <translation>A que distância da perfuração a potência é plena</translation>
         </message>
         <message>
             <source>How far from the stock's edge cuts must stay; 0: the edge does not matter</source>
@@ -3508,11 +3516,11 @@
         </message>
         <message>
             <source>How far the cut may be off the drawing</source>
-            <translation type="unfinished"></translation>
+            <translation>Quanto o corte pode se afastar do desenho</translation>
         </message>
         <message>
             <source>How far the kerf of a way through the scrap stays from every part</source>
-            <translation type="unfinished"></translation>
+            <translation>Quanto o corte de um caminho pelo retalho se afasta de cada peça</translation>
         </message>
         <message>
             <source>How far the path may be off an ellipse or a B-spline; lines and arcs are exact</source>
@@ -3524,7 +3532,7 @@
         </message>
         <message>
             <source>How far the torch runs on over the begin of the cut without power</source>
-            <translation type="unfinished"></translation>
+            <translation>Quanto a tocha segue sobre o início do corte sem potência</translation>
         </message>
         <message>
             <source>How far the wall may be off the drawing</source>
@@ -3544,23 +3552,23 @@
         </message>
         <message>
             <source>How it is cut; the machine must be able to</source>
-            <translation type="unfinished"></translation>
+            <translation>Como se corta; a máquina precisa ser capaz disso</translation>
         </message>
         <message>
             <source>How long a spot has power</source>
-            <translation type="unfinished"></translation>
+            <translation>Quanto tempo um ponto tem potência</translation>
         </message>
         <message>
             <source>How long the flame heats before the pierce; 0: that of the chart</source>
-            <translation type="unfinished"></translation>
+            <translation>Quanto tempo a chama aquece antes da perfuração; 0: o da tabela</translation>
         </message>
         <message>
             <source>How long the tool stands with power; 0: that of the cut chart</source>
-            <translation type="unfinished"></translation>
+            <translation>Quanto tempo a ferramenta fica parada com potência; 0: o da tabela de corte</translation>
         </message>
         <message>
             <source>How long the wire stands where the way turns back; less at blunter corners</source>
-            <translation type="unfinished"></translation>
+            <translation>Quanto tempo o fio para onde o caminho volta; menos em cantos mais abertos</translation>
         </message>
         <message>
             <source>How many corners and narrow places the tool does not reach into</source>
@@ -3584,11 +3592,11 @@
         </message>
         <message>
             <source>How many joints on each outline</source>
-            <translation type="unfinished"></translation>
+            <translation>Quantas pontes em cada contorno</translation>
         </message>
         <message>
             <source>How many parts are cut free</source>
-            <translation type="unfinished"></translation>
+            <translation>Quantas peças são soltas</translation>
         </message>
         <message>
             <source>How many passes at each depth</source>
@@ -3644,11 +3652,11 @@
         </message>
         <message>
             <source>How often each line is cut</source>
-            <translation type="unfinished"></translation>
+            <translation>Quantas vezes cada linha é cortada</translation>
         </message>
         <message>
             <source>How often the tool pierces</source>
-            <translation type="unfinished"></translation>
+            <translation>Quantas vezes a ferramenta perfura</translation>
         </message>
         <message>
             <source>How steeply a helix or ramp goes down</source>
@@ -3688,7 +3696,7 @@
         </message>
         <message>
             <source>How the wire comes out at last: back the way it came, or on the shortest way to an edge</source>
-            <translation type="unfinished"></translation>
+            <translation>Como o fio sai no fim: de volta pelo mesmo caminho, ou pelo caminho mais curto até uma borda</translation>
         </message>
         <message>
             <source>How wide a tab is at its top</source>
@@ -3696,7 +3704,7 @@
         </message>
         <message>
             <source>How wide the material is that stays</source>
-            <translation type="unfinished"></translation>
+            <translation>A largura do material que fica</translation>
         </message>
         <message>
             <source>Identity</source>
@@ -3764,7 +3772,7 @@
         </message>
         <message>
             <source>Joints that hold the part until it is broken out</source>
-            <translation type="unfinished"></translation>
+            <translation>Pontes que seguram a peça até ela ser destacada</translation>
         </message>
         <message>
             <source>Keep as mesh</source>
@@ -3792,7 +3800,7 @@
         </message>
         <message>
             <source>Laser</source>
-            <translation type="unfinished"></translation>
+            <translation>Laser</translation>
         </message>
         <message>
             <source>Last hole</source>
@@ -3828,7 +3836,7 @@
         </message>
         <message>
             <source>Leads as usual for the process, or with values of your own</source>
-            <translation type="unfinished"></translation>
+            <translation>Entradas e saídas usuais do processo, ou com valores próprios</translation>
         </message>
         <message>
             <source>Least chip load</source>
@@ -3836,7 +3844,7 @@
         </message>
         <message>
             <source>Leave</source>
-            <translation type="unfinished"></translation>
+            <translation>Sai</translation>
         </message>
         <message>
             <source>Leave out of the program</source>
@@ -3924,19 +3932,19 @@
         </message>
         <message>
             <source>Loop radius</source>
-            <translation type="unfinished"></translation>
+            <translation>Raio do laço</translation>
         </message>
         <message>
             <source>Loops</source>
-            <translation type="unfinished"></translation>
+            <translation>Laços</translation>
         </message>
         <message>
             <source>Loops above</source>
-            <translation type="unfinished"></translation>
+            <translation>Laços acima de</translation>
         </message>
         <message>
             <source>Loops in the scrap, which make outside corners sharp</source>
-            <translation type="unfinished"></translation>
+            <translation>Laços no retalho, que deixam vivos os cantos externos</translation>
         </message>
         <message>
             <source>MDF board</source>
@@ -3972,11 +3980,11 @@
         </message>
         <message>
             <source>Margin</source>
-            <translation type="unfinished"></translation>
+            <translation>Margem</translation>
         </message>
         <message>
             <source>Marking power</source>
-            <translation type="unfinished"></translation>
+            <translation>Potência de marcação</translation>
         </message>
         <message>
             <source>Material</source>
@@ -4000,7 +4008,7 @@
         </message>
         <message>
             <source>Milling</source>
-            <translation type="unfinished"></translation>
+            <translation>Fresamento</translation>
         </message>
         <message>
             <source>Minor</source>
@@ -4064,7 +4072,7 @@
         </message>
         <message>
             <source>Narrow arcs</source>
-            <translation type="unfinished"></translation>
+            <translation>Arcos estreitos</translation>
         </message>
         <message>
             <source>Never farther off than, mm</source>
@@ -4144,7 +4152,7 @@
         </message>
         <message>
             <source>Nozzle, lens, wire or blade; empty: the first of the chart for this thickness</source>
-            <translation type="unfinished"></translation>
+            <translation>Bico, lente, fio ou lâmina; vazio: o primeiro da tabela para esta espessura</translation>
         </message>
         <message>
             <source>Number</source>
@@ -4200,7 +4208,7 @@
         </message>
         <message>
             <source>On which side of the cut the part lies, seen along it</source>
-            <translation type="unfinished"></translation>
+            <translation>De que lado do corte fica a peça, visto ao longo dele</translation>
         </message>
         <message>
             <source>On which side of the lines the tool runs</source>
@@ -4264,11 +4272,11 @@
         </message>
         <message>
             <source>Outside corners that turn by more get a loop</source>
-            <translation type="unfinished"></translation>
+            <translation>Cantos externos que viram mais recebem um laço</translation>
         </message>
         <message>
             <source>Over-burn</source>
-            <translation type="unfinished"></translation>
+            <translation>Sobrecorte</translation>
         </message>
         <message>
             <source>Overcut</source>
@@ -4292,7 +4300,7 @@
         </message>
         <message>
             <source>Oxyfuel</source>
-            <translation type="unfinished"></translation>
+            <translation>Oxicorte</translation>
         </message>
         <message>
             <source>POM (acetal)</source>
@@ -4304,7 +4312,7 @@
         </message>
         <message>
             <source>Parts</source>
-            <translation type="unfinished"></translation>
+            <translation>Peças</translation>
         </message>
         <message>
             <source>Passes</source>
@@ -4332,19 +4340,19 @@
         </message>
         <message>
             <source>Pierce delay</source>
-            <translation type="unfinished"></translation>
+            <translation>Espera na perfuração</translation>
         </message>
         <message>
             <source>Pierce distance</source>
-            <translation type="unfinished"></translation>
+            <translation>Distância da perfuração</translation>
         </message>
         <message>
             <source>Pierce height</source>
-            <translation type="unfinished"></translation>
+            <translation>Altura de perfuração</translation>
         </message>
         <message>
             <source>Pierces</source>
-            <translation type="unfinished"></translation>
+            <translation>Perfurações</translation>
         </message>
         <message>
             <source>Pitch</source>
@@ -4360,7 +4368,7 @@
         </message>
         <message>
             <source>Plasma</source>
-            <translation type="unfinished"></translation>
+            <translation>Plasma</translation>
         </message>
         <message>
             <source>Play or pause</source>
@@ -4400,19 +4408,19 @@
         </message>
         <message>
             <source>Power</source>
-            <translation type="unfinished"></translation>
+            <translation>Potência</translation>
         </message>
         <message>
             <source>Power on before the tool moves; 0: that of the chart</source>
-            <translation type="unfinished"></translation>
+            <translation>Tempo ligado antes de a ferramenta se mover; 0: o da tabela</translation>
         </message>
         <message>
             <source>Power ramp</source>
-            <translation type="unfinished"></translation>
+            <translation>Rampa de potência</translation>
         </message>
         <message>
             <source>Preheat</source>
-            <translation type="unfinished"></translation>
+            <translation>Pré-aquecimento</translation>
         </message>
         <message>
             <source>Preview</source>
@@ -4428,7 +4436,7 @@
         </message>
         <message>
             <source>Process</source>
-            <translation type="unfinished"></translation>
+            <translation>Processo</translation>
         </message>
         <message>
             <source>Profile</source>
@@ -4520,11 +4528,11 @@
         </message>
         <message>
             <source>Ramp begin</source>
-            <translation type="unfinished"></translation>
+            <translation>Início da rampa</translation>
         </message>
         <message>
             <source>Ramp length</source>
-            <translation type="unfinished"></translation>
+            <translation>Comprimento da rampa</translation>
         </message>
         <message>
             <source>Rapid</source>
@@ -4627,6 +4635,10 @@
             <translation>Reiniciar…</translation>
         </message>
         <message>
+            <source>Result</source>
+            <translation>Resultado</translation>
+        </message>
+        <message>
             <source>Resume</source>
             <translation>Retomar</translation>
         </message>
@@ -4656,7 +4668,7 @@
         </message>
         <message>
             <source>Rules</source>
-            <translation type="unfinished"></translation>
+            <translation>Regras</translation>
         </message>
         <message>
             <source>Running</source>
@@ -4708,7 +4720,7 @@
         </message>
         <message>
             <source>Scribe</source>
-            <translation type="unfinished"></translation>
+            <translation>Riscador</translation>
         </message>
         <message>
             <source>Seconds at the bottom</source>
@@ -4768,11 +4780,11 @@
         </message>
         <message>
             <source>Sheet cut</source>
-            <translation type="unfinished"></translation>
+            <translation>Corte de chapa</translation>
         </message>
         <message>
             <source>Shorter than</source>
-            <translation type="unfinished"></translation>
+            <translation>Mais curtos que</translation>
         </message>
         <message>
             <source>Show the tool's path</source>
@@ -4800,11 +4812,11 @@
         </message>
         <message>
             <source>Small holes</source>
-            <translation type="unfinished"></translation>
+            <translation>Furos pequenos</translation>
         </message>
         <message>
             <source>Small holes at a feed of their own</source>
-            <translation type="unfinished"></translation>
+            <translation>Furos pequenos com avanço próprio</translation>
         </message>
         <message>
             <source>Solids that hold the work down, which the tool must not touch</source>
@@ -4832,11 +4844,11 @@
         </message>
         <message>
             <source>Spot holes below</source>
-            <translation type="unfinished"></translation>
+            <translation>Marca furos abaixo de</translation>
         </message>
         <message>
             <source>Spot time</source>
-            <translation type="unfinished"></translation>
+            <translation>Tempo do ponto</translation>
         </message>
         <message>
             <source>Start</source>
@@ -4940,7 +4952,7 @@
         </message>
         <message>
             <source>Take the chart's value again</source>
-            <translation type="unfinished"></translation>
+            <translation>Voltar ao valor da tabela</translation>
         </message>
         <message>
             <source>Take the line numbers out</source>
@@ -5012,7 +5024,7 @@
         </message>
         <message>
             <source>The cut chart gives this value; change it in the job</source>
-            <translation type="unfinished"></translation>
+            <translation>A tabela de corte dá este valor; altere-o no trabalho</translation>
         </message>
         <message>
             <source>The cut goes on without FreeCAD; the controller's panel finds it again the next time it is opened.</source>
@@ -5060,7 +5072,7 @@
         </message>
         <message>
             <source>The edge of the sheet through which the wire comes in</source>
-            <translation type="unfinished"></translation>
+            <translation>A borda da chapa por onde o fio entra</translation>
         </message>
         <message>
             <source>The feed of the last pass at the wall; 0: the tool's own feed</source>
@@ -5076,7 +5088,7 @@
         </message>
         <message>
             <source>The file of a cut chart of your own; empty: the chart that ships</source>
-            <translation type="unfinished"></translation>
+            <translation>O arquivo de uma tabela de corte própria; vazio: a tabela que acompanha o programa</translation>
         </message>
         <message>
             <source>The fingerprint of the job's program from which this one was edited</source>
@@ -5132,7 +5144,7 @@
         </message>
         <message>
             <source>The length of all cuts</source>
-            <translation type="unfinished"></translation>
+            <translation>O comprimento de todos os cortes</translation>
         </message>
         <message>
             <source>The length of all lines</source>
@@ -5292,7 +5304,7 @@
         </message>
         <message>
             <source>The radius of loops at sharp outside corners</source>
-            <translation type="unfinished"></translation>
+            <translation>O raio dos laços em cantos externos vivos</translation>
         </message>
         <message>
             <source>The radius of the lead's arc</source>
@@ -5304,15 +5316,15 @@
         </message>
         <message>
             <source>The share of the feed there</source>
-            <translation type="unfinished"></translation>
+            <translation>A parte do avanço ali</translation>
         </message>
         <message>
             <source>The share of the feed with which they are cut</source>
-            <translation type="unfinished"></translation>
+            <translation>A parte do avanço com que são cortados</translation>
         </message>
         <message>
             <source>The share of the power at the pierce</source>
-            <translation type="unfinished"></translation>
+            <translation>A parte da potência na perfuração</translation>
         </message>
         <message>
             <source>The sketch, wire, B-spline or freehand line to follow</source>
@@ -5320,7 +5332,7 @@
         </message>
         <message>
             <source>The sketch, wires or faces whose lines are cut: closed ones are parts and holes in turn</source>
-            <translation type="unfinished"></translation>
+            <translation>O esboço, arames ou faces cujas linhas são cortadas: as fechadas são alternadamente peças e furos</translation>
         </message>
         <message>
             <source>The sketch, wires or faces whose lines are followed</source>
@@ -5332,7 +5344,7 @@
         </message>
         <message>
             <source>The speed of the cut; 0: that of the chart</source>
-            <translation type="unfinished"></translation>
+            <translation>A velocidade do corte; 0: a da tabela</translation>
         </message>
         <message>
             <source>The speed straight down; 0: that of the job's material</source>
@@ -5400,11 +5412,11 @@
         </message>
         <message>
             <source>The torch above the sheet while it cuts; 0: that of the chart</source>
-            <translation type="unfinished"></translation>
+            <translation>A tocha acima da chapa enquanto corta; 0: a altura da tabela</translation>
         </message>
         <message>
             <source>The torch above the sheet while it pierces; 0: that of the chart</source>
-            <translation type="unfinished"></translation>
+            <translation>A tocha acima da chapa enquanto perfura; 0: a altura da tabela</translation>
         </message>
         <message>
             <source>The way along the cut is being checked…</source>
@@ -5420,11 +5432,11 @@
         </message>
         <message>
             <source>The width of the cut</source>
-            <translation type="unfinished"></translation>
+            <translation>A largura do corte</translation>
         </message>
         <message>
             <source>The width of the cut where it is not the chart's; 0: the chart's, else the tool's</source>
-            <translation type="unfinished"></translation>
+            <translation>A largura do corte quando não é a da tabela; 0: a da tabela, senão a da ferramenta</translation>
         </message>
         <message>
             <source>The width of the cut where it is not the tool's diameter; 0: the tool's own</source>
@@ -5432,11 +5444,11 @@
         </message>
         <message>
             <source>The width of the cut; 0: that of the chart</source>
-            <translation type="unfinished"></translation>
+            <translation>A largura do corte; 0: a da tabela</translation>
         </message>
         <message>
             <source>The width of the cut; 0: that of the cut chart or the tool</source>
-            <translation type="unfinished"></translation>
+            <translation>A largura do corte; 0: a da tabela de corte ou da ferramenta</translation>
         </message>
         <message>
             <source>The wire stays this close to every drawn point; 0 keeps every point that bends the line</source>
@@ -5460,7 +5472,7 @@
         </message>
         <message>
             <source>This is cut by: {0}. The job's process is: {1}</source>
-            <translation type="unfinished"></translation>
+            <translation>Isto se corta por: {0}. O processo do trabalho é: {1}</translation>
         </message>
         <message>
             <source>This machine has no homing switches set up ($22=0).</source>
@@ -5552,7 +5564,7 @@
         </message>
         <message>
             <source>Torch off before</source>
-            <translation type="unfinished"></translation>
+            <translation>Desliga antes</translation>
         </message>
         <message>
             <source>Travel for a turn of the screw; with several starts its lead</source>
@@ -5624,7 +5636,7 @@
         </message>
         <message>
             <source>Water jet</source>
-            <translation type="unfinished"></translation>
+            <translation>Jato de água</translation>
         </message>
         <message>
             <source>What happened to the job's own program since</source>
@@ -5640,7 +5652,7 @@
         </message>
         <message>
             <source>What is set at the power source; 0: that of the chart</source>
-            <translation type="unfinished"></translation>
+            <translation>O que se ajusta na fonte; 0: a corrente da tabela</translation>
         </message>
         <message>
             <source>What is switched on while cutting</source>
@@ -5700,7 +5712,7 @@
         </message>
         <message>
             <source>Where the way turns by less, the wire does not stand</source>
-            <translation type="unfinished"></translation>
+            <translation>Onde o caminho vira menos, o fio não para</translation>
         </message>
         <message>
             <source>Where the work zero lies in this document</source>
@@ -5708,15 +5720,15 @@
         </message>
         <message>
             <source>Whether a laser's power follows its speed (M4)</source>
-            <translation type="unfinished"></translation>
+            <translation>Se a potência do laser acompanha a velocidade (M4)</translation>
         </message>
         <message>
             <source>Whether a slit through the part leads the wire into a closed hole</source>
-            <translation type="unfinished"></translation>
+            <translation>Se uma fenda através da peça leva o fio a um furo fechado</translation>
         </message>
         <message>
             <source>Whether form, kerf and feeds are those of the job's cut chart</source>
-            <translation type="unfinished"></translation>
+            <translation>Se forma, largura do corte e avanços são os da tabela de corte do trabalho</translation>
         </message>
         <message>
             <source>Whether inner corners are opened, so that a square corner fits in</source>
@@ -5756,7 +5768,7 @@
         </message>
         <message>
             <source>Wire cut</source>
-            <translation type="unfinished"></translation>
+            <translation>Corte com fio</translation>
         </message>
         <message>
             <source>Work</source>
@@ -5844,7 +5856,7 @@
         </message>
         <message>
             <source>aluminium</source>
-            <translation type="unfinished"></translation>
+            <translation>alumínio</translation>
         </message>
         <message>
             <source>aluminium 6061</source>
@@ -5932,7 +5944,7 @@
         </message>
         <message>
             <source>back the way it came</source>
-            <translation type="unfinished"></translation>
+            <translation>de volta pelo mesmo caminho</translation>
         </message>
         <message>
             <source>ball end mill</source>
@@ -5984,11 +5996,11 @@
         </message>
         <message>
             <source>cardboard</source>
-            <translation type="unfinished"></translation>
+            <translation>papelão</translation>
         </message>
         <message>
             <source>cardstock</source>
-            <translation type="unfinished"></translation>
+            <translation>cartolina</translation>
         </message>
         <message>
             <source>centre of the top</source>
@@ -6024,7 +6036,7 @@
         </message>
         <message>
             <source>copper</source>
-            <translation type="unfinished"></translation>
+            <translation>cobre</translation>
         </message>
         <message>
             <source>count</source>
@@ -6088,11 +6100,11 @@
         </message>
         <message>
             <source>felt</source>
-            <translation type="unfinished"></translation>
+            <translation>feltro</translation>
         </message>
         <message>
             <source>first of the chart</source>
-            <translation type="unfinished"></translation>
+            <translation>o primeiro da tabela</translation>
         </message>
         <message>
             <source>flat end mill</source>
@@ -6112,23 +6124,19 @@
         </message>
         <message>
             <source>foam</source>
-            <translation type="unfinished"></translation>
+            <translation>espuma</translation>
         </message>
         <message>
             <source>foam board</source>
-            <translation type="unfinished"></translation>
+            <translation>placa de espuma</translation>
         </message>
         <message>
             <source>follows the path exactly</source>
             <translation>segue a trajetória exatamente</translation>
         </message>
         <message>
-            <source>from chart</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>front</source>
-            <translation type="unfinished"></translation>
+            <translation>frente</translation>
         </message>
         <message>
             <source>front left corner of the top</source>
@@ -6140,7 +6148,7 @@
         </message>
         <message>
             <source>glass</source>
-            <translation type="unfinished"></translation>
+            <translation>vidro</translation>
         </message>
         <message>
             <source>goes beyond what the machine can travel; at most {0}</source>
@@ -6168,7 +6176,7 @@
         </message>
         <message>
             <source>granite</source>
-            <translation type="unfinished"></translation>
+            <translation>granito</translation>
         </message>
         <message>
             <source>grid</source>
@@ -6180,7 +6188,7 @@
         </message>
         <message>
             <source>heat transfer film</source>
-            <translation type="unfinished"></translation>
+            <translation>filme termotransferível</translation>
         </message>
         <message>
             <source>helix</source>
@@ -6228,7 +6236,7 @@
         </message>
         <message>
             <source>leather</source>
-            <translation type="unfinished"></translation>
+            <translation>couro</translation>
         </message>
         <message>
             <source>left</source>
@@ -6316,7 +6324,7 @@
         </message>
         <message>
             <source>nichrome wire, 0.4 mm</source>
-            <translation type="unfinished"></translation>
+            <translation>fio de níquel-cromo, 0,4 mm</translation>
         </message>
         <message>
             <source>no cutter compensation</source>
@@ -6380,11 +6388,11 @@
         </message>
         <message>
             <source>own values</source>
-            <translation type="unfinished"></translation>
+            <translation>valores próprios</translation>
         </message>
         <message>
             <source>paper</source>
-            <translation type="unfinished"></translation>
+            <translation>papel</translation>
         </message>
         <message>
             <source>pauses until it is told to go on</source>
@@ -6476,7 +6484,7 @@
         </message>
         <message>
             <source>rear</source>
-            <translation type="unfinished"></translation>
+            <translation>fundo</translation>
         </message>
         <message>
             <source>returns from a subprogram</source>
@@ -6492,11 +6500,11 @@
         </message>
         <message>
             <source>rubber</source>
-            <translation type="unfinished"></translation>
+            <translation>borracha</translation>
         </message>
         <message>
             <source>sandblast film</source>
-            <translation type="unfinished"></translation>
+            <translation>filme para jateamento</translation>
         </message>
         <message>
             <source>sets offsets or tools</source>
@@ -6576,11 +6584,11 @@
         </message>
         <message>
             <source>the nearest edge</source>
-            <translation type="unfinished"></translation>
+            <translation>a borda mais próxima</translation>
         </message>
         <message>
             <source>the one that ships</source>
-            <translation type="unfinished"></translation>
+            <translation>a que acompanha o programa</translation>
         </message>
         <message>
             <source>the point</source>
@@ -6612,11 +6620,11 @@
         </message>
         <message>
             <source>titanium</source>
-            <translation type="unfinished"></translation>
+            <translation>titânio</translation>
         </message>
         <message>
             <source>to the nearest edge</source>
-            <translation type="unfinished"></translation>
+            <translation>pela borda mais próxima</translation>
         </message>
         <message>
             <source>tool {0}</source>
@@ -6624,7 +6632,7 @@
         </message>
         <message>
             <source>usual for the process</source>
-            <translation type="unfinished"></translation>
+            <translation>usuais do processo</translation>
         </message>
         <message>
             <source>value {0}</source>
@@ -6632,7 +6640,7 @@
         </message>
         <message>
             <source>vinyl</source>
-            <translation type="unfinished"></translation>
+            <translation>vinil</translation>
         </message>
         <message>
             <source>wire</source>
@@ -6664,7 +6672,7 @@
         </message>
         <message>
             <source>{0} does not name this process</source>
-            <translation type="unfinished"></translation>
+            <translation>{0} não tem este processo</translation>
         </message>
         <message>
             <source>{0} errors</source>
@@ -6947,7 +6955,7 @@
         </message>
         <message>
             <source>Drag knife</source>
-            <translation type="unfinished"></translation>
+            <translation>Faca de arrasto</translation>
         </message>
         <message>
             <source>EXISTS asks for a parameter</source>
@@ -7051,7 +7059,7 @@
         </message>
         <message>
             <source>Hot wire</source>
-            <translation type="unfinished"></translation>
+            <translation>Fio quente</translation>
         </message>
         <message>
             <source>I of G76 may not be 0</source>
@@ -7227,7 +7235,7 @@
         </message>
         <message>
             <source>Water jet</source>
-            <translation type="unfinished"></translation>
+            <translation>Jato de água</translation>
         </message>
         <message>
             <source>[ is missing after {keyword}</source>
@@ -8471,7 +8479,7 @@
         </message>
         <message>
             <source>choose another process in the job, or delete the operation</source>
-            <translation type="unfinished"></translation>
+            <translation>escolha outro processo no trabalho, ou apague a operação</translation>
         </message>
         <message>
             <source>choose another side</source>
@@ -8503,7 +8511,7 @@
         </message>
         <message>
             <source>choose the job's material</source>
-            <translation type="unfinished"></translation>
+            <translation>escolha o material do trabalho</translation>
         </message>
         <message>
             <source>choose the pass yourself: the program sends lines again, so line {line} alone is no place</source>
@@ -12555,7 +12563,7 @@
         </message>
         <message>
             <source>the job names no material, so the chart gives no tool</source>
-            <translation type="unfinished"></translation>
+            <translation>o trabalho não indica material, por isso a tabela não dá ferramenta</translation>
         </message>
         <message>
             <source>the job of {process} names no material and has no tool</source>
@@ -15675,7 +15683,7 @@
         </message>
         <message>
             <source>{obj} is not cut by {process}</source>
-            <translation type="unfinished"></translation>
+            <translation>{obj} não se corta por {process}</translation>
         </message>
         <message>
             <source>{one} cuts into a piece that {other} has set free: nothing holds it</source>
@@ -16103,11 +16111,11 @@
         <name>CNCStepper_SheetCut</name>
         <message>
             <source>Cuts parts out of sheet by torch, laser, jet, knife or point</source>
-            <translation type="unfinished"></translation>
+            <translation>Corta peças de uma chapa com tocha, laser, jato, faca ou ponta</translation>
         </message>
         <message>
             <source>Sheet cut</source>
-            <translation type="unfinished"></translation>
+            <translation>Corte de chapa</translation>
         </message>
     </context>
     <context>
@@ -16136,11 +16144,11 @@
         <name>CNCStepper_WireCut</name>
         <message>
             <source>Cuts parts out of foam with a hot wire, in from the edge</source>
-            <translation type="unfinished"></translation>
+            <translation>Corta peças de espuma com fio quente, a partir da borda</translation>
         </message>
         <message>
             <source>Wire cut</source>
-            <translation type="unfinished"></translation>
+            <translation>Corte com fio</translation>
         </message>
     </context>
 </TS>

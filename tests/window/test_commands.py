@@ -32,6 +32,8 @@ LABELS = {
     "CNCStepper_Bore": "Bore",
     "CNCStepper_Thread": "Thread",
     "CNCStepper_Engrave": "Engrave",
+    "CNCStepper_SheetCut": "Sheet cut",
+    "CNCStepper_WireCut": "Wire cut",
     "CNCStepper_EditProgram": "Edit program",
     "CNCStepper_OpenProgram": "Open G-code file…",
     "CNCStepper_Simulate": "Check and simulate",
@@ -40,7 +42,9 @@ LABELS = {
 }
 NEW_JOB, IMPORT, FREEHAND, *OPERATIONS, EDIT, OPEN, SIMULATE, SEND, CONTROLLER = LABELS
 DRAWN = ("CNCStepper_Pocket", "CNCStepper_Contour", "CNCStepper_Engrave")  # cannot be without a drawing
-BY_NUMBERS = [name for name in OPERATIONS if name not in DRAWN]
+OF_SHEETS = ("CNCStepper_SheetCut", "CNCStepper_WireCut")  # not of milling, which these jobs are cut by
+MILLED = [name for name in LABELS if name not in OF_SHEETS]
+BY_NUMBERS = [name for name in OPERATIONS if name not in (*DRAWN, *OF_SHEETS)]
 POCKET, ENGRAVE = "CNCStepper_EllipticalPocket", "CNCStepper_Engrave"
 
 
@@ -160,7 +164,8 @@ def test_a_job_with_a_program(hand: Hand) -> None:
     job = hand.main(lambda: new_job(new_document()))
     expect_enabled(hand, NEW_JOB, IMPORT, FREEHAND, *BY_NUMBERS, EDIT, OPEN, SIMULATE, SEND, CONTROLLER)
     hand.main(lambda: select(sketch_of(job.Document, ellipse())))
-    expect_enabled(hand, *LABELS)
+    expect_enabled(hand, *MILLED)
+    assert "Milling" in reason(hand, "CNCStepper_SheetCut")
 
 
 def test_of_several_jobs_one_must_be_meant(hand: Hand) -> None:

@@ -32,6 +32,8 @@ COMMANDS = {
     "CNCStepper_Bore": "Mandrilar",
     "CNCStepper_Thread": "Rosquear",
     "CNCStepper_Engrave": "Gravar",
+    "CNCStepper_SheetCut": "Corte de chapa",
+    "CNCStepper_WireCut": "Corte com fio",
     "CNCStepper_Simulate": "Verificar e simular",
     "CNCStepper_Send": "Enviar",
     "CNCStepper_Controller": "Controlador",

@@ -13,6 +13,7 @@ import pytest
 import screen_places as places
 from FreeCAD import Vector
 from hand import Hand
+from test_cycle_panels import cut_off
 
 from CNCStepper.workbench import api, panels
 from CNCStepper.workbench.features.base import problem_of
@@ -96,6 +97,7 @@ def test_a_job_shows_only_what_its_process_has(hand: Hand, document: Any, proces
     hand.shot(f"job-{process}-chart")
     hand.main(lambda: places.scroll_to(places.find("CNCStepper_Panel_tools")))
     hand.shot(f"job-{process}-tools")
+    assert hand.main(cut_off) == []
     heights = {"clearance_mm", "retract_mm"} if process == "plasma" else set()
     assert seen(hand) == SHOWN[process] | heights
 
@@ -113,6 +115,7 @@ def test_the_panel_of_an_operation(hand: Hand, document: Any, process: str) -> N
 
     hand.main(unfold)
     hand.shot(f"operation-{process}-all")
+    assert hand.main(cut_off) == []
     assert hand.main(problem_of, job.Operations[0]) == ""
 
 

@@ -26,6 +26,7 @@ NUMBER = {"mm_min": SPEED, "mm": DISTANCE, "deg": ANGLE}
 TYPES = {int: INTEGER, bool: BOOL}
 
 RESULT = later("In whole passes")
+MADE = later("Result")
 LEVELS = (
     Property("ap_mm", "StepdownUsed", DISTANCE, RESULT, later("Stepdown ap"),
              later("ap, recalculated to whole passes"), 0.0, output=True),

@@ -12,7 +12,7 @@ from CNCStepper.cycles.sheet_cutting.sheet_parameters import RULES, SheetParamet
 from CNCStepper.machine.processes import PROCESSES
 from CNCStepper.workbench.features.base import DISTANCE, ENUMERATION, INTEGER, Property, values
 from CNCStepper.workbench.features.operation import OPERATION, Operation, drawn, drawn_lines, jobs_of
-from CNCStepper.workbench.features.parameters import RESULT, properties_of
+from CNCStepper.workbench.features.parameters import MADE, properties_of
 from CNCStepper.workbench.services.translation import later
 
 USUAL, OWN, NONE = "usual", "own", "none"
@@ -103,11 +103,11 @@ class SheetCut(Operation):
         *OPERATION,
         *drawn(LINES, later("The sketch, wires or faces whose lines are cut: closed ones are parts and holes in turn")),
         *_properties(),
-        Property("parts", "Parts", INTEGER, RESULT, later("Parts"), later("How many parts are cut free"), 0,
+        Property("parts", "Parts", INTEGER, MADE, later("Parts"), later("How many parts are cut free"), 0,
                  output=True),
-        Property("pierces", "Pierces", INTEGER, RESULT, later("Pierces"), later("How often the tool pierces"), 0,
+        Property("pierces", "Pierces", INTEGER, MADE, later("Pierces"), later("How often the tool pierces"), 0,
                  output=True),
-        Property("cut_length_mm", "CutLength", DISTANCE, RESULT, later("Cut length"), later("The length of all cuts"),
+        Property("cut_length_mm", "CutLength", DISTANCE, MADE, later("Cut length"), later("The length of all cuts"),
                  0.0, output=True),
     )  # fmt: skip
 

@@ -9,7 +9,7 @@ from CNCStepper.cycles.contours.contour_parameters import LINES
 from CNCStepper.cycles.wire_cutting.wire_parameters import WireParameters
 from CNCStepper.workbench.features.base import DISTANCE, INTEGER, Property
 from CNCStepper.workbench.features.operation import OPERATION, Operation, drawn, drawn_lines
-from CNCStepper.workbench.features.parameters import RESULT, properties_of
+from CNCStepper.workbench.features.parameters import MADE, properties_of
 from CNCStepper.workbench.services.translation import later
 
 
@@ -23,9 +23,9 @@ class WireCut(Operation):
         *OPERATION,
         *drawn(LINES, later("The sketch, wires or faces whose lines are cut: closed ones are parts and holes in turn")),
         *properties_of(WireParameters),
-        Property("parts", "Parts", INTEGER, RESULT, later("Parts"), later("How many parts are cut free"), 0,
+        Property("parts", "Parts", INTEGER, MADE, later("Parts"), later("How many parts are cut free"), 0,
                  output=True),
-        Property("used_kerf_mm", "KerfUsed", DISTANCE, RESULT, later("Kerf"), later("The width of the cut"), 0.0,
+        Property("used_kerf_mm", "KerfUsed", DISTANCE, MADE, later("Kerf"), later("The width of the cut"), 0.0,
                  output=True),
     )  # fmt: skip
 

@@ -211,21 +211,19 @@ class ChartValueField(NumberField):
     """A value of the chart, grey until a person types another one; a button then takes the chart's again."""
 
     def make(self) -> list[Any]:
-        """Add the line, and beside it where its value comes from."""
+        """Add the line, and beside it what takes the chart's value again."""
         row = QtGui.QHBoxLayout()
         row.setSpacing(3)
         self._column.addLayout(row)
         line = self.line(layout=row)
-        self.origin = QtGui.QLabel(tr("from chart"), self.widget)
-        self.origin.setStyleSheet(f"color: {CHART_COLOUR};")
+        line.setPlaceholderText("–")
         self.reset = QtGui.QToolButton(self.widget)
         self.reset.setObjectName(f"{NAME}_{self.entry.key}_reset")
         self.reset.setIcon(self.reset.style().standardIcon(QtGui.QStyle.StandardPixmap.SP_BrowserReload))
         self.reset.setToolTip(tr("Take the chart's value again"))
         self.reset.setAutoRaise(True)
         self.reset.clicked.connect(guarded(self.take_chart))
-        for widget in (self.origin, self.reset):
-            row.addWidget(widget)
+        row.addWidget(self.reset)
         return [line]
 
     def write(self) -> None:
@@ -259,7 +257,6 @@ class ChartValueField(NumberField):
             return 0.0
 
     def _show_origin(self, is_own: bool) -> None:
-        self.origin.setVisible(not is_own and bool(self.editors[0].text()))
         self.reset.setVisible(is_own)
         palette = QtGui.QPalette(self.widget.palette())
         if not is_own:
@@ -268,7 +265,7 @@ class ChartValueField(NumberField):
 
 
 class ChartNote(QtGui.QWidget):
-    """Says why the chart gives nothing."""
+    """Says which values are the chart's, or why it gives none."""
 
     def __init__(self, job: Any, parent: Any):
         super().__init__(parent)
@@ -276,7 +273,10 @@ class ChartNote(QtGui.QWidget):
         self.note = note_label(f"{NAME}_chart_note", ERROR_COLOUR, self)
         column = QtGui.QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
-        column.addWidget(self.note)
+        self.hint = note_label(f"{NAME}_chart_hint", CHART_COLOUR, self)
+        self.hint.setText(tr("Grey values are from the chart; what you type wins"))
+        for label in (self.note, self.hint):
+            column.addWidget(label)
         self.refresh()
 
     def refresh(self) -> None:
@@ -284,6 +284,7 @@ class ChartNote(QtGui.QWidget):
         sentence = self._why_no_row()
         self.note.setText(sentence)
         self.note.setVisible(bool(sentence))
+        self.hint.setVisible(not sentence)
 
     def _why_no_row(self) -> str:
         from CNCStepper.workbench.document.cut_chart_of_job import cut_data_of

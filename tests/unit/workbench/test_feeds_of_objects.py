@@ -12,7 +12,7 @@ from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.workbench.document.cut_chart_of_job import fed
 from CNCStepper.workbench.document.machine_of_job import remarks
 
-JOB = SimpleNamespace(Material="fr4", Machine="table-a", Dialect="")
+JOB = SimpleNamespace(Process="milling", Material="fr4", Machine="table-a", Dialect="")
 
 
 def hss(**feeds: float) -> Tool:
@@ -30,5 +30,5 @@ def test_a_tool_of_no_use_in_the_material_is_warned_of_where_it_has_its_own_feed
 
 def test_without_a_material_and_for_a_beam_there_is_nothing_to_say() -> None:
     own = hss(feed_mm_min=300, plunge_mm_min=90, spindle_rpm=9000)
-    assert remarks(own, SimpleNamespace(Material="", Machine="table-a", Dialect="")) == ()
+    assert remarks(own, SimpleNamespace(Process="milling", Material="", Machine="table-a", Dialect="")) == ()
     assert remarks(Tool(number=2, shape="jet", diameter_mm=0.2, feed_mm_min=900), JOB) == ()
