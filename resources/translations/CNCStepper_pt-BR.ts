@@ -6895,7 +6895,7 @@
         </message>
         <message>
             <source>(nu=7, ph=3.8, pd=0.4, ch=1.5, fr=3850, kw=1.5)</source>
-            <translation type="unfinished"></translation>
+            <translation>(nu=7, ph=3.8, pd=0.4, ch=1.5, fr=3850, kw=1.5)</translation>
         </message>
         <message>
             <source>(program {number} of {count}, tool {tool})</source>
@@ -6907,7 +6907,7 @@
         </message>
         <message>
             <source>0 to {most}, or -1</source>
-            <translation type="unfinished"></translation>
+            <translation>0 a {most}, ou -1</translation>
         </message>
         <message>
             <source>0 to {size_mm:g} mm</source>
@@ -6915,7 +6915,7 @@
         </message>
         <message>
             <source>0 without an entry slit</source>
-            <translation type="unfinished"></translation>
+            <translation>0 sem fenda de entrada</translation>
         </message>
         <message>
             <source>= is missing after the parameter</source>
@@ -7099,7 +7099,7 @@
         </message>
         <message>
             <source>Kerf test: S = {0} mm, kerf used {1} mm. {2}</source>
-            <translation type="unfinished"></translation>
+            <translation>Teste da largura do corte: S = {0} mm, largura usada {1} mm. {2}</translation>
         </message>
         <message>
             <source>L may not be negative</source>
@@ -7107,11 +7107,11 @@
         </message>
         <message>
             <source>LinuxCNC with QtPlasmaC</source>
-            <translation type="unfinished"></translation>
+            <translation>LinuxCNC com QtPlasmaC</translation>
         </message>
         <message>
             <source>M3 starts one tool</source>
-            <translation type="unfinished"></translation>
+            <translation>M3 liga uma só ferramenta</translation>
         </message>
         <message>
             <source>M6 depends on the machine's configuration: pause with M0, or split at tool changes</source>
@@ -7187,27 +7187,27 @@
         </message>
         <message>
             <source>QtPlasmaC changes feed and end of small holes itself: that is not in this reading</source>
-            <translation type="unfinished"></translation>
+            <translation>o QtPlasmaC muda por conta própria o avanço e o fim de furos pequenos: isso não está nesta leitura</translation>
         </message>
         <message>
             <source>QtPlasmaC cuts a tube, with the program's own moves of Z: they are not in this reading</source>
-            <translation type="unfinished"></translation>
+            <translation>o QtPlasmaC corta um tubo, com os movimentos de Z do próprio programa: eles não estão nesta leitura</translation>
         </message>
         <message>
             <source>QtPlasmaC has no key {key}</source>
-            <translation type="unfinished"></translation>
+            <translation>o QtPlasmaC não tem a chave {key}</translation>
         </message>
         <message>
             <source>QtPlasmaC keeps the program's own moves of Z: they are not in this reading</source>
-            <translation type="unfinished"></translation>
+            <translation>o QtPlasmaC mantém os movimentos de Z do próprio programa: eles não estão nesta leitura</translation>
         </message>
         <message>
             <source>QtPlasmaC moves Z itself: arcs are in XY</source>
-            <translation type="unfinished"></translation>
+            <translation>o QtPlasmaC move o Z por conta própria: arcos são em XY</translation>
         </message>
         <message>
             <source>QtPlasmaC pierces only and cuts nothing: that is not in this reading</source>
-            <translation type="unfinished"></translation>
+            <translation>o QtPlasmaC só perfura e não corta nada: isso não está nesta leitura</translation>
         </message>
         <message>
             <source>R lies below {normal}</source>
@@ -7227,7 +7227,7 @@
         </message>
         <message>
             <source>Speed test {0} of {1}: {2} mm/min, {3} %</source>
-            <translation type="unfinished"></translation>
+            <translation>Teste de velocidade {0} de {1}: {2} mm/min, {3} %</translation>
         </message>
         <message>
             <source>T selects an extruder: pause with M0 where the tool is to be changed</source>
@@ -7331,7 +7331,7 @@
         </message>
         <message>
             <source>a cut chart holds [[cut]] tables and nothing else</source>
-            <translation type="unfinished"></translation>
+            <translation>uma tabela de corte contém tabelas [[cut]] e nada mais</translation>
         </message>
         <message>
             <source>a cut goes into stock while the spindle stands</source>
@@ -7523,19 +7523,19 @@
         </message>
         <message>
             <source>a margin of {margin_mm:.3g} mm</source>
-            <translation type="unfinished"></translation>
+            <translation>uma margem de {margin_mm:.3g} mm</translation>
         </message>
         <message>
             <source>a material file has no {key}: left out</source>
-            <translation type="unfinished"></translation>
+            <translation>um arquivo de materiais não tem {key}: omitido</translation>
         </message>
         <message>
             <source>a material file holds no rows of {process}</source>
-            <translation type="unfinished"></translation>
+            <translation>um arquivo de materiais não contém linhas de {process}</translation>
         </message>
         <message>
             <source>a material number stands twice</source>
-            <translation type="unfinished"></translation>
+            <translation>um número de material aparece duas vezes</translation>
         </message>
         <message>
             <source>a mesh and no line</source>
@@ -7843,7 +7843,7 @@
         </message>
         <message>
             <source>a {shape} does not cut from the edge</source>
-            <translation type="unfinished"></translation>
+            <translation>uma ferramenta {shape} não corta a partir da borda</translation>
         </message>
         <message>
             <source>a {shape} tool has no {key}</source>
@@ -7935,7 +7935,7 @@
         </message>
         <message>
             <source>add {key} = and its value</source>
-            <translation type="unfinished"></translation>
+            <translation>acrescente {key} = e o seu valor</translation>
         </message>
         <message>
             <source>add {letter} to the line</source>
@@ -8063,7 +8063,7 @@
         </message>
         <message>
             <source>ask for fewer or narrower joints</source>
-            <translation type="unfinished"></translation>
+            <translation>peça menos microjunções, ou mais estreitas</translation>
         </message>
         <message>
             <source>ask for it again</source>
@@ -8087,7 +8087,7 @@
         </message>
         <message>
             <source>at least the kerf of {kerf_mm:g} mm</source>
-            <translation type="unfinished"></translation>
+            <translation>no mínimo a largura do corte de {kerf_mm:g} mm</translation>
         </message>
         <message>
             <source>at least {chord:.4f} mm</source>
@@ -8099,7 +8099,7 @@
         </message>
         <message>
             <source>at least {least:g} mm</source>
-            <translation type="unfinished"></translation>
+            <translation>no mínimo {least:g} mm</translation>
         </message>
         <message>
             <source>at least {least_mm:.3g} mm</source>
@@ -8139,7 +8139,7 @@
         </message>
         <message>
             <source>at most {most_mm:.2f} mm there</source>
-            <translation type="unfinished"></translation>
+            <translation>no máximo {most_mm:.2f} mm ali</translation>
         </message>
         <message>
             <source>at most {narrowest_mm:.3f} mm</source>
@@ -8219,7 +8219,7 @@
         </message>
         <message>
             <source>begin the file with the line '# units: {other}', or say that unit</source>
-            <translation type="unfinished"></translation>
+            <translation>comece o arquivo com a linha '# units: {other}', ou informe essa unidade</translation>
         </message>
         <message>
             <source>begin the program with a rapid to a safe Z</source>
@@ -8247,7 +8247,7 @@
         </message>
         <message>
             <source>below {room_mm:.2f} mm</source>
-            <translation type="unfinished"></translation>
+            <translation>abaixo de {room_mm:.2f} mm</translation>
         </message>
         <message>
             <source>below {total_mm:g} mm</source>
@@ -8259,7 +8259,7 @@
         </message>
         <message>
             <source>between curves {one} and {other} the kerf does not fit, at X{x:.3f} Y{y:.3f}</source>
-            <translation type="unfinished"></translation>
+            <translation>entre as curvas {one} e {other} a largura do corte não cabe, em X{x:.3f} Y{y:.3f}</translation>
         </message>
         <message>
             <source>beyond a million nothing of the shape is left</source>
@@ -8311,7 +8311,7 @@
         </message>
         <message>
             <source>charts are there for: {processes}</source>
-            <translation type="unfinished"></translation>
+            <translation>há tabelas para: {processes}</translation>
         </message>
         <message>
             <source>check both switches</source>
@@ -8423,7 +8423,7 @@
         </message>
         <message>
             <source>choose a machine with a Z axis</source>
-            <translation type="unfinished"></translation>
+            <translation>escolha uma máquina com eixo Z</translation>
         </message>
         <message>
             <source>choose a sketch with circles or points, or give the places by numbers</source>
@@ -8631,7 +8631,7 @@
         </message>
         <message>
             <source>corner_a = [{0}, {1}], corner_b = [{2}, {3}]</source>
-            <translation type="unfinished"></translation>
+            <translation>corner_a = [{0}, {1}], corner_b = [{2}, {3}]</translation>
         </message>
         <message>
             <source>corner_radius_mm must not exceed half of diameter_mm</source>
@@ -8667,7 +8667,7 @@
         </message>
         <message>
             <source>correct that line</source>
-            <translation type="unfinished"></translation>
+            <translation>corrija essa linha</translation>
         </message>
         <message>
             <source>correct that line of the program</source>
@@ -8699,7 +8699,7 @@
         </message>
         <message>
             <source>correct the comment</source>
-            <translation type="unfinished"></translation>
+            <translation>corrija o comentário</translation>
         </message>
         <message>
             <source>correct the diameters or pitch_mm</source>
@@ -8807,7 +8807,7 @@
         </message>
         <message>
             <source>curve {number}, which begins at X{x:.3f} Y{y:.3f}, crosses itself or encloses nothing</source>
-            <translation type="unfinished"></translation>
+            <translation>a curva {number}, que começa em X{x:.3f} Y{y:.3f}, cruza a si mesma ou não encerra nada</translation>
         </message>
         <message>
             <source>curves do not meet</source>
@@ -8847,11 +8847,11 @@
         </message>
         <message>
             <source>cut some of the curves in an operation of their own</source>
-            <translation type="unfinished"></translation>
+            <translation>corte algumas das curvas em uma operação própria</translation>
         </message>
         <message>
             <source>cut the kerf test at that feed and add a row to kerf_by_feed</source>
-            <translation type="unfinished"></translation>
+            <translation>corte o teste da largura do corte com esse avanço e acrescente uma linha a kerf_by_feed</translation>
         </message>
         <message>
             <source>cut them together as a pocket, or this one with an operation of its own</source>
@@ -8859,7 +8859,7 @@
         </message>
         <message>
             <source>cut with a kerf of at most {most_mm:.3f} mm, or draw that place wider</source>
-            <translation type="unfinished"></translation>
+            <translation>corte com largura de no máximo {most_mm:.3f} mm, ou desenhe esse lugar mais largo</translation>
         </message>
         <message>
             <source>cuts {overlap_mm:.3g} mm before the place again</source>
@@ -8895,7 +8895,7 @@
         </message>
         <message>
             <source>draw an outline that encloses one area</source>
-            <translation type="unfinished"></translation>
+            <translation>desenhe um contorno que encerre uma só área</translation>
         </message>
         <message>
             <source>draw at least two points</source>
@@ -8943,7 +8943,7 @@
         </message>
         <message>
             <source>draw the hole wider, spot it for drilling (spot_below_mm), or cut with a narrower kerf</source>
-            <translation type="unfinished"></translation>
+            <translation>desenhe o furo mais largo, marque-o para furar (spot_below_mm), ou use um corte mais estreito</translation>
         </message>
         <message>
             <source>drop it</source>
@@ -9215,11 +9215,11 @@
         </message>
         <message>
             <source>give each material its own number</source>
-            <translation type="unfinished"></translation>
+            <translation>dê a cada material um número próprio</translation>
         </message>
         <message>
             <source>give each row its own number</source>
-            <translation type="unfinished"></translation>
+            <translation>dê a cada linha um número próprio</translation>
         </message>
         <message>
             <source>give either screw_pitch_mm, or belt_pitch_mm and pulley_teeth</source>
@@ -9243,7 +9243,7 @@
         </message>
         <message>
             <source>give it another number</source>
-            <translation type="unfinished"></translation>
+            <translation>dê a ele outro número</translation>
         </message>
         <message>
             <source>give its centre</source>
@@ -9283,7 +9283,7 @@
         </message>
         <message>
             <source>give the material its number and name</source>
-            <translation type="unfinished"></translation>
+            <translation>informe o número e o nome do material</translation>
         </message>
         <message>
             <source>give the path of a file</source>
@@ -9411,7 +9411,7 @@
         </message>
         <message>
             <source>half of the kerf, {half_mm:g} mm</source>
-            <translation type="unfinished"></translation>
+            <translation>metade da largura do corte, {half_mm:g} mm</translation>
         </message>
         <message>
             <source>heights belong to a stock of the form 'height_field', and to no other</source>
@@ -9435,7 +9435,7 @@
         </message>
         <message>
             <source>hole {0} of part {1}</source>
-            <translation type="unfinished"></translation>
+            <translation>furo {0} da peça {1}</translation>
         </message>
         <message>
             <source>home all axes with $H</source>
@@ -9611,7 +9611,7 @@
         </message>
         <message>
             <source>it is cut short</source>
-            <translation type="unfinished"></translation>
+            <translation>ele está truncado</translation>
         </message>
         <message>
             <source>it is damaged</source>
@@ -9623,7 +9623,7 @@
         </message>
         <message>
             <source>it is for {processes}: choose another chart or process</source>
-            <translation type="unfinished"></translation>
+            <translation>ela é para {processes}: escolha outra tabela ou outro processo</translation>
         </message>
         <message>
             <source>it is one program</source>
@@ -9779,15 +9779,15 @@
         </message>
         <message>
             <source>kerf = kerf used + (S - part + hole - S / 2) / 2</source>
-            <translation type="unfinished"></translation>
+            <translation>largura do corte = largura usada + (S - peça + furo - S / 2) / 2</translation>
         </message>
         <message>
             <source>kerf = kerf used + S - part</source>
-            <translation type="unfinished"></translation>
+            <translation>largura do corte = largura usada + S - peça</translation>
         </message>
         <message>
             <source>kerf_by_feed: feeds must rise from row to row, and kerfs must not</source>
-            <translation type="unfinished"></translation>
+            <translation>kerf_by_feed: de linha em linha os avanços têm de subir, e as larguras do corte não podem subir</translation>
         </message>
         <message>
             <source>kerf_mm is not what this tool cuts</source>
@@ -9843,7 +9843,7 @@
         </message>
         <message>
             <source>leave blade_offset_mm out</source>
-            <translation type="unfinished"></translation>
+            <translation>omita blade_offset_mm</translation>
         </message>
         <message>
             <source>leave it out: Marlin has only this mode</source>
@@ -9883,7 +9883,7 @@
         </message>
         <message>
             <source>leave {key} out</source>
-            <translation type="unfinished"></translation>
+            <translation>omita {key}</translation>
         </message>
         <message>
             <source>leaves the spindle off, as the program has it there</source>
@@ -9931,7 +9931,7 @@
         </message>
         <message>
             <source>let it stand shorter, or cut more slowly</source>
-            <translation type="unfinished"></translation>
+            <translation>deixe-o parado menos tempo, ou corte mais devagar</translation>
         </message>
         <message>
             <source>let the tool stick out farther</source>
@@ -9967,7 +9967,7 @@
         </message>
         <message>
             <source>line {0} back</source>
-            <translation type="unfinished"></translation>
+            <translation>linha {0}, volta</translation>
         </message>
         <message>
             <source>line {file_line} is run from its begin</source>
@@ -10171,7 +10171,7 @@
         </message>
         <message>
             <source>make its side longer</source>
-            <translation type="unfinished"></translation>
+            <translation>aumente o lado dele</translation>
         </message>
         <message>
             <source>make resolution_mm larger</source>
@@ -10247,7 +10247,7 @@
         </message>
         <message>
             <source>margin {margin_mm:g} mm</source>
-            <translation type="unfinished"></translation>
+            <translation>margem de {margin_mm:g} mm</translation>
         </message>
         <message>
             <source>material is left where it should be removed{islands}</source>
@@ -10259,7 +10259,7 @@
         </message>
         <message>
             <source>material {number} has no {key}</source>
-            <translation type="unfinished"></translation>
+            <translation>o material {number} não tem {key}</translation>
         </message>
         <message>
             <source>measure the width of its cut, or leave kerf_mm out</source>
@@ -10303,7 +10303,7 @@
         </message>
         <message>
             <source>more than ten times the whole is a slip</source>
-            <translation type="unfinished"></translation>
+            <translation>mais de dez vezes o todo é um engano</translation>
         </message>
         <message>
             <source>more than {most} lines</source>
@@ -10327,7 +10327,7 @@
         </message>
         <message>
             <source>move it {in_mm:.3f} mm inwards, or take a larger sheet</source>
-            <translation type="unfinished"></translation>
+            <translation>desloque-a {in_mm:.3f} mm para dentro, ou use uma chapa maior</translation>
         </message>
         <message>
             <source>move one of the corners</source>
@@ -10339,11 +10339,11 @@
         </message>
         <message>
             <source>move the holes apart, join them, or draw a slit yourself</source>
-            <translation type="unfinished"></translation>
+            <translation>afaste os furos, una-os, ou desenhe você mesmo uma fenda</translation>
         </message>
         <message>
             <source>move the line away from the part, or leave it out</source>
-            <translation type="unfinished"></translation>
+            <translation>afaste a linha da peça, ou deixe-a de fora</translation>
         </message>
         <message>
             <source>move the machine off it, then home</source>
@@ -10355,11 +10355,11 @@
         </message>
         <message>
             <source>move the parts farther apart, enter from another edge, or use a thinner wire</source>
-            <translation type="unfinished"></translation>
+            <translation>afaste mais as peças, entre por outra borda, ou use um fio mais fino</translation>
         </message>
         <message>
             <source>move the parts farther apart, or cut them in several operations</source>
-            <translation type="unfinished"></translation>
+            <translation>afaste mais as peças, ou corte-as em várias operações</translation>
         </message>
         <message>
             <source>move the shape inwards, or take a larger sheet</source>
@@ -10379,7 +10379,7 @@
         </message>
         <message>
             <source>move them apart, or cut with a narrower kerf</source>
-            <translation type="unfinished"></translation>
+            <translation>afaste-as, ou use um corte mais estreito</translation>
         </message>
         <message>
             <source>move them or the work zero</source>
@@ -10387,7 +10387,7 @@
         </message>
         <message>
             <source>move them {more_mm:.3f} mm farther apart, or cut with a kerf of at most {gap_mm:.3f} mm</source>
-            <translation type="unfinished"></translation>
+            <translation>afaste-as mais {more_mm:.3f} mm, ou corte com largura de no máximo {gap_mm:.3f} mm</translation>
         </message>
         <message>
             <source>move there first with absolute coordinates, or give the start</source>
@@ -10427,7 +10427,7 @@
         </message>
         <message>
             <source>name it</source>
-            <translation type="unfinished"></translation>
+            <translation>indique-a</translation>
         </message>
         <message>
             <source>name it once</source>
@@ -10467,11 +10467,11 @@
         </message>
         <message>
             <source>nichrome 0.4 mm</source>
-            <translation type="unfinished"></translation>
+            <translation>nicromo 0,4 mm</translation>
         </message>
         <message>
             <source>no arc or wire stands at more than 10 kV</source>
-            <translation type="unfinished"></translation>
+            <translation>nenhum arco ou fio fica a mais de 10 kV</translation>
         </message>
         <message>
             <source>no axis is set up for homing</source>
@@ -10543,7 +10543,7 @@
         </message>
         <message>
             <source>no jet is driven by more than 10 kbar</source>
-            <translation type="unfinished"></translation>
+            <translation>nenhum jato trabalha com mais de 10 kbar</translation>
         </message>
         <message>
             <source>no job is held</source>
@@ -10635,7 +10635,7 @@
         </message>
         <message>
             <source>no straight slit leads into the hole at X{x:.3f} Y{y:.3f} past the part's other holes</source>
-            <translation type="unfinished"></translation>
+            <translation>nenhuma fenda reta chega ao furo em X{x:.3f} Y{y:.3f} sem atravessar os outros furos da peça</translation>
         </message>
         <message>
             <source>no tab fits on any contour</source>
@@ -10659,11 +10659,11 @@
         </message>
         <message>
             <source>no torch or wire draws more than 10 kA</source>
-            <translation type="unfinished"></translation>
+            <translation>nenhuma tocha ou fio puxa mais de 10 kA</translation>
         </message>
         <message>
             <source>no way through the scrap leads to what lies at X{x:.3f} Y{y:.3f}</source>
-            <translation type="unfinished"></translation>
+            <translation>nenhum caminho pelo retalho leva ao que fica em X{x:.3f} Y{y:.3f}</translation>
         </message>
         <message>
             <source>nobody has confirmed the work zero</source>
@@ -10703,7 +10703,7 @@
         </message>
         <message>
             <source>not a line of a material file: '{line}'</source>
-            <translation type="unfinished"></translation>
+            <translation>não é uma linha de arquivo de materiais: '{line}'</translation>
         </message>
         <message>
             <source>not a number: {text}</source>
@@ -10711,7 +10711,7 @@
         </message>
         <message>
             <source>not a parameter of a material's comment</source>
-            <translation type="unfinished"></translation>
+            <translation>não é um parâmetro de comentário de material</translation>
         </message>
         <message>
             <source>not a point: '{line}'</source>
@@ -10911,7 +10911,7 @@
         </message>
         <message>
             <source>only a drag knife has a blade offset</source>
-            <translation type="unfinished"></translation>
+            <translation>só uma faca de arrasto tem deslocamento da lâmina</translation>
         </message>
         <message>
             <source>only arcs of G17 can be turned about Z</source>
@@ -10931,7 +10931,7 @@
         </message>
         <message>
             <source>open line {line} cuts into a part at X{x:.3f} Y{y:.3f}</source>
-            <translation type="unfinished"></translation>
+            <translation>a linha aberta {line} corta uma peça em X{x:.3f} Y{y:.3f}</translation>
         </message>
         <message>
             <source>operation '{cycle}' uses tool {tool}, which the job does not have</source>
@@ -10971,7 +10971,7 @@
         </message>
         <message>
             <source>part {number} goes beyond the sheet at X{x:.3f} Y{y:.3f}</source>
-            <translation type="unfinished"></translation>
+            <translation>a peça {number} passa da chapa em X{x:.3f} Y{y:.3f}</translation>
         </message>
         <message>
             <source>peck_mm {peck_mm:g} mm</source>
@@ -11295,7 +11295,7 @@
         </message>
         <message>
             <source>rows must be a list of tables</source>
-            <translation type="unfinished"></translation>
+            <translation>as linhas têm de ser uma lista de tabelas</translation>
         </message>
         <message>
             <source>run 'make setup' beside the workbench, or let Tools &gt; Addon Manager install them, or install them for Python {version_info}.{version_info2} into a folder of their own (pip install --target FOLDER) and name it in the environment variable CNCSTEPPER_PACKAGES</source>
@@ -11411,7 +11411,7 @@
         </message>
         <message>
             <source>set a lead_in, or pierce_mm to half of the kerf</source>
-            <translation type="unfinished"></translation>
+            <translation>defina um lead_in, ou pierce_mm como metade da largura do corte</translation>
         </message>
         <message>
             <source>set again at the pause at line {line}: {places} (machine, mm); what comes after counts from there, what was before from the old one</source>
@@ -11423,7 +11423,7 @@
         </message>
         <message>
             <source>set entry_slit = true, which cuts a slit through the part into each hole, or leave the holes out</source>
-            <translation type="unfinished"></translation>
+            <translation>defina entry_slit = true, que corta uma fenda pela peça até cada furo, ou deixe os furos de fora</translation>
         </message>
         <message>
             <source>set it again, and do not start before it is right</source>
@@ -11435,15 +11435,15 @@
         </message>
         <message>
             <source>set margin_mm to at most {margin_mm:.3g}, or move the parts apart</source>
-            <translation type="unfinished"></translation>
+            <translation>defina margin_mm como no máximo {margin_mm:.3g}, ou afaste as peças</translation>
         </message>
         <message>
             <source>set pierce_mm to that limit or less, or leave {short_mm:.2f} mm more scrap there</source>
-            <translation type="unfinished"></translation>
+            <translation>defina pierce_mm como esse limite ou menos, ou deixe mais {short_mm:.2f} mm de retalho ali</translation>
         </message>
         <message>
             <source>set process to "plasma", "oxyfuel", "laser", "waterjet", "drag-knife" or "scribe"</source>
-            <translation type="unfinished"></translation>
+            <translation>defina process como "plasma", "oxyfuel", "laser", "waterjet", "drag-knife" ou "scribe"</translation>
         </message>
         <message>
             <source>set ramp_deg and no tabs, or use a mill that cuts over its centre</source>
@@ -11503,7 +11503,7 @@
         </message>
         <message>
             <source>sheet_cut does not cut by {process}</source>
-            <translation type="unfinished"></translation>
+            <translation>sheet_cut não corta com {process}</translation>
         </message>
         <message>
             <source>short slice</source>
@@ -11563,11 +11563,11 @@
         </message>
         <message>
             <source>split the chart</source>
-            <translation type="unfinished"></translation>
+            <translation>divida a tabela</translation>
         </message>
         <message>
             <source>split the file</source>
-            <translation type="unfinished"></translation>
+            <translation>divida o arquivo</translation>
         </message>
         <message>
             <source>split the program</source>
@@ -11591,7 +11591,7 @@
         </message>
         <message>
             <source>start the torch with M3 $0 S1, the scribe with M3 $1 S1, a spot with M3 $2 S1</source>
-            <translation type="unfinished"></translation>
+            <translation>ligue a tocha com M3 $0 S1, o riscador com M3 $1 S1, uma marca com M3 $2 S1</translation>
         </message>
         <message>
             <source>starts the spindle at {spindle_rpm:g} rpm, {sense}</source>
@@ -11703,7 +11703,7 @@
         </message>
         <message>
             <source>take a thickness within it, another consumable, or give a chart of your own with this row</source>
-            <translation type="unfinished"></translation>
+            <translation>use uma espessura dentro dela, outro consumível, ou dê uma tabela própria com esta linha</translation>
         </message>
         <message>
             <source>take it out</source>
@@ -11723,7 +11723,7 @@
         </message>
         <message>
             <source>take it out, or use one of: NAME, {keys}</source>
-            <translation type="unfinished"></translation>
+            <translation>retire-a, ou use uma destas: NAME, {keys}</translation>
         </message>
         <message>
             <source>take one of them out</source>
@@ -11731,11 +11731,11 @@
         </message>
         <message>
             <source>take one out</source>
-            <translation type="unfinished"></translation>
+            <translation>retire uma delas</translation>
         </message>
         <message>
             <source>take one out, or give them different consumables</source>
-            <translation type="unfinished"></translation>
+            <translation>retire uma delas, ou dê a elas consumíveis diferentes</translation>
         </message>
         <message>
             <source>take out R</source>
@@ -11767,7 +11767,7 @@
         </message>
         <message>
             <source>test a torch, a laser, a jet or a wire</source>
-            <translation type="unfinished"></translation>
+            <translation>teste uma tocha, um laser, um jato ou um fio</translation>
         </message>
         <message>
             <source>the $ command is not known</source>
@@ -11779,7 +11779,7 @@
         </message>
         <message>
             <source>the NAME of material {number} names no material and thickness</source>
-            <translation type="unfinished"></translation>
+            <translation>o NAME do material {number} não indica material e espessura</translation>
         </message>
         <message>
             <source>the O-word cannot be read</source>
@@ -11895,7 +11895,7 @@
         </message>
         <message>
             <source>the certificate's findings are damaged</source>
-            <translation type="unfinished"></translation>
+            <translation>as ocorrências do certificado estão danificadas</translation>
         </message>
         <message>
             <source>the changed line would lead elsewhere than it must</source>
@@ -11915,27 +11915,27 @@
         </message>
         <message>
             <source>the chart has no consumable '{consumable}' for it</source>
-            <translation type="unfinished"></translation>
+            <translation>a tabela não tem o consumível '{consumable}' para isso</translation>
         </message>
         <message>
             <source>the chart has no kerf of {material} at this feed</source>
-            <translation type="unfinished"></translation>
+            <translation>a tabela não tem largura do corte de {material} com este avanço</translation>
         </message>
         <message>
             <source>the chart has no row of {process}</source>
-            <translation type="unfinished"></translation>
+            <translation>a tabela não tem linha de {process}</translation>
         </message>
         <message>
             <source>the chart has too many rows</source>
-            <translation type="unfinished"></translation>
+            <translation>a tabela tem linhas demais</translation>
         </message>
         <message>
             <source>the chart of {process} does not cover this thickness of {material}</source>
-            <translation type="unfinished"></translation>
+            <translation>a tabela de {process} não cobre esta espessura de {material}</translation>
         </message>
         <message>
             <source>the chart of {process} has no material '{material}'</source>
-            <translation type="unfinished"></translation>
+            <translation>a tabela de {process} não tem o material '{material}'</translation>
         </message>
         <message>
             <source>the checksum is wrong</source>
@@ -11955,11 +11955,11 @@
         </message>
         <message>
             <source>the comment of a material lacks nu= or na=</source>
-            <translation type="unfinished"></translation>
+            <translation>no comentário de um material falta nu= ou na=</translation>
         </message>
         <message>
             <source>the comment of a material lacks {key}=</source>
-            <translation type="unfinished"></translation>
+            <translation>no comentário de um material falta {key}=</translation>
         </message>
         <message>
             <source>the compensated arc would have two radii</source>
@@ -12443,7 +12443,7 @@
         </message>
         <message>
             <source>the file has too many materials</source>
-            <translation type="unfinished"></translation>
+            <translation>o arquivo tem materiais demais</translation>
         </message>
         <message>
             <source>the file holds no object</source>
@@ -12643,7 +12643,7 @@
         </message>
         <message>
             <source>the kerf closes a narrow place in the outline of part {number}, which begins at X{x:.3f} Y{y:.3f}</source>
-            <translation type="unfinished"></translation>
+            <translation>a largura do corte fecha um lugar estreito no contorno da peça {number}, que começa em X{x:.3f} Y{y:.3f}</translation>
         </message>
         <message>
             <source>the kerf goes beyond the drawing</source>
@@ -12655,19 +12655,19 @@
         </message>
         <message>
             <source>the kerf is wider than a place in the hole of part {number} that begins at X{x:.3f} Y{y:.3f}</source>
-            <translation type="unfinished"></translation>
+            <translation>a largura do corte é maior que um lugar no furo da peça {number} que começa em X{x:.3f} Y{y:.3f}</translation>
         </message>
         <message>
             <source>the kerf is wider than hole {number} at X{x:.3f} Y{y:.3f}</source>
-            <translation type="unfinished"></translation>
+            <translation>a largura do corte é maior que o furo {number} em X{x:.3f} Y{y:.3f}</translation>
         </message>
         <message>
             <source>the kerf of {kerf_mm:g} mm</source>
-            <translation type="unfinished"></translation>
+            <translation>a largura do corte de {kerf_mm:g} mm</translation>
         </message>
         <message>
             <source>the kerf test is too small for its kerf and leads</source>
-            <translation type="unfinished"></translation>
+            <translation>o teste da largura do corte é pequeno demais para o corte e para as entradas e saídas</translation>
         </message>
         <message>
             <source>the kernels are not compiled ahead: {said}</source>
@@ -12827,7 +12827,7 @@
         </message>
         <message>
             <source>the machine has no such spindle</source>
-            <translation type="unfinished"></translation>
+            <translation>a máquina não tem esse fuso</translation>
         </message>
         <message>
             <source>the machine has no {name} coolant</source>
@@ -13027,7 +13027,7 @@
         </message>
         <message>
             <source>the pierce heights make no sense in {units}: the file seems to be in {other}</source>
-            <translation type="unfinished"></translation>
+            <translation>as alturas de perfuração não fazem sentido em {units}: o arquivo parece estar em {other}</translation>
         </message>
         <message>
             <source>the pierce is nearer to a part than the chart's lead-in is long: its spatter reaches the part</source>
@@ -13163,7 +13163,7 @@
         </message>
         <message>
             <source>the program begins at X{x:g} Y{y:g}, which is over the sheet: move the wire out of the sheet, to X{begin_x:.3f} Y{begin_y:.3f}, before it is started</source>
-            <translation type="unfinished"></translation>
+            <translation>o programa começa em X{x:g} Y{y:g}, que fica sobre a chapa: leve o fio para fora da chapa, até X{begin_x:.3f} Y{begin_y:.3f}, antes de iniciá-lo</translation>
         </message>
         <message>
             <source>the program begins with the tool at the work zero: bring it there before this one is sent</source>
@@ -13287,7 +13287,7 @@
         </message>
         <message>
             <source>the program's file cannot be read any more: {why}</source>
-            <translation type="unfinished"></translation>
+            <translation>não é mais possível ler o arquivo do programa: {why}</translation>
         </message>
         <message>
             <source>the proof failed by a fault of its own: {kind}: {error}</source>
@@ -13395,7 +13395,7 @@
         </message>
         <message>
             <source>the scribe is tool {number} of LinuxCNC's table, whose X and Y are its place beside the torch</source>
-            <translation type="unfinished"></translation>
+            <translation>o riscador é a ferramenta {number} da tabela do LinuxCNC, cujos X e Y são o seu lugar ao lado da tocha</translation>
         </message>
         <message>
             <source>the second limit switch of a double axis was not found</source>
@@ -13583,7 +13583,7 @@
         </message>
         <message>
             <source>the thickness of material {number}</source>
-            <translation type="unfinished"></translation>
+            <translation>a espessura do material {number}</translation>
         </message>
         <message>
             <source>the timeline</source>
@@ -13611,7 +13611,7 @@
         </message>
         <message>
             <source>the tool ${tool} still runs</source>
-            <translation type="unfinished"></translation>
+            <translation>a ferramenta ${tool} ainda está ligada</translation>
         </message>
         <message>
             <source>the tool changer does not know which tool it holds</source>
@@ -13707,7 +13707,7 @@
         </message>
         <message>
             <source>the torch may not be taken off</source>
-            <translation type="unfinished"></translation>
+            <translation>a tocha não pode ser desligada</translation>
         </message>
         <message>
             <source>the turn of the work system went into the coordinates</source>
@@ -13723,7 +13723,7 @@
         </message>
         <message>
             <source>the velocity may not be reduced</source>
-            <translation type="unfinished"></translation>
+            <translation>a velocidade não pode ser reduzida</translation>
         </message>
         <message>
             <source>the virtual grbl ended at once</source>
@@ -13771,11 +13771,11 @@
         </message>
         <message>
             <source>the wire has no entry into the closed hole at X{x:.3f} Y{y:.3f}</source>
-            <translation type="unfinished"></translation>
+            <translation>o fio não tem entrada no furo fechado em X{x:.3f} Y{y:.3f}</translation>
         </message>
         <message>
             <source>the wire is too thick for {corners} inner corner(s) or narrow place(s); up to {thick_mm:.3f} mm stays, most at X{x:.3f} Y{y:.3f}</source>
-            <translation type="unfinished"></translation>
+            <translation>o fio é grosso demais para {corners} canto(s) interno(s) ou lugar(es) estreito(s); ficam até {thick_mm:.3f} mm, o máximo em X{x:.3f} Y{y:.3f}</translation>
         </message>
         <message>
             <source>the wire moves before it is hot</source>
@@ -13783,7 +13783,7 @@
         </message>
         <message>
             <source>the wire would stand too long at corners and melt a hole</source>
-            <translation type="unfinished"></translation>
+            <translation>o fio ficaria tempo demais parado nos cantos e derreteria um buraco</translation>
         </message>
         <message>
             <source>the word {letter} has no number that can be read</source>
@@ -13923,7 +13923,7 @@
         </message>
         <message>
             <source>there is no process '{name}'</source>
-            <translation type="unfinished"></translation>
+            <translation>não existe o processo '{name}'</translation>
         </message>
         <message>
             <source>there is no room for a helix or ramp, and the tool does not cut over its centre</source>
@@ -13935,7 +13935,7 @@
         </message>
         <message>
             <source>there is no scrap for the pierce and lead-in of {chain} near X{x:.3f} Y{y:.3f}</source>
-            <translation type="unfinished"></translation>
+            <translation>não há retalho para a perfuração e a entrada de {chain} perto de X{x:.3f} Y{y:.3f}</translation>
         </message>
         <message>
             <source>there is no subroutine o&lt;{seeking}&gt;</source>
@@ -14055,7 +14055,7 @@
         </message>
         <message>
             <source>this material number is none of a material file</source>
-            <translation type="unfinished"></translation>
+            <translation>este número de material não é de um arquivo de materiais</translation>
         </message>
         <message>
             <source>this one is made by itself when that is done, in about a minute</source>
@@ -14063,7 +14063,7 @@
         </message>
         <message>
             <source>this pin of the machine is not known to this reader</source>
-            <translation type="unfinished"></translation>
+            <translation>este leitor não conhece este pino da máquina</translation>
         </message>
         <message>
             <source>this reader knows no pockets</source>
@@ -14219,11 +14219,11 @@
         </message>
         <message>
             <source>two parts lie too close to each other for the wire to pass, at X{x:.3f} Y{y:.3f}</source>
-            <translation type="unfinished"></translation>
+            <translation>duas peças estão perto demais uma da outra para o fio passar, em X{x:.3f} Y{y:.3f}</translation>
         </message>
         <message>
             <source>two rows are for {thickness:g} mm of {material}</source>
-            <translation type="unfinished"></translation>
+            <translation>duas linhas são para {thickness:g} mm de {material}</translation>
         </message>
         <message>
             <source>two self-squaring axes cannot be homed at the same time</source>
@@ -14383,7 +14383,7 @@
         </message>
         <message>
             <source>use a wire</source>
-            <translation type="unfinished"></translation>
+            <translation>use um fio</translation>
         </message>
         <message>
             <source>use a work offset (G54) instead</source>
@@ -14415,7 +14415,7 @@
         </message>
         <message>
             <source>use o, nu, na, {0}</source>
-            <translation type="unfinished"></translation>
+            <translation>use o, nu, na, {0}</translation>
         </message>
         <message>
             <source>use one of carbide</source>
@@ -14427,7 +14427,7 @@
         </message>
         <message>
             <source>use one of: {consumables}</source>
-            <translation type="unfinished"></translation>
+            <translation>use um destes: {consumables}</translation>
         </message>
         <message>
             <source>use one of: {cycles}</source>
@@ -14451,7 +14451,7 @@
         </message>
         <message>
             <source>use one of: {materials}, or give a chart of your own</source>
-            <translation type="unfinished"></translation>
+            <translation>use um destes: {materials}, ou dê uma tabela própria</translation>
         </message>
         <message>
             <source>use one of: {operations}</source>
@@ -14459,11 +14459,11 @@
         </message>
         <message>
             <source>use one of: {processes}</source>
-            <translation type="unfinished"></translation>
+            <translation>use um destes: {processes}</translation>
         </message>
         <message>
             <source>use one of: {shapes}</source>
-            <translation type="unfinished"></translation>
+            <translation>use uma destas: {shapes}</translation>
         </message>
         <message>
             <source>use one of: {there}</source>
@@ -14567,7 +14567,7 @@
         </message>
         <message>
             <source>way out</source>
-            <translation type="unfinished"></translation>
+            <translation>caminho de saída</translation>
         </message>
         <message>
             <source>what #{number} will hold is known only when the program runs</source>
@@ -14591,7 +14591,7 @@
         </message>
         <message>
             <source>what lies at X{x:.3f} Y{y:.3f} would come loose before it is cut, in any order</source>
-            <translation type="unfinished"></translation>
+            <translation>o que fica em X{x:.3f} Y{y:.3f} se soltaria antes de ser cortado, em qualquer ordem</translation>
         </message>
         <message>
             <source>what lies inside an outline is faced with it</source>
@@ -14603,7 +14603,7 @@
         </message>
         <message>
             <source>what the material that QtPlasmaC has chosen says is not in the text</source>
-            <translation type="unfinished"></translation>
+            <translation>o que diz o material escolhido pelo QtPlasmaC não está no texto</translation>
         </message>
         <message>
             <source>what was picked of '{drawing}' is not there any more</source>
@@ -14667,7 +14667,7 @@
         </message>
         <message>
             <source>without a lead-in the pierce lies on the cut, beside the part</source>
-            <translation type="unfinished"></translation>
+            <translation>sem entrada, a perfuração fica sobre o corte, ao lado da peça</translation>
         </message>
         <message>
             <source>words for the spindle</source>
@@ -14787,7 +14787,7 @@
         </message>
         <message>
             <source>write M5 ${0} before</source>
-            <translation type="unfinished"></translation>
+            <translation>escreva M5 ${0} antes</translation>
         </message>
         <message>
             <source>write M5 before</source>
@@ -14815,7 +14815,7 @@
         </message>
         <message>
             <source>write [MATERIAL_NUMBER_n] and below it lines such as: CUT_SPEED = 3850</source>
-            <translation type="unfinished"></translation>
+            <translation>escreva [MATERIAL_NUMBER_n] e abaixo linhas como: CUT_SPEED = 3850</translation>
         </message>
         <message>
             <source>write a G0 or G1 before</source>
@@ -14875,7 +14875,7 @@
         </message>
         <message>
             <source>write both, as in: NAME = mild-steel 3 mm 45A</source>
-            <translation type="unfinished"></translation>
+            <translation>escreva os dois, como em: NAME = mild-steel 3 mm 45A</translation>
         </message>
         <message>
             <source>write endsub, or M99 in a subprogram of Fanuc's form</source>
@@ -14923,7 +14923,7 @@
         </message>
         <message>
             <source>write its comment before, such as {example}, or name material and thickness</source>
-            <translation type="unfinished"></translation>
+            <translation>escreva antes o comentário dele, como {example}, ou indique material e espessura</translation>
         </message>
         <message>
             <source>write its end point</source>
@@ -14963,7 +14963,7 @@
         </message>
         <message>
             <source>write ph=, pd=, ch= and fr=</source>
-            <translation type="unfinished"></translation>
+            <translation>escreva ph=, pd=, ch= e fr=</translation>
         </message>
         <message>
             <source>write plain moves, each in a line of its own, in coordinates that are not turned</source>
@@ -14983,7 +14983,7 @@
         </message>
         <message>
             <source>write the chart as TOML</source>
-            <translation type="unfinished"></translation>
+            <translation>escreva a tabela em TOML</translation>
         </message>
         <message>
             <source>write the curve as lines and arcs</source>
@@ -15031,7 +15031,7 @@
         </message>
         <message>
             <source>write those</source>
-            <translation type="unfinished"></translation>
+            <translation>escreva essas</translation>
         </message>
         <message>
             <source>write to another one</source>
@@ -15051,7 +15051,7 @@
         </message>
         <message>
             <source>write {0} to {1}</source>
-            <translation type="unfinished"></translation>
+            <translation>escreva de {0} a {1}</translation>
         </message>
         <message>
             <source>write {keyword} [condition]</source>
@@ -15087,15 +15087,15 @@
         </message>
         <message>
             <source>{0} mm/min</source>
-            <translation type="unfinished"></translation>
+            <translation>{0} mm/min</translation>
         </message>
         <message>
             <source>{0} to {1} mm</source>
-            <translation type="unfinished"></translation>
+            <translation>{0} a {1} mm</translation>
         </message>
         <message>
             <source>{0} to {1} mm/min</source>
-            <translation type="unfinished"></translation>
+            <translation>{0} a {1} mm/min</translation>
         </message>
         <message>
             <source>{0}, program {1} of {2}</source>
@@ -15111,11 +15111,11 @@
         </message>
         <message>
             <source>{away_mm:.3f} mm away</source>
-            <translation type="unfinished"></translation>
+            <translation>a {away_mm:.3f} mm de distância</translation>
         </message>
         <message>
             <source>{beyond_mm:.3f} mm beyond</source>
-            <translation type="unfinished"></translation>
+            <translation>{beyond_mm:.3f} mm além</translation>
         </message>
         <message>
             <source>{body} goes into clamp {number}</source>
@@ -15127,7 +15127,7 @@
         </message>
         <message>
             <source>{chain}: the kerf does not get into a slot or corner at X{x:.3f} Y{y:.3f}; {left_mm:.2f} mm stay</source>
-            <translation type="unfinished"></translation>
+            <translation>{chain}: a largura do corte não entra em um rasgo ou canto em X{x:.3f} Y{y:.3f}; ficam {left_mm:.2f} mm</translation>
         </message>
         <message>
             <source>{clear_mm:g} mm with the stock to leave</source>
@@ -15151,11 +15151,11 @@
         </message>
         <message>
             <source>{count} joints do not fit on {chain}</source>
-            <translation type="unfinished"></translation>
+            <translation>{count} microjunções não cabem em {chain}</translation>
         </message>
         <message>
             <source>{crossing} rapid(s) lead over parts that are already free</source>
-            <translation type="unfinished"></translation>
+            <translation>{crossing} rápido(s) passa(m) sobre peças já soltas</translation>
         </message>
         <message>
             <source>{deep_mm:.3f} mm deep</source>
@@ -15239,7 +15239,7 @@
         </message>
         <message>
             <source>{gap_mm:g} mm each, the kerf included</source>
-            <translation type="unfinished"></translation>
+            <translation>{gap_mm:g} mm cada uma, com a largura do corte</translation>
         </message>
         <message>
             <source>{hanging} piece(s) stay joined to others, for the tool does not fit between them; the tightest place is at X{x:.3f} Y{y:.3f}</source>
@@ -15251,7 +15251,7 @@
         </message>
         <message>
             <source>{holes} closed hole(s)</source>
-            <translation type="unfinished"></translation>
+            <translation>{holes} furo(s) fechado(s)</translation>
         </message>
         <message>
             <source>{home}, and end other programs before the next try</source>
@@ -15275,7 +15275,7 @@
         </message>
         <message>
             <source>{kerf_mm:g} mm from the other holes</source>
-            <translation type="unfinished"></translation>
+            <translation>{kerf_mm:g} mm dos outros furos</translation>
         </message>
         <message>
             <source>{kerf_share:.4g} to {kerf_share2:.4g} mm</source>
@@ -15355,31 +15355,31 @@
         </message>
         <message>
             <source>{key} needs a laser: {process} has one power and pierces anew</source>
-            <translation type="unfinished"></translation>
+            <translation>{key} precisa de um laser: {process} tem uma só potência e perfura de novo</translation>
         </message>
         <message>
             <source>{key} of material {number}</source>
-            <translation type="unfinished"></translation>
+            <translation>{key} do material {number}</translation>
         </message>
         <message>
             <source>{key} of material {number} has no such value</source>
-            <translation type="unfinished"></translation>
+            <translation>{key} do material {number} não pode ter esse valor</translation>
         </message>
         <message>
             <source>{key} stands twice in one material</source>
-            <translation type="unfinished"></translation>
+            <translation>{key} aparece duas vezes em um material</translation>
         </message>
         <message>
             <source>{key}= of a material has no such value</source>
-            <translation type="unfinished"></translation>
+            <translation>{key}= de um material não pode ter esse valor</translation>
         </message>
         <message>
             <source>{key}= of a material is out of its bounds</source>
-            <translation type="unfinished"></translation>
+            <translation>{key}= de um material está fora de seus limites</translation>
         </message>
         <message>
             <source>{key}= stands twice in a material's comment</source>
-            <translation type="unfinished"></translation>
+            <translation>{key}= aparece duas vezes no comentário de um material</translation>
         </message>
         <message>
             <source>{lacks} became lines, at most {chord_mm:g} mm away</source>
@@ -15395,7 +15395,7 @@
         </message>
         <message>
             <source>{left_out} corner(s) get no loop: there is no scrap for it</source>
-            <translation type="unfinished"></translation>
+            <translation>{left_out} canto(s) fica(m) sem laço: não há retalho para isso</translation>
         </message>
         <message>
             <source>{left_out} messages were left out: more came than could be read</source>
@@ -15507,7 +15507,7 @@
         </message>
         <message>
             <source>{missing} cut(s) end without a lead-out: there is no scrap for it</source>
-            <translation type="unfinished"></translation>
+            <translation>{missing} corte(s) termina(m) sem saída: não há retalho para isso</translation>
         </message>
         <message>
             <source>{missing} is missing: absolute arc centres need both words</source>
@@ -15527,7 +15527,7 @@
         </message>
         <message>
             <source>{most_mm:.2f} mm each</source>
-            <translation type="unfinished"></translation>
+            <translation>{most_mm:.2f} mm cada uma</translation>
         </message>
         <message>
             <source>{most_strokes} moves in one block</source>
@@ -15719,11 +15719,11 @@
         </message>
         <message>
             <source>{pierce_mm:g} mm from parts</source>
-            <translation type="unfinished"></translation>
+            <translation>{pierce_mm:g} mm das peças</translation>
         </message>
         <message>
             <source>{pierce_mm:g} mm from parts and cut edges</source>
-            <translation type="unfinished"></translation>
+            <translation>{pierce_mm:g} mm das peças e das bordas cortadas</translation>
         </message>
         <message>
             <source>{places} of {wanted} tabs fit on the contour that begins at X{x:.3f} Y{y:.3f}; make them narrower to have more</source>
@@ -15759,7 +15759,7 @@
         </message>
         <message>
             <source>{process} does not cut with a {shape} tool</source>
-            <translation type="unfinished"></translation>
+            <translation>{process} não corta com uma ferramenta {shape}</translation>
         </message>
         <message>
             <source>{process} does not cut with a {shape} tool; its shape is one of: {shapes}</source>
@@ -15767,15 +15767,15 @@
         </message>
         <message>
             <source>{process} has no kerf and no power to test</source>
-            <translation type="unfinished"></translation>
+            <translation>{process} não tem largura do corte nem potência para testar</translation>
         </message>
         <message>
             <source>{process} is lowered and lifted, but the machine has no Z</source>
-            <translation type="unfinished"></translation>
+            <translation>{process} baixa e levanta a ferramenta, mas a máquina não tem Z</translation>
         </message>
         <message>
             <source>{process} takes no cut chart</source>
-            <translation type="unfinished"></translation>
+            <translation>{process} não usa tabela de corte</translation>
         </message>
         <message>
             <source>{program}, which is to be run before it, is refused</source>
@@ -15839,7 +15839,7 @@
         </message>
         <message>
             <source>{twice} curve(s) are drawn twice and are cut once</source>
-            <translation type="unfinished"></translation>
+            <translation>{twice} curva(s) desenhada(s) duas vezes: o corte é feito uma só vez</translation>
         </message>
         <message>
             <source>{twice} of the {drawn} holes stand where others do and are made once</source>
