@@ -217,7 +217,7 @@
         </message>
         <message>
             <source>Corner Dwell</source>
-            <translation>Espera no canto</translation>
+            <translation>Pausa no canto</translation>
         </message>
         <message>
             <source>Corner Radius</source>
@@ -233,7 +233,7 @@
         </message>
         <message>
             <source>Corner dwell</source>
-            <translation>Espera no canto</translation>
+            <translation>Pausa no canto</translation>
         </message>
         <message>
             <source>Corner radius</source>
@@ -1177,7 +1177,7 @@
         </message>
         <message>
             <source>Over-burn</source>
-            <translation>Sobrecorte</translation>
+            <translation>Ultrapassagem</translation>
         </message>
         <message>
             <source>Overcut</source>
@@ -2736,7 +2736,7 @@
         </message>
         <message>
             <source>Corner dwell</source>
-            <translation>Espera no canto</translation>
+            <translation>Pausa no canto</translation>
         </message>
         <message>
             <source>Corner radius</source>
@@ -4276,7 +4276,7 @@
         </message>
         <message>
             <source>Over-burn</source>
-            <translation>Sobrecorte</translation>
+            <translation>Ultrapassagem</translation>
         </message>
         <message>
             <source>Overcut</source>
