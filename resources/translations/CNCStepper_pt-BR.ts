@@ -1537,7 +1537,7 @@
         </message>
         <message>
             <source>Small Holes Over Run</source>
-            <translation>Sobrecorte dos furos pequenos</translation>
+            <translation>Ultrapassagem dos furos pequenos</translation>
         </message>
         <message>
             <source>Small Holes Thickness Ratio</source>
