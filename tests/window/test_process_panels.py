@@ -93,7 +93,7 @@ def test_a_job_shows_only_what_its_process_has(hand: Hand, document: Any, proces
     assert [hand.main(problem_of, obj) for obj in (*job.Operations, job)] == ["", ""]
     open_panel(hand, job, "machine")
     hand.shot(f"job-{process}")
-    hand.main(lambda: places.scroll_to(places.find(P + "feed_mm_min")))
+    hand.main(lambda: places.scroll_to(places.find(P + "cut_feed_mm_min")))
     hand.shot(f"job-{process}-chart")
     hand.main(lambda: places.scroll_to(places.find("CNCStepper_Panel_tools")))
     hand.shot(f"job-{process}-tools")
@@ -122,16 +122,16 @@ def test_the_panel_of_an_operation(hand: Hand, document: Any, process: str) -> N
 def test_a_typed_value_wins_and_the_button_takes_the_charts_again(hand: Hand, document: Any) -> None:
     job = hand.main(make_job, document, "plasma")
     before = hand.main(api.program_text, job)
-    open_panel(hand, job, "feed_mm_min")
-    hand.main(lambda: places.scroll_to(places.find(P + "feed_mm_min")))
+    open_panel(hand, job, "cut_feed_mm_min")
+    hand.main(lambda: places.scroll_to(places.find(P + "cut_feed_mm_min")))
     hand.settle()
-    hand.fill(P + "feed_mm_min", "1234")
+    hand.fill(P + "cut_feed_mm_min", "1234")
     hand.wait(lambda: "F1234" in api.program_text(job), 20, "the feed in the program")
     hand.shot("job-own-feed")
-    hand.click(P + "feed_mm_min_reset")
+    hand.click(P + "cut_feed_mm_min_reset")
     hand.wait(lambda: float(job.CutFeed) == 0 and "Touched" not in job.State, 20, "the chart's feed")
     assert hand.main(api.program_text, job) == before
-    hand.wait(lambda: not places.visible(P + "feed_mm_min_reset"), what="the button to go")
+    hand.wait(lambda: not places.visible(P + "cut_feed_mm_min_reset"), what="the button to go")
 
 
 def test_a_machine_brings_a_process_and_a_material(hand: Hand, document: Any) -> None:
@@ -140,7 +140,7 @@ def test_a_machine_brings_a_process_and_a_material(hand: Hand, document: Any) ->
     hand.choose(P + "machine", "Torch table (torch-table)")
     hand.wait(lambda: job.Process == "plasma", 20, "the process of the machine")
     assert hand.main(lambda: job.Material) != ""
-    hand.wait(lambda: places.visible(P + "feed_mm_min"), what="the chart's values")
+    hand.wait(lambda: places.visible(P + "cut_feed_mm_min"), what="the chart's values")
     hand.choose(P + "process", "Oxyfuel")
     hand.wait(lambda: job.Process == "oxyfuel", 20, "the other process")
     hand.shot("job-oxyfuel")

@@ -210,6 +210,11 @@ class ConsumableField(ChoiceField):
 class ChartValueField(NumberField):
     """A value of the chart, grey until a person types another one; a button then takes the chart's again."""
 
+    def __init__(self, obj: Any, entry: Any, parent: Any):
+        super().__init__(obj, entry, parent)
+        self.editors[0].setObjectName(f"{NAME}_cut_{entry.key}")  # the tool's editor in the same panel has a feed, too
+        self.note.setObjectName(f"{NAME}_cut_{entry.key}_error")
+
     def make(self) -> list[Any]:
         """Add the line, and beside it what takes the chart's value again."""
         row = QtGui.QHBoxLayout()
@@ -218,7 +223,7 @@ class ChartValueField(NumberField):
         line = self.line(layout=row)
         line.setPlaceholderText("–")
         self.reset = QtGui.QToolButton(self.widget)
-        self.reset.setObjectName(f"{NAME}_{self.entry.key}_reset")
+        self.reset.setObjectName(f"{NAME}_cut_{self.entry.key}_reset")
         self.reset.setIcon(self.reset.style().standardIcon(QtGui.QStyle.StandardPixmap.SP_BrowserReload))
         self.reset.setToolTip(tr("Take the chart's value again"))
         self.reset.setAutoRaise(True)
