@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from pydantic import BaseModel, ConfigDict, Field, model_validator
+from pydantic import BaseModel, ConfigDict, Field, StrictBool, model_validator
 
 from CNCStepper.cycles.contours.contour_model import Lead
 from CNCStepper.cycles.parameter_types import CurveField
@@ -71,6 +71,7 @@ class SheetModel(SheetParameters, BaseModel):
     loops: Loops | None = None
     tabs: MicroJoints | None = None
     power_ramp: PowerRamp | None = None
+    dynamic_power: StrictBool = False
 
     def lead_of(self, process: Process, kerf_mm: float, pierce_mm: float) -> Lead:
         """Return the lead-in: the job's own, else an arc for a process that pierces, none for one that is lowered."""

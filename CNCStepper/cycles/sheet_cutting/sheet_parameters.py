@@ -136,8 +136,8 @@ class SheetParameters(Parameters):
         int, Bounds("count", 1, MOST_PASSES), Parameter(CUT, "Passes", "How often each line is cut")
     ] = 1  # fmt: skip
     dynamic_power: Annotated[
-        bool, Parameter(CUT, "Dynamic power", "Whether a laser's power follows its speed (M4)")
-    ] = False  # fmt: skip
+        bool, Parameter(CUT, "Dynamic power", "Whether a laser's power follows its speed (M4)", False)
+    ]  # fmt: skip
     lead_in: Annotated[Any, Table(LeadParameters, IN)]
     lead_out: Annotated[Any, Table(LeadParameters, OUT)]
     overcut_mm: Annotated[

@@ -26,9 +26,8 @@ from CNCStepper.gcode.dialects.thesis_a import THESIS_A
 
 __all__ = ["ArcRule", "Dialect", "Writing", "dialect", "dialect_named", "dialect_names"]
 
-_DIALECTS = {
-    one.name: one for one in (GRBL, GRBLHAL, FLUIDNC, LINUXCNC, QTPLASMAC, MACH, MARLIN, ISO, THESIS_A, MINI_LATHE)
-}
+_ALL = (GRBL, GRBLHAL, FLUIDNC, LINUXCNC, QTPLASMAC, MACH, MARLIN, ISO, THESIS_A, MINI_LATHE)
+_DIALECTS = {one.name: one for one in _ALL}
 
 
 def dialect_names() -> list[str]:

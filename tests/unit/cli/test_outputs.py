@@ -74,6 +74,7 @@ def test_the_walk_finds_the_verbs_that_write() -> None:
         "compact",
         "print",
         "convert",
+        "chart",
         "tools",
         "restart",
         "drive",
