@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import Any
 
 from CNCStepper.job.question_key import Content
-from CNCStepper.machine.processes import PROCESSES
+from CNCStepper.machine.processes import MILLING, PROCESSES
 from CNCStepper.machine.tools.tool_shapes import SHAPES, foreign_keys
 from CNCStepper.workbench import packages
 from CNCStepper.workbench.features.base import (
@@ -164,8 +164,9 @@ def is_from_chart(obj: Any) -> bool:
 
 
 def _charted_job(obj: Any) -> Any:
-    job = job_with(obj)
-    return job if job is not None and PROCESSES[job.Process].uses_chart else None
+    job = job_with(obj)  # one of an older document gets its process only behind its tools
+    process = getattr(job, "Process", MILLING.name)
+    return job if PROCESSES[process].uses_chart else None
 
 
 def _show_chart(obj: Any, tool: Any) -> None:
