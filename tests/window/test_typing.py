@@ -30,7 +30,7 @@ import screen_places as places
 from FreeCAD import Vector
 from hand import Hand
 from PySide import QtCore, QtGui
-from test_cycle_panels import PANEL, every_panel, unfold
+from test_cycle_panels import DRAWN, MILLED, PANEL, every_panel, unfold
 
 from CNCStepper.job import curve_fit_cache
 from CNCStepper.workbench import api, panels
@@ -57,17 +57,30 @@ SHOWING = {  # values with which more lines are seen
     "thread": {"pattern_kind": "line"},
     "contour": {"tabs_by": "spacing", "lead_in_kind": "arc", "lead_out_kind": "line"},
 }
+SHEETS: dict[str, dict[str, Any]] = {  # the jobs of what is not milled
+    "sheet_cut": {
+        "machine": "torch-table",
+        "process": "plasma",
+        "material": "mild-steel",
+        "stock_size_mm": (200, 150, 3),
+    },
+    "wire_cut": {"machine": "wire-table", "process": "hot-wire", "material": "eps", "stock_size_mm": (200, 150, 20)},
+}
 KINDS = ("job", "tool", "line", *OPERATIONS)
 
 
 def draw() -> dict[str, Any]:
-    """Make one document for all panels: a job, its tool, an operation of each kind and a freehand line."""
+    """Make one document for all panels: jobs, a tool, an operation of each kind and a freehand line."""
     job = every_panel()
     line = api.add_freehand(job.Document, [(x, (x % 7) - 3) for x in range(-20, 20)], 0.01)
-    for cycle, operation in zip(OPERATIONS, job.Operations, strict=True):
+    operations = dict(zip(MILLED, job.Operations, strict=True))
+    for cycle, operation in operations.items():
         api.edit(operation, **SHOWING.get(cycle, {}), active=cycle in ("pocket", "drill"))
+    (outline, *_) = job.Document.getObjectsByLabel(DRAWN["contour"])
+    for cycle, setting in SHEETS.items():
+        operations[cycle] = api.add_operation(api.new_job(job.Document, stock_form="sheet", **setting), cycle, outline)
     job.Document.recompute()
-    return {"job": job, "tool": job.Tools[0], "line": line, **dict(zip(OPERATIONS, job.Operations, strict=True))}
+    return {"job": job, "tool": job.Tools[0], "line": line, **operations}
 
 
 class Typist:

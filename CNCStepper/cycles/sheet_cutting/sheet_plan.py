@@ -18,12 +18,12 @@ from CNCStepper.cycles.sheet_cutting.chain_polygons import parts_of
 from CNCStepper.cycles.sheet_cutting.chains import Chain, narrow_warnings, nested, polygon_of, require_gaps, with_paths
 from CNCStepper.cycles.sheet_cutting.chord_pieces import ChordPieces, points_of
 from CNCStepper.cycles.sheet_cutting.corner_loops import knife_way, loops_at, where_clear
+from CNCStepper.cycles.sheet_cutting.cut_precedence import precedence
 from CNCStepper.cycles.sheet_cutting.lead_places import Item, lead_ins, lead_outs
 from CNCStepper.cycles.sheet_cutting.lead_room import LeadRoom
 from CNCStepper.cycles.sheet_cutting.rapids import cut_order, rapid_ways
 from CNCStepper.cycles.sheet_cutting.sheet_checks import Measures, measures_of
 from CNCStepper.cycles.sheet_cutting.sheet_model import SheetModel
-from CNCStepper.cycles.sheet_cutting.stability import precedence
 from CNCStepper.cycles.sheet_cutting.strokes import Stroke, strokes
 from CNCStepper.cycles.sheet_cutting.torch_moves import Cut
 from CNCStepper.errors import Text
