@@ -4,7 +4,7 @@
 chains      parts and holes, and the beam's paths half a kerf off them       chains.py
 loops       sharp outside corners; a drag knife's swivels                    corner_loops.py
 leads       where each path is begun, proven to lie in scrap                 lead_places.py, lead_room.py
-stability   what must be cut before what                                     cut_precedence.py
+precedence  what must be cut before what                                     cut_precedence.py
 rapids      a short order, round the pieces that are free                    rapids.py
 strokes     feeds and power along each path                                  strokes.py
 moves       pierce, cut and rapids in the table                              torch_moves.py
