@@ -64,7 +64,7 @@ SHEETS: dict[str, dict[str, Any]] = {  # the jobs of what is not milled
         "material": "mild-steel",
         "stock_size_mm": (200, 150, 3),
     },
-    "wire_cut": dict(machine="wire-table", process="hot-wire", material="eps", stock_size_mm=(200, 150, 20)),
+    "wire_cut": {"machine": "wire-table", "process": "hot-wire", "material": "eps", "stock_size_mm": (200, 150, 20)},
 }
 KINDS = ("job", "tool", "line", *OPERATIONS)
 
