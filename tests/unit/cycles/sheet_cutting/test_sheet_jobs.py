@@ -10,6 +10,7 @@ import ezdxf
 import pytest
 
 from CNCStepper.drawing.dxf.reader import read_dxf
+from CNCStepper.errors import JobError
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.shapes.rectangle import rectangle
 from CNCStepper.job.make import Made, make_program
@@ -98,3 +99,20 @@ def test_a_sheet_full_of_parts_is_cut(tmp_path: Path) -> None:
     sheet = rectangle((0.0, 0.0), (220.0, 150.0))
     assert faults(found.toolpath, curves_of(drawing), sheet, kerf_mm, 2.0, delay_s) == []
     assert len(found.answers[0].parts) == 12
+
+
+def test_the_rib_of_the_wire_is_cut_by_the_torch_as_well(tmp_path: Path) -> None:
+    rib = GASKET.with_name("rib.dxf")
+    found = made(job_with(tmp_path, rib, "[200, 40, 6]"))
+    check_words(found.program)
+    kerf_mm = found.answers[0].figures["kerf_mm"]
+    sheet = rectangle((-30.0, -30.0), (230.0, 70.0))  # half of the rib lies below the sheet's corner
+    (stroke,) = strokes(found.toolpath)
+    assert faults(found.toolpath, curves_of(rib), sheet, kerf_mm, 2.0, stroke.dwell_s) == []
+    assert len(found.answers[0].parts) == 1
+
+
+def test_a_thickness_beyond_the_chart_is_refused_with_its_range(tmp_path: Path) -> None:
+    with pytest.raises(JobError, match=r"0\.5 to 6 mm") as refused:
+        made(job_with(tmp_path, GASKET, "[230, 150, 40]"))
+    assert refused.value.code == "chart-thickness"
