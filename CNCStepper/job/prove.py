@@ -194,10 +194,14 @@ def prove(
     findings = _checked(given, toolpath, motors, moves, judgement, sheet, file)
     tell("report")
     cut: dict[str, Any] = {"judgement": judgement, "part": part, "tools": tools}
-    cut["pieces"] = sheet.told() if sheet else []
-    told = report(toolpath, ends_s, whole_s=whole_s, file=file, findings=findings, **cut)
-    pieces = [replace(one, row=one.row + len(toolpath) - len(moves)) for one in (sheet.free if sheet else [])]
-    return Proof(wire, toolpath, motors, ends_s, findings, part, told, given, pieces)
+    free = sheet.told() if sheet else []
+    told = report(toolpath, ends_s, whole_s=whole_s, file=file, findings=findings, pieces=free, **cut)
+    return Proof(wire, toolpath, motors, ends_s, findings, part, told, given, _own_pieces(sheet, toolpath, moves))
+
+
+def _own_pieces(sheet: SheetVerdict | None, toolpath: Toolpath, moves: Toolpath) -> list[FreePiece]:
+    """Return what comes free by the rows of the program itself; `moves` are those after the programs before it."""
+    return [replace(one, row=one.row + len(toolpath) - len(moves)) for one in (sheet.free if sheet else [])]
 
 
 def _sheet(given: Given, moves: Toolpath, ends_s: np.ndarray) -> SheetVerdict | None:

@@ -68,12 +68,8 @@ class WireCut(WireParameters, BaseModel):
         return Answer([removal], figures, run.warnings + rest_warnings(corners), corners, list(route.parts))
 
     def kerf_of(self, setup: Setup) -> float:
-        """Return the width of the cut: its own, else the chart's at the tool's feed, else the tool's diameter."""
-        if self.kerf_mm:
-            return self.kerf_mm
-        if setup.cut_data and setup.cut_data.kerf_by_feed:
-            return setup.cut_data.kerf_at(setup.tool.feed_mm_min)
-        return setup.tool.diameter_mm
+        """Return the width of the cut: its own, else the tool's diameter, which is the chart's kerf at its feed."""
+        return self.kerf_mm or setup.tool.diameter_mm
 
     def _require(self, setup: Setup) -> None:
         """Raise CycleError for another tool than a wire, one without a feed, and too long a stand at corners."""

@@ -34,6 +34,7 @@ material = "foam"
 thickness_mm = 50.0
 feed_mm_min = 300
 kerf_mm = 2.0
+kerf_by_feed = [[150, 2.6], [300, 2.0], [600, 1.4]]
 power = 420
 """
 JOB = """
@@ -110,6 +111,23 @@ def test_a_tool_that_is_given_wins_key_by_key(tmp_path: Path) -> None:
     assert (setup.tool.diameter_mm, setup.tool.feed_mm_min, setup.tool.shape) == (1.8, 4000, "jet")
     assert setup.cut_data is not None
     assert (setup.cut_data.kerf_mm, setup.cut_data.feed_mm_min) == (1.8, 4000)
+
+
+@pytest.mark.parametrize(
+    ("own", "kerf_mm"), [("", 2.0), ("feed_mm_min = 450", 1.7), ("feed_mm_min = 450\ndiameter_mm = 1.9", 1.9)]
+)
+def test_the_kerf_is_that_of_the_tools_feed_for_cycle_and_simulation_alike(
+    own: str, kerf_mm: float, tmp_path: Path
+) -> None:
+    table = ("[[operation]]", f"[[tool]]\nnumber = 1\n{own}\n[[operation]]")
+    setup = setup_of(tmp_path, *WIRE, *([table] if own else []))
+    assert setup.tool.diameter_mm == pytest.approx(kerf_mm) and setup.cut_data is not None
+    assert setup.cut_data.kerf_at(setup.tool.feed_mm_min) == pytest.approx(kerf_mm)
+
+
+def test_a_feed_at_which_the_chart_has_no_kerf_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(JobError, match="150 to 600 mm/min"):
+        setup_of(tmp_path, *WIRE, ("[[operation]]", "[[tool]]\nnumber = 1\nfeed_mm_min = 700\n[[operation]]"))
 
 
 def test_a_job_without_material_describes_its_tool(tmp_path: Path) -> None:

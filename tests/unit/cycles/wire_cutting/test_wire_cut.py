@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The wire: where it comes in and goes out, holes and slits, corners, kerf by feed, and what is refused."""
+"""The wire: where it comes in and goes out, holes and slits, corners, kerf, and what is refused."""
 
 from __future__ import annotations
 
@@ -30,7 +30,6 @@ ROW = CutData(
     thickness_mm=20,
     feed_mm_min=300,
     kerf_mm=KERF_MM,
-    kerf_by_feed=((150, 1.8), (300, 1.2), (600, 0.8)),
     pierce_delay_s=5.0,
 )
 SETUP = Setup(
@@ -110,11 +109,11 @@ def test_corners_wait_by_their_angle() -> None:
     assert none.figures["corner_dwells"] == 0
 
 
-def test_the_kerf_follows_the_feed() -> None:
-    fast = replace(SETUP, tool=TOOL.model_copy(update={"feed_mm_min": 600.0}))
-    assert cut(box(40, 25, 10, 10))[1].figures["kerf_mm"] == pytest.approx(1.2)
-    assert cut(box(40, 25, 10, 10), setup=fast)[1].figures["kerf_mm"] == pytest.approx(0.8)
-    assert cut(box(40, 25, 10, 10), setup=fast, kerf_mm=1.0)[1].figures["kerf_mm"] == 1.0
+def test_the_kerf_is_the_tools_unless_the_cut_has_its_own() -> None:
+    thin = replace(SETUP, tool=TOOL.model_copy(update={"diameter_mm": 0.8}))
+    assert cut(box(40, 25, 10, 10))[1].figures["kerf_mm"] == KERF_MM
+    assert cut(box(40, 25, 10, 10), setup=thin)[1].figures["kerf_mm"] == 0.8
+    assert cut(box(40, 25, 10, 10), setup=thin, kerf_mm=1.0)[1].figures["kerf_mm"] == 1.0
 
 
 def test_a_hole_is_refused_without_a_slit_and_cut_through_one() -> None:
