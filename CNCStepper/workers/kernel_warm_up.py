@@ -25,15 +25,16 @@ from CNCStepper.job.make import cut_operations
 from CNCStepper.job.model import load_job
 
 TEXT = b"G1 X0 F100\nX1\n"
-CUTS = Path(__file__).with_suffix(".toml")
+CUTS = (Path(__file__).with_suffix(".toml"), Path(__file__).with_name("kernel_warm_up_wire.toml"))
 
 
 def warm() -> None:
     """Make the cuts, each as a job of its own; what they call is compiled then, and loaded from the cache later."""
     read_all_ways()
-    job, machine = load_job(CUTS)
-    for operation in job.operation:
-        cut_operations(job.model_copy(update={"operation": (operation,)}).on(machine))
+    for cuts in CUTS:
+        job, machine = load_job(cuts)
+        for operation in job.operation:
+            cut_operations(job.model_copy(update={"operation": (operation,)}).on(machine))
 
 
 def read_all_ways() -> None:
