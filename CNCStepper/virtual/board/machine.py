@@ -82,7 +82,7 @@ class Board:
     def advance(self, now_s: float) -> None:
         """Let time pass up to `now_s`."""
         records = self._arrivals.take()
-        for at_s, byte in zip(records.at_s.tolist(), records.bytes[:, 0].tolist(), strict=True):
+        for at_s, byte in zip(records.at_s.tolist(), records.bytes.ravel().tolist(), strict=True):
             self._fifo.put(at_s, byte)
         for at_s, byte in self._fifo.read(now_s):
             self._clock(at_s, byte)

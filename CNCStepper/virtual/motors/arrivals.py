@@ -29,6 +29,9 @@ class Records(NamedTuple):
         return len(self.bytes)
 
 
+NOTHING = Records(np.empty((0, 0), np.uint8), np.empty(0), np.empty(0), np.empty(0))
+
+
 class Arrivals:
     """Collects batches of bytes and gives them as records of `width` bytes; a record begun waits for its end."""
 
@@ -62,7 +65,7 @@ class Arrivals:
             if count:
                 parts.append(self._records(data[: count * self._width], since_s, now_s, count))
         self._batches.clear()
-        return Records(*(np.concatenate(columns) for columns in zip(*parts, strict=True))) if parts else self._nothing()
+        return Records(*(np.concatenate(columns) for columns in zip(*parts, strict=True))) if parts else NOTHING
 
     def _records(self, data: bytes, since_s: float, now_s: float, count: int) -> Records:
         spacing_s = min((now_s - since_s) / count, LONGEST_SPACING_S)
@@ -70,6 +73,3 @@ class Arrivals:
         self._last_s = float(at_s[-1])
         rows = np.frombuffer(data, np.uint8).reshape(count, self._width)
         return Records(rows, np.full(count, since_s), np.full(count, now_s), at_s)
-
-    def _nothing(self) -> Records:
-        return Records(np.empty((0, self._width), np.uint8), *(np.empty(0) for _ in range(3)))

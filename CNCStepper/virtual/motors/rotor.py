@@ -65,6 +65,8 @@ class Rotor:
         self._memory = np.zeros(7)
         self._memory[[PLACE, FIELD]] = place
         self._memory[POWER] = 1.0
+        if limits:
+            self._swing(np.empty(0), np.empty(0), np.empty(0))  # compiles the kernel before a client comes
 
     @property
     def place(self) -> float:

@@ -20,7 +20,7 @@ import numpy as np
 
 from CNCStepper.kernels import njit
 from CNCStepper.machine.wiring import Signals
-from CNCStepper.virtual.motors.arrivals import Records
+from CNCStepper.virtual.motors.arrivals import NOTHING, Records
 
 GOOD, SHORT_PULSE, SHORT_GAP, SHORT_SETUP, DRIVES_OFF = range(5)
 VERDICTS = {
@@ -75,6 +75,7 @@ class Drives:
         self._memory = np.zeros((count, 3), np.int64)
         self._times = np.full((count, 4), -math.inf)
         self._levels = np.full(1, -1, np.int64)  # of the pins, before
+        self.take(np.empty(0, np.uint32), NOTHING)  # compiles the kernel before a client comes
 
     def take(self, levels: np.ndarray, records: Records) -> Pulses:
         """Return the pulses that end within some writes; levels: uint32[k] of the pins, from each write on."""
