@@ -11,12 +11,12 @@ from contextlib import suppress
 from pathlib import Path
 
 from CNCStepper.errors import JobError, Place
-from CNCStepper.virtual.faults.plan import GRBL_KINDS, Fault, FaultPlan, read_plan
+from CNCStepper.virtual.faults.plan import SERVER_KINDS, Fault, FaultPlan, read_plan
 
 KILL = getattr(signal, "SIGKILL", signal.SIGTERM)  # on Windows SIGTERM ends a process as hard
 
 
-def plan_for_server(path: Path, kinds: Sequence[str] = GRBL_KINDS) -> FaultPlan:
+def plan_for_server(path: Path, kinds: Sequence[str] = SERVER_KINDS) -> FaultPlan:
     """Return the plan of a file; raises JobError when it holds what this virtual machine cannot do."""
     plan = read_plan(path)
     for fault in plan.fault:

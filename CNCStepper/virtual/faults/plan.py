@@ -6,7 +6,7 @@ kind = "corrupt"              of the words  withhold  flood                   an
 way = "in"                    of the board  reset  power  alarm               at once, in motion, or at rest
 at_byte = 400                 of the port   close                             as a cable that is pulled
 count = 1                     of the sender kill  disk                        its process, its disk
-                              of a machine  stall  dead_pin  swapped_pins     motors and cables of the virtual machines
+                              of a machine  stall  dead_pin  swapped_pins     motors and cables of the published ones
 """
 
 from __future__ import annotations
@@ -37,12 +37,13 @@ Kind = Literal[
     "dead_pin",
     "swapped_pins",
 ]
-KINDS: tuple[str, ...] = get_args(Kind)
+MACHINE_KINDS = ("stall", "dead_pin", "swapped_pins")  # of motors and cables that a grbl's board does not have
+KINDS: tuple[str, ...] = tuple(kind for kind in get_args(Kind) if kind not in MACHINE_KINDS)
 WIRE_KINDS = ("drop", "delay", "duplicate", "corrupt")
 BOARD_KINDS = ("reset", "power", "alarm")
 SENDER_KINDS = ("kill", "disk")
 PIN_KINDS = ("dead_pin", "swapped_pins")
-GRBL_KINDS = (*WIRE_KINDS, "withhold", "flood", *BOARD_KINDS, "close", "kill")  # as a server can cause them
+SERVER_KINDS = tuple(kind for kind in KINDS if kind != "disk")  # as a virtual grbl can cause them
 IN, OUT = "in", "out"
 
 
