@@ -96,7 +96,7 @@ def test_pulses_that_the_drive_cannot_see_are_lost_and_counted(writes, reason):
     twin = Parport(machine(pulse_us=10, direction_setup_us=10))
     play(twin, [write(0.0, 0), *writes, *pulse(0.05, X)])
     assert dict(twin.lost) == {("x", reason): 1} and twin.places_mm[0] == 1.0
-    assert [text for _, text in twin.take_notes()] == [f"motor x lost 1 pulses: {reason}"]
+    assert [text for _, text in twin.take_notes()] == [f"motor x loses a pulse: {reason}"]
 
 
 def test_pulses_too_close_are_lost():

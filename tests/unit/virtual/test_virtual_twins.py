@@ -23,7 +23,7 @@ from CNCStepper.virtual.parport.machine import Parport
 from CNCStepper.virtual.server.ports import TcpPort
 from CNCStepper.virtual.server.step_trace import StepTrace
 from CNCStepper.virtual.server.twin_faults import PARPORT_KINDS, TWIN_KINDS
-from CNCStepper.virtual.server.twin_server import TwinServer
+from CNCStepper.virtual.server.twin_server import Notes, TwinServer
 
 LIMIT_S = 20.0
 COMMAND = (sys.executable, "-u", "-m", "CNCStepper.cli.main", "virtual")
@@ -196,6 +196,22 @@ def test_a_trace_tells_rests_and_ends_at_rest(tmp_path):
     trace.close()
     want = [[0, 0], [0.95, 0], [1, 0.5], [1.01, 1], [2.95, 1], [3, 1.5], [4, 1.5]]
     assert rows(tmp_path / "t.csv")[:, :2] == pytest.approx(np.array(want))
+
+
+def test_the_same_note_is_told_once_and_then_counted(monkeypatch):
+    now, told = [0.0], list[str]()
+    monkeypatch.setattr("time.monotonic", lambda: now[0])
+    notes = Notes(lambda time_s, text: told.append(f"{time_s:g} {text}"))
+    for n in range(5):
+        notes.note(float(n), "motor x loses a pulse")
+    notes.note(5.0, "flood on")
+    notes.sum_up(5.0)
+    assert told == ["0 motor x loses a pulse", "5 flood on"]
+    now[0] = 1.5
+    notes.sum_up(6.0)
+    notes.note(7.0, "flood on")
+    notes.sum_up(8.0, ends=True)
+    assert told[2:] == ["6 motor x loses a pulse (4 times more)", "7 flood on"]
 
 
 def test_server_reads_with_the_spans_of_its_looks(tmp_path):
