@@ -14,7 +14,7 @@ from CNCStepper.machine.profile import Machine
 from CNCStepper.virtual.grbl.alarms_and_errors import ALARM_HARD_LIMIT, ALARM_SOFT_LIMIT
 from CNCStepper.virtual.grbl.firmware import Firmware
 from CNCStepper.virtual.grbl.gcode.block import Parser
-from CNCStepper.virtual.grbl.input_pins import DOOR, InputPins
+from CNCStepper.virtual.grbl.input_pins import DOOR, PINS, InputPins
 from CNCStepper.virtual.grbl.occasional_fields import OccasionalFields
 from CNCStepper.virtual.grbl.overrides import Overrides
 from CNCStepper.virtual.grbl.planner import Axes
@@ -32,6 +32,8 @@ LIMIT_ALARMS = (ALARM_HARD_LIMIT, ALARM_SOFT_LIMIT)
 
 class Board(ABC):
     """The parts of a board and what they do together; see `Grbl` for the parameters. It begins with `forget`."""
+
+    pin_names: tuple[str, ...] = tuple(PINS)
 
     def __init__(self, machine: Machine, homing: bool, probe_height_mm: float | None, firmware: Firmware):
         self.firmware: Firmware = firmware
