@@ -41,10 +41,9 @@ NewMoves = Callable[[Limits, tuple[int, ...]], MoveSource]
 
 def moves_of(machine: Machine) -> NewMoves:
     """Return what makes the moves of a profile, by its `interpolation`."""
-    interpolation = getattr(machine, "interpolation", "planner")
-    if interpolation == "planner":
+    if machine.interpolation == "planner":
         return PlannerMoves
-    return lambda limits, steps: DdaMoves(limits, steps, published=interpolation == "published")
+    return lambda limits, steps: DdaMoves(limits, steps, published=machine.interpolation == "published")
 
 
 class PulseAxes(Axes):
