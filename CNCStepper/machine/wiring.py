@@ -17,9 +17,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, Field, StrictInt, model_validator
+from pydantic import BaseModel, Field, StrictInt, model_serializer, model_validator
 
 from CNCStepper.errors import Text
 from CNCStepper.quantities import Bounds
@@ -40,6 +40,8 @@ STANDARD_PINS = {  # as most break-out boards have them
     "mist": 8,
 }
 MOST_MOTORS = 8
+BOARD_MOTORS = 4  # of a board that takes bytes
+LONGEST_PULSE_US = 50_000.0  # as the thesis sets it
 
 Turning = Literal["x", "y", "z", "-x", "-y", "-z"]
 
@@ -52,16 +54,23 @@ class Signals(BaseModel, extra="forbid", frozen=True):
     first edge. motors: the axis that each motor turns, "-y" one that is mounted the other way round; an axis may
     have several, the second of x is called x2. pins: the pin of the parallel port for each signal (x_step,
     x_direction, enable, spindle_cw, flood, ...), STANDARD_PINS when left out; a pin below zero is active low. base:
-    address of the data port.
+    address of the data port. null_motor: of a board that takes bytes, the motor that a null pulse selects; "unused": one
+    without an axis where there is one.
     """
 
-    pulse_us: Annotated[float, Bounds("pulse", most=1000.0)] = 10.0
-    gap_us: Annotated[float, Bounds("pulse", most=1000.0)] = 10.0
+    pulse_us: Annotated[float, Bounds("pulse", most=LONGEST_PULSE_US)] = 10.0
+    gap_us: Annotated[float, Bounds("pulse", most=LONGEST_PULSE_US)] = 10.0
     direction_setup_us: Annotated[float, Bounds("pulse", most=1000.0, zero=True)] = 10.0
     enable_lead_us: Annotated[float, Bounds("pulse", zero=True)] = 1000.0
     motors: tuple[Turning, ...] = Field(default=("x", "y", "z"), min_length=1, max_length=MOST_MOTORS)
     pins: dict[str, Annotated[int, Bounds("coordinate", -25, 25)]] = {}
     base: Annotated[int, Bounds("number", most=0xFFFF)] = 0x378
+    null_motor: Annotated[StrictInt, Field(ge=0, lt=BOARD_MOTORS)] | Literal["unused"] = "unused"
+
+    @model_serializer(mode="wrap")
+    def _without_what_is_usual(self, as_dict: Any) -> dict[str, Any]:
+        """Leave out the null motor where it is the usual one, so that certificates stay what they were."""
+        return {key: value for key, value in as_dict(self).items() if key != "null_motor" or value != "unused"}
 
     @model_validator(mode="after")
     def _pins_are_outputs_of_known_signals(self) -> Signals:

@@ -12,26 +12,28 @@ no motor on it where there is one, since another one's coils drop out.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from typing import Literal
 
 import numpy as np
 
 from CNCStepper.errors import MachineRefusal
 from CNCStepper.kernels import njit
 from CNCStepper.machine.profile import AXIS_NAMES
+from CNCStepper.machine.wiring import BOARD_MOTORS
 from CNCStepper.motion.signals.coils import BEFORE_FIRST, TWO_PHASES
 from CNCStepper.motion.signals.pulse_stream import PulseStream
 
-BOARD_MOTORS = 4
 MOTOR_STEP = 0x10
 
 
 class Board:
     """A writer of board bytes that keeps each motor's place and which motor is selected.
 
-    motors: the axis that each motor of the board turns, "-x" the other way round; an axis may have several.
+    motors: the axis that each motor of the board turns, "-x" the other way round; an axis may have several. null_motor:
+    the one that a null pulse selects, the next one where that is selected already; "unused": one without an axis.
     """
 
-    def __init__(self, motors: Sequence[str] = AXIS_NAMES):
+    def __init__(self, motors: Sequence[str] = AXIS_NAMES, null_motor: int | Literal["unused"] = "unused"):
         if len(motors) > BOARD_MOTORS:
             limit = f"{BOARD_MOTORS} motors"
             raise MachineRefusal("board-motors", "the board has no such motors", value=f"{len(motors)}", limit=limit)
@@ -39,6 +41,7 @@ class Board:
         self._sense = np.array([-1 if motor.startswith("-") else 1 for motor in motors], np.int64)
         self._places = np.full(len(motors), BEFORE_FIRST, np.int64)
         self._last = np.full(1, -1, np.int64)  # the motor that is selected
+        self._null = null_motors(len(motors), null_motor)
 
     def bytes_of(self, stream: PulseStream) -> Iterator[bytes]:
         """Yield the bytes of a stream; places and selection are kept for the next one.
@@ -48,13 +51,21 @@ class Board:
         sequence = np.array(TWO_PHASES, np.uint8)
         for chunk in stream:
             room = np.empty(2 * len(self._axis) * len(chunk), np.uint8)
-            memory = (self._axis, self._sense, self._places, self._last)
+            memory = (self._axis, self._sense, self._null, self._places, self._last)
             count = _write_board(chunk.step, chunk.back, sequence, *memory, room)
             yield room[:count].tobytes()
 
 
+def null_motors(motors: int, null_motor: int | Literal["unused"]) -> np.ndarray:
+    """Return for each motor of a board the one that a null pulse between two of its pulses selects, int64[motors]."""
+    every = np.arange(motors)
+    if null_motor != "unused":
+        return np.where(every == null_motor, (null_motor + 1) % BOARD_MOTORS, null_motor)
+    return np.full(motors, motors) if motors < BOARD_MOTORS else (every + 1) % BOARD_MOTORS
+
+
 @njit
-def _write_board(step, back, sequence, axis_of, sense_of, places, last, written):
+def _write_board(step, back, sequence, axis_of, sense_of, null_of, places, last, written):
     """Write a byte for each step of each motor, and null pulses before those of the selected one."""
     count = 0
     for row in range(len(step)):
@@ -63,8 +74,7 @@ def _write_board(step, back, sequence, axis_of, sense_of, places, last, written)
             if not (step[row] >> axis) & 1:
                 continue
             if motor == last[0]:
-                other = len(axis_of) if len(axis_of) < BOARD_MOTORS else (motor + 1) % BOARD_MOTORS
-                written[count] = other * MOTOR_STEP
+                written[count] = null_of[motor] * MOTOR_STEP
                 count += 1
             turn = -sense_of[motor] if (back[row] >> axis) & 1 else sense_of[motor]
             places[motor] = (places[motor] + turn) % len(sequence)
