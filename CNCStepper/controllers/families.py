@@ -7,6 +7,7 @@ from collections.abc import Callable
 from typing import Protocol
 
 from CNCStepper.control.pulses.pulse_output import PulseOutput
+from CNCStepper.controllers.pulse_axes import load_kernels
 from CNCStepper.controllers.pulse_board import PulseBoard
 from CNCStepper.errors import MachineRefusal, Text
 from CNCStepper.machine.controller_family import family_of
@@ -41,7 +42,13 @@ class ServedBoard(Protocol):
 
 
 def _pulses(machine: Machine, port: str) -> ServedBoard:
-    return PulseBoard(machine, PulseOutput.launch(port, machine))
+    output = PulseOutput.launch(port, machine)
+    try:
+        load_kernels(machine)
+        return PulseBoard(machine, output)
+    except BaseException:  # whatever it is, the port is to be given back
+        output.close()
+        raise
 
 
 FACTORIES: dict[str, Callable[[Machine, str], ServedBoard]] = {"parport": _pulses, "board": _pulses}

@@ -46,6 +46,16 @@ def moves_of(machine: Machine) -> NewMoves:
     return lambda limits, steps: DdaMoves(limits, steps, published=machine.interpolation == "published")
 
 
+def load_kernels(machine: Machine) -> None:
+    """Make a move that nobody plays, so that the first one of a program does not wait for kernels."""
+    moves = moves_of(machine)(Limits.of(machine), (0, 0, 0))
+    moves.line([1.0, 0.0, 0.0], machine.axes[0].max_rate_mm_min, rapid=True)
+    if isinstance(moves, DdaMoves):
+        moves.arc([0.0, 1.0, 0.0], (0.0, 0.0), 1.0, False, machine.axes[0].max_rate_mm_min)
+    while not moves.idle:
+        moves.make(SLICE_S)
+
+
 class PulseAxes(Axes):
     """Where the machine is by the pulses that were played, and what is to be played next.
 
