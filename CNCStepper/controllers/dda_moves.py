@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Moves by the thesis's own interpolators (A2, A3): straight lines, and arcs whole, each timed by itself.
 
-    speed       ______________          every move begins and ends at rest: its first pulse comes after the time that the
-          /    /              \\         acceleration takes for one round, which is the start/stop speed, and its last one
-         /____/________________\\____    as late behind the one before. A round is a unit of path, so pulses keep the
-              round ->                  speed along the path whatever their direction
+    speed    ______________      every move begins and ends at rest: its first pulse comes after the time that the
+            /              \\     acceleration takes for one step, which is the start/stop speed, and its last one as
+           /________________\\    late behind the one before. A round is a unit of path, so pulses keep the speed along
+            round ->             the path whatever their direction
 
 A planner's ramp by jerk or by a table of waits does not apply here: the ramp is the axes' acceleration.
 """
@@ -15,7 +15,6 @@ import math
 from collections import deque
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -50,7 +49,10 @@ class DdaMoves(MoveSource):
         self._published = published
         self._tick = 0  # of the planned clock: the last pulse made
         self._feed = 1.0
-        self.stand_at(steps, limits)
+        self._moves: deque[_Move] = deque()
+        self._made: PlannedPulses | None = None
+        self._end: Steps = tuple(steps)
+        self._adopt(limits)
 
     @property
     def room(self) -> int:
@@ -80,9 +82,10 @@ class DdaMoves(MoveSource):
             most, acceleration = (float((values * length_mm / ways_mm).min()) for values in (self._tops, self._ramps))
         if rapid and self._limits.rapid_mm_min is not None:
             most = min(most, mm_s_from_mm_min(self._limits.rapid_mm_min))
-        speed = most if rapid else mm_s_from_mm_min(feed_mm_min)
         begin = self._end
-        self._queue(lambda: linear_dda(way, begin), length_mm / rounds, speed, most, acceleration, rapid)
+        speed = most if rapid else mm_s_from_mm_min(feed_mm_min)
+        number = self.last_move + 1
+        self._queue(_Move(lambda: linear_dda(way, begin), length_mm / rounds, speed, most, acceleration, rapid, number))
         self._end = end
 
     def takes_arc(self, target_mm: Sequence[float], plane: int) -> bool:
@@ -91,20 +94,28 @@ class DdaMoves(MoveSource):
         return plane == 0 and self._per_mm[0] == self._per_mm[1] and end[2:] == self._end[2:]
 
     def arc(
-        self, target_mm: Sequence[float], centre_mm: Sequence[float], radius_mm: float, clockwise: bool, feed_mm_min: float
+        self,
+        target_mm: Sequence[float],
+        centre_mm: Sequence[float],
+        radius_mm: float,
+        clockwise: bool,
+        feed_mm_min: float,
     ) -> None:
         """Queue an arc that `takes_arc` takes; there must be room. Both places are the machine's."""
-        begin, end = self._end[:2], self._steps_of(target_mm)
+        (begin_x, begin_y, *_), end = self._end, self._steps_of(target_mm)
         centre = (float(centre_mm[0] * self._per_mm[0]), float(centre_mm[1] * self._per_mm[1]))
         radius = radius_mm * float(self._per_mm[0])
         acceleration = float(min(self._ramps[:2]))
         most = min(float(min(self._tops[:2])), math.sqrt(acceleration * radius_mm))
 
         def pulses() -> PulseStream:
-            return circular_dda(begin, end[:2], centre, clockwise, published=self._published, radius_steps=radius)
+            return circular_dda(
+                (begin_x, begin_y), (end[0], end[1]), centre, clockwise, published=self._published, radius_steps=radius
+            )
 
         round_mm = radius_mm / (radius * radius * math.sqrt(2.0))
-        self._queue(pulses, round_mm, mm_s_from_mm_min(feed_mm_min), most, acceleration, False)
+        speed = mm_s_from_mm_min(feed_mm_min)
+        self._queue(_Move(pulses, round_mm, speed, most, acceleration, False, self.last_move + 1))
         self._end = end
 
     def make(self, seconds: float) -> list[PlannedPulses]:
@@ -124,17 +135,19 @@ class DdaMoves(MoveSource):
 
     def stand_at(self, steps: Sequence[int], limits: Limits) -> None:
         """Forget all moves, and go on from a place under limits that may be others."""
+        self._moves.clear()
+        self._made = None
+        self._end = tuple(steps)
+        self._adopt(limits)
+
+    def _adopt(self, limits: Limits) -> None:
         self._limits = limits
         self._per_mm = np.array(limits.steps_per_mm)
         self._tops, self._ramps = np.array(limits.max_speed_mm_s), np.array(limits.acceleration_mm_s2)
-        self._moves: deque[_Move] = deque()
-        self._made: PlannedPulses | None = None
-        self._end: Steps = tuple(steps)
 
-    def _queue(self, *values: Any) -> None:
-        """Queue a move of the values of `_Move`, but for its number."""
-        self.last_move += 1
-        self._moves.append(_Move(*values, self.last_move))
+    def _queue(self, move: _Move) -> None:
+        self.last_move = move.number
+        self._moves.append(move)
 
     def _steps_of(self, place_mm: Sequence[float]) -> Steps:
         return tuple(np.rint(np.array(place_mm, float) * self._per_mm).astype(np.int64).tolist())
@@ -152,8 +165,8 @@ class DdaMoves(MoveSource):
         waits_s = np.diff(ticks, prepend=self._tick) / TICKS_PER_S
         speeds = (np.diff(places_mm, prepend=0.0) / waits_s).astype(np.float32)
         self._tick, count = int(ticks[-1]), len(rounds)
-        allowed = np.full(count, move.acceleration_mm_s2, np.float32)
-        return PlannedPulses(ticks, step, back, speeds, allowed, np.full(count, move.is_rapid), np.full(count, move.number))
+        values = (np.full(count, one) for one in (np.float32(move.acceleration_mm_s2), move.is_rapid, move.number))
+        return PlannedPulses(ticks, step, back, speeds, *values)
 
 
 def _rising(ticks: np.ndarray) -> np.ndarray:

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The lines that only a controller of ours takes, as the line reader leaves them: in capitals, without blanks.
 
-    $T=25000      the trial of a rate, pulses/s: ok, or error:90 where this computer cannot keep it
-    $L=AAADD      pulse letters of source system D, at the profile's interval and without ramps
-    $P=FLOOD      a relay by its name on; $P=-FLOOD off
-    $N=-X200      so many pulses of one axis, in the direction of the sign, with the planner's ramps
+$T=25000      the trial of a rate, pulses/s: ok, or error:90 where this computer cannot keep it
+$L=AAADD      pulse letters of source system D, at the profile's interval and without ramps
+$P=FLOOD      a relay by its name on; $P=-FLOOD off
+$N=-X200      so many pulses of one axis, in the direction of the sign, with the planner's ramps
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ import re
 from collections.abc import Callable
 from threading import Thread
 
+from CNCStepper.control.pulses.pacing import Jitter
 from CNCStepper.controllers.planned_pulses import PulseOutput
 from CNCStepper.controllers.port_signals import Relays
 from CNCStepper.controllers.pulse_axes import PulseAxes
@@ -62,16 +63,16 @@ class MachineTestLines:
         if board.state is not State.IDLE or not self._axes.idle:
             raise refused(8)
         yield from self.wait_for_trial()
-        ended: list[object] = []
+        ended: list[Jitter | CNCStepperError] = []
         self._trial = Thread(target=lambda: ended.append(_outcome(self._output, rate_hz)), daemon=True)
         self._trial.start()
         yield from self.wait_for_trial()
-        if isinstance(ended[0], MachineRefusal):
-            board.send(f"[MSG:{printable(str(ended[0]))}]")
-            raise MachineRefusal(RATE_NOT_KEPT, "this computer cannot keep the rate", value=f"{rate_hz:g} pulses/s")
-        if isinstance(ended[0], CNCStepperError):
-            raise ended[0]
         jitter = ended[0]
+        if isinstance(jitter, MachineRefusal):
+            board.send(f"[MSG:{printable(str(jitter))}]")
+            raise MachineRefusal(RATE_NOT_KEPT, "this computer cannot keep the rate", value=f"{rate_hz:g} pulses/s")
+        if isinstance(jitter, CNCStepperError):
+            raise jitter
         board.send(f"[MSG:Trial {rate_hz:g} pulses/s late mean {jitter.mean_us:.1f} us worst {jitter.worst_us:.1f} us]")
 
     def _play_letters(self, board: Grbl, text: str) -> Waiting:
@@ -94,7 +95,9 @@ class MachineTestLines:
     def _switch_relay(self, board: Grbl, text: str) -> Waiting:
         device, on = text.removeprefix("-").lower(), not text.startswith("-")
         if device not in self._relays.wired:
-            board.send(f"[MSG:there is no relay {printable(device, 30)}; there are {', '.join(sorted(self._relays.wired))}]")
+            board.send(
+                f"[MSG:there is no relay {printable(device, 30)}; there are {', '.join(sorted(self._relays.wired))}]"
+            )
             raise refused(3)
         if board.state in LOCKED and on:
             raise refused(9)
@@ -146,7 +149,7 @@ def _number(text: str) -> float:
     return value
 
 
-def _outcome(output: PulseOutput, rate_hz: float) -> object:
+def _outcome(output: PulseOutput, rate_hz: float) -> Jitter | CNCStepperError:
     try:
         return output.trial(rate_hz)
     except CNCStepperError as error:

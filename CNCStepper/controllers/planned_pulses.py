@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What moves become: pulses on a planned clock, and what takes them away to play them.
 
-    moves ──► MoveSource ──make──► PlannedPulses ──append──► PulseOutput ──► port
-              planned clock        tick, step, speed          real clock: hold, resume and a lower share stretch the
-                                                              planned times, by the speed and acceleration of each pulse
+moves ──► MoveSource ──make──► PlannedPulses ──append──► PulseOutput ──► port
+          planned clock        tick, step, speed          real clock: hold, resume and a lower share stretch the
+                                                          planned times, by the speed and acceleration of each pulse
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from typing import Protocol
 
 import numpy as np
 
+from CNCStepper.control.pulses.pacing import Jitter
 from CNCStepper.errors import MachineRefusal
 from CNCStepper.motion.planner.machine_limits import Limits
 
@@ -24,8 +25,9 @@ class PlannedPulses:
     """Consecutive pulses, an entry a pulse.
 
     ticks: int64, of the planned clock at TICKS_PER_S, strictly rising. step, back: uint8, bit n for axis n, back only
-    where step is. speed_mm_s: float32, along the path over the time that ends with the pulse. acceleration_mm_s2: float32, the most that the axes allow along
-    the path there. is_rapid: bool. move: int64, the number of the move that a pulse is of.
+    where step is. speed_mm_s: float32, along the path over the time that ends with the pulse. acceleration_mm_s2:
+    float32, the most that the axes allow along the path there. is_rapid: bool. move: int64, the number of the move that
+    a pulse is of.
     """
 
     ticks: np.ndarray
@@ -103,7 +105,7 @@ class PulseOutput(Protocol):
     def inputs(self) -> frozenset[int]:
         """Return the status pins that are high."""
 
-    def trial(self, pulses_per_s: float) -> object:
+    def trial(self, pulses_per_s: float) -> Jitter:
         """Try a rate at rest; raises MachineRefusal where it cannot be kept."""
 
     def check(self) -> None:
@@ -154,7 +156,7 @@ class EndedOutput:
         """Return no pins."""
         return frozenset()
 
-    def trial(self, pulses_per_s: float) -> object:
+    def trial(self, pulses_per_s: float) -> Jitter:
         """Refuse: there is nothing to try."""
         raise MachineRefusal("pulse-worker", "the pulses have ended", advice="connect again")
 

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The port's relays and switches as the board knows them.
 
-    spindle, coolant, M62 to M65 ──► Relays ──switch──► output          output ──inputs──► Switches ──► board
+spindle, coolant, M62 to M65 ──► Relays ──switch──► output          output ──inputs──► Switches ──► board
 
-    act           pressed: the board does what it would at this pin of its own          letter of `Pn:`
-    limit         stops and locks where $21 is on                                        XYZ
-    door stop pause start     0x84, 0x18, `!`, `~`                                       D R H S
-    flood mist spindle_stop   0xA0, 0xA1, 0x9E                                           -
-    back switch               nothing: the sender acts on them                           A B C, in the profile's order
+act           pressed: the board does what it would at this pin of its own          letter of `Pn:`
+limit         stops and locks where $21 is on                                        XYZ
+door stop pause start     0x84, 0x18, `!`, `~`                                       D R H S
+flood mist spindle_stop   0xA0, 0xA1, 0x9E                                           -
+back switch               nothing: the sender acts on them                           A B C, in the profile's order
 """
 
 from __future__ import annotations

@@ -69,7 +69,9 @@ class PulseAxes(Axes):
         self._holding = False
         self._dropping = False  # a reset that has not come to its end
         self._ahead_s = BEGIN_AHEAD_S
-        self._begins: deque[tuple[int, int]] = deque()  # the first pulse of each move that is not played, and its number
+        self._begins: deque[tuple[int, int]] = (
+            deque()
+        )  # the first pulse of each move that is not played, and its number
         self._appended = output.sent  # pulses, counted as the output counts those that it has played
         self._forgotten = 0  # the number of the newest move that a reset has forgotten
         self._last_tick = 0

@@ -115,11 +115,13 @@ class PulseBoard(Grbl):
 
     def queue_arc(self, block: Block, begin_mm: list[float]) -> Waiting:
         """Queue an arc: whole where the thesis's interpolator makes it, else as its chords."""
-        moves, modal, settings = self.axes.moves, block.modal, self.memory.settings
-        whole = isinstance(moves, DdaMoves) and moves.takes_arc(block.target, modal.plane - XY_PLANE)
-        if not whole or modal.feed_mode == INVERSE_TIME or settings.on(SOFT_LIMITS) or self.state is State.CHECK:
+        moves, modal = self.axes.moves, block.modal
+        is_plain = modal.feed_mode != INVERSE_TIME and not self.memory.settings.on(SOFT_LIMITS)
+        can_be_whole = isinstance(moves, DdaMoves) and moves.takes_arc(block.target, modal.plane - XY_PLANE)
+        if not can_be_whole or not is_plain or self.state is State.CHECK:
             yield from super().queue_arc(block, begin_mm)
             return
+        assert isinstance(moves, DdaMoves)
         self._check_axes(block.target)
         while not moves.room:
             self.start_cycle()

@@ -128,9 +128,10 @@ class Input(BaseModel, extra="forbid", frozen=True):
     """One button or switch.
 
     pin: one of CONTROLLER_PINS, or one of INPUT_PINS of a parallel port. port: that port's device file; without it the
-    port by which this computer drives the machine itself. act: what pressing does; limits and doors are on that port. level: "high" where the pin is on while it is pressed, else "low". debounce_ms: how long a contact
-    must rest before it is believed. line: of act "switch", the block that switches an output; release_line: the one
-    that is sent when the switch is let go. back_mm: of act "back", how far each pressing goes back along the cut.
+    port by which this computer drives the machine itself. act: what pressing does; limits and doors are on that port.
+    level: "high" where the pin is on while it is pressed, else "low". debounce_ms: how long a contact must rest before
+    it is believed. line: of act "switch", the block that switches an output; release_line: the one that is sent when
+    the switch is let go. back_mm: of act "back", how far each pressing goes back along the cut.
     """
 
     pin: StrictInt | str

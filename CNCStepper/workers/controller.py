@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The process of a controller of ours: `... CNCStepper.workers.controller MACHINE PORT`.
 
-MACHINE is a profile's name or file. Once the machine can move it says {"ready": {}} or {"error": {...}} in a line of its
-own; from then on standard input and output are the serial line of a grbl. It ends when its input closes: it brakes
+MACHINE is a profile's name or file. Once the machine can move it says {"ready": {}} or {"error": {...}} in a line of
+its own; from then on standard input and output are the serial line of a grbl. It ends when its input closes: it brakes
 whatever moves and switches all outputs off. SIGTERM and SIGINT do the same.
 """
 

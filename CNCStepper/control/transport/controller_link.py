@@ -4,8 +4,8 @@
     Link ──write──► standard input ──► workers/controller.py
     Link ◄─select── socket pair ◄── thread ◄── standard output
 
-A pipe cannot be waited on everywhere, a socket can: so a thread carries what comes from the one to the other. The end of
-the process closes the socket; reading then raises OSError, which is a lost link.
+A pipe cannot be waited on everywhere, a socket can: so a thread carries what comes from the one to the other. The end
+of the process closes the socket; reading then raises OSError, which is a lost link.
 """
 
 from __future__ import annotations

@@ -19,7 +19,8 @@ from CNCStepper.virtual.grbl.overrides import (
 from CNCStepper.virtual.grbl.states import State
 
 FIRST_EXTENDED = 0x80  # from here on a byte that is no command is thrown away
-RESET, STATUS, START, HOLD, DOOR, JOG_CANCEL, SPINDLE_STOP, FLOOD, MIST = 0x18, 0x3F, 0x7E, 0x21, 0x84, 0x85, 0x9E, 0xA0, 0xA1
+RESET, STATUS, START, HOLD, DOOR, JOG_CANCEL = 0x18, 0x3F, 0x7E, 0x21, 0x84, 0x85
+SPINDLE_STOP, FLOOD, MIST = 0x9E, 0xA0, 0xA1
 TOOL_CHANGED = 0xA3  # of grblHAL
 
 

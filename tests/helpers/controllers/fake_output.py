@@ -76,8 +76,9 @@ class FakeOutput:
 
     def append(self, ticks, step, back, speed_mm_s, acceleration_mm_s2, is_rapid) -> None:
         assert len(ticks) <= self.room
-        for row in zip(*(column.tolist() for column in (ticks, step, back, speed_mm_s, acceleration_mm_s2, is_rapid)),
-                       strict=True):
+        for row in zip(
+            *(column.tolist() for column in (ticks, step, back, speed_mm_s, acceleration_mm_s2, is_rapid)), strict=True
+        ):
             assert row[0] > self._appended, "the planned clock rises"
             assert row[1] and not row[2] & ~row[1] and row[3] > 0 and row[4] > 0
             self._appended = row[0]

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 import random
 
@@ -191,7 +192,7 @@ def test_every_reversal_and_stop_passes_through_the_start_stop_region(machine: M
     reversals = 0
     for axis in (0, 1):
         own = [(time_s, bool(back >> axis & 1)) for time_s, step, back, _ in talk.output.played if step >> axis & 1]
-        for (before_s, before), (after_s, after) in zip(own, own[1:], strict=False):
+        for (before_s, before), (after_s, after) in itertools.pairwise(own):
             if before != after:
                 reversals += 1
                 assert after_s - before_s > START_STEP_S / 2.5, "as slow as a first step from rest"

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import itertools
+
 import pytest
 
 from CNCStepper.controllers.pulse_board import PulseBoard
@@ -105,7 +107,7 @@ def test_a_reset_and_the_end_switch_everything_off(talk: Talk) -> None:
     assert not talk.output.on
     talk.send("M8")
     talk.board.close()
-    assert talk.output.closed and ("flood", False) == talk.output.switched[-1][1:]
+    assert talk.output.closed and talk.output.switched[-1][1:] == ("flood", False)
 
 
 def test_the_status_names_what_is_on(talk: Talk) -> None:
@@ -132,7 +134,7 @@ def test_letters_are_played_at_the_profiles_interval() -> None:
     talk.send("$L=AAAADD", "$L=BMN")
     pulses = talk.output.played[first:]
     assert [(step, back) for _, step, back, _ in pulses] == [(1, 0)] * 4 + [(1, 1)] * 2 + [(2, 0), (3, 2), (3, 1)]
-    waits_s = [after[0] - before[0] for before, after in zip(pulses, pulses[1:], strict=False)]
+    waits_s = [after[0] - before[0] for before, after in itertools.pairwise(pulses)]
     assert waits_s[:5] == pytest.approx([0.001] * 5, abs=1e-6)
     talk.send("G1X0Y0")
     assert talk.output.position_steps == (0, 0, 0)

@@ -43,7 +43,8 @@ JOG_GROUPS = {"G distance", "G units", "G action"}
 def complete(block: Block, parser: Parser, places: dict[int, list[float]], outputs: int = 0) -> None:
     """Check a block against the state and fill in its feed, target, centre and radius.
 
-    `places` are the stored work systems and homes, `outputs` the number of digital outputs. Raises MachineRefusal; the state is not touched.
+    `places` are the stored work systems and homes, `outputs` the number of digital outputs. Raises MachineRefusal; the
+    state is not touched.
     """
     if block.axis_words and block.axis_command is AxisCommand.NONE:
         block.axis_command = AxisCommand.MOTION
