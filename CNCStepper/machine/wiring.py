@@ -54,8 +54,8 @@ class Signals(BaseModel, extra="forbid", frozen=True):
     first edge. motors: the axis that each motor turns, "-y" one that is mounted the other way round; an axis may
     have several, the second of x is called x2. pins: the pin of the parallel port for each signal (x_step,
     x_direction, enable, spindle_cw, flood, ...), STANDARD_PINS when left out; a pin below zero is active low. base:
-    address of the data port. null_motor: of a board that takes bytes, the motor that a null pulse selects; "unused": one
-    without an axis where there is one.
+    address of the data port. null_motor: of a board that takes bytes, the motor that a null pulse selects; "unused":
+    one without an axis where there is one.
     """
 
     pulse_us: Annotated[float, Bounds("pulse", most=LONGEST_PULSE_US)] = 10.0
