@@ -23,7 +23,7 @@ from CNCStepper.controllers.dda_moves import DdaMoves
 from CNCStepper.controllers.planned_pulses import EndedOutput, MoveSource, PlannedPulses, PulseOutput
 from CNCStepper.controllers.planner_moves import PlannerMoves
 from CNCStepper.machine.profile import Machine
-from CNCStepper.motion.planner.buffers import TICKS_PER_S, UNLIMITED
+from CNCStepper.motion.planner.buffers import SEGMENT_PLACES, TICKS_PER_S, UNLIMITED
 from CNCStepper.motion.planner.machine_limits import Limits
 from CNCStepper.virtual.grbl.planner import Axes
 from CNCStepper.virtual.grbl.settings import Settings
@@ -31,7 +31,7 @@ from CNCStepper.virtual.grbl.settings import Settings
 AHEAD_S = 0.3  # of pulses appended: more than this process may sleep, less than a person waits for an override
 AHEAD_MOVES = 32  # beside those in the planner: a sender counts all of them as not cut yet
 BEGIN_AHEAD_S = 0.05  # at a begin: the blocks behind the first come now, and the planner must look at them
-SLICE_S = 0.01  # of planned time at once
+SLICE_S = 0.0025  # of planned time at once: few moves, so that AHEAD_MOVES is kept
 NOTHING_QUEUED = ("idle", "failed")
 AT_REST = (*NOTHING_QUEUED, "held")
 MOST_SLICES = 2000  # at once
@@ -44,6 +44,11 @@ def moves_of(machine: Machine) -> NewMoves:
     if machine.interpolation == "planner":
         return PlannerMoves
     return lambda limits, steps: DdaMoves(limits, steps, published=machine.interpolation == "published")
+
+
+def most_moves(look_ahead_blocks: int) -> int:
+    """Return how many moves there are at most that were taken and are not played to their end, as `$I` says."""
+    return look_ahead_blocks + SEGMENT_PLACES + AHEAD_MOVES
 
 
 def load_kernels(machine: Machine) -> None:
@@ -77,13 +82,18 @@ class PulseAxes(Axes):
         self._last_tick = 0
         self._shift = 0  # ticks by which the planner's clock is behind
         limits = self._limits()
-        self._most_moves = limits.look_ahead_blocks + AHEAD_MOVES  # that are not played, as `$I` says
+        self._most_moves = most_moves(limits.look_ahead_blocks)
         self._moves = new_moves(limits, self.position_steps)
 
     @property
     def room(self) -> int:
-        """Moves that may be queued now; AHEAD_MOVES beside the planner's own are not played."""
-        return min(self._moves.room, self._most_moves - self._unplayed())
+        """Free blocks of the planner."""
+        return self._moves.room
+
+    @property
+    def free_blocks(self) -> int:
+        """How many more moves could be under way, planned or not: what a sender takes for not cut yet."""
+        return max(0, self._most_moves - self._unplayed())
 
     @property
     def moves(self) -> MoveSource:
@@ -197,7 +207,7 @@ class PulseAxes(Axes):
         for _ in range(MOST_SLICES):
             if self._output.queued_s >= self._ahead_s or not self._append():
                 return
-            if self._moves.idle:
+            if self._moves.idle or self._made_moves() >= AHEAD_MOVES:
                 return
             self._waiting += map(self._shifted, self._moves.make(SLICE_S))
         self._append()
@@ -221,13 +231,18 @@ class PulseAxes(Axes):
         self._appended += len(pulses)
         self._output.append(*pulses.columns)
 
+    def _made_moves(self) -> int:
+        """Return how many moves have pulses that were made and are not all played."""
+        sent = self._output.sent
+        while len(self._begins) > 1 and self._begins[1][0] <= sent:
+            self._begins.popleft()
+        return self._begins[-1][1] - self._begins[0][1] + 1 if self._begins else 0
+
     def _unplayed(self) -> int:
         """Return how many moves were queued and are not played to their end."""
         if self.idle:
             return 0
-        sent = self._output.sent
-        while len(self._begins) > 1 and self._begins[1][0] <= sent:
-            self._begins.popleft()
+        self._made_moves()
         oldest = self._begins[0][1] if self._begins else self._forgotten + 1
         return self._moves.last_move - oldest + 1
 

@@ -16,7 +16,7 @@ from CNCStepper.controllers.dda_moves import DdaMoves
 from CNCStepper.controllers.machine_test_lines import MachineTestLines
 from CNCStepper.controllers.planned_pulses import EndedOutput, PulseOutput
 from CNCStepper.controllers.port_signals import Relays, Switches
-from CNCStepper.controllers.pulse_axes import AHEAD_MOVES, PulseAxes, moves_of
+from CNCStepper.controllers.pulse_axes import PulseAxes, most_moves, moves_of
 from CNCStepper.errors import CNCStepperError, LinkError, MachineRefusal, Text
 from CNCStepper.machine.controller_family import family_of
 from CNCStepper.machine.profile import AXIS_NAMES, Machine
@@ -180,7 +180,7 @@ class PulseBoard(Grbl):
 
 def firmware_of(machine: Machine, relays: Relays) -> Firmware:
     """Return the firmware that a board of ours is, as it says in `$I`."""
-    blocks = machine.planner.look_ahead_blocks + AHEAD_MOVES
+    blocks = most_moves(machine.planner.look_ahead_blocks)
     own = (f"[FIRMWARE:CNCStepper {family_of(machine)}]", *(f"[CANNOT:{what}]" for what in CANNOT))
     return replace(
         GRBL,

@@ -87,6 +87,11 @@ class Axes(ABC):
         """Let the axes be at a place, with the settings in force; no move may be queued."""
 
     @property
+    def free_blocks(self) -> int:
+        """Free blocks as the status report has them: how many more moves could be under way."""
+        return self.room
+
+    @property
     def idle_delay_s(self) -> float:
         """How long the drivers stay under current after the last step; the longest value means for ever."""
         delay_ms = self._settings[IDLE_DELAY_MS]

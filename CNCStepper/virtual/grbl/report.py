@@ -98,7 +98,7 @@ def status(machine: Board) -> str:
     """Return the answer to `?`."""
     fields = [machine.state_text(), _position(machine)]
     if machine.memory.settings.reports(REPORTS_BUFFER):
-        fields.append(f"Bf:{machine.axes.room},{machine.ring.free}")
+        fields.append(f"Bf:{machine.axes.free_blocks},{machine.ring.free}")
     speed_mm_min = machine.axes.rate_mm_min if machine.state in BUSY else 0.0
     fields.append(f"FS:{rate(speed_mm_min, machine.memory.settings)},{fixed(machine.spindle.rpm, 0)}")
     pins = machine.pins()

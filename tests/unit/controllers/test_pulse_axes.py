@@ -6,6 +6,7 @@ from __future__ import annotations
 import itertools
 import math
 import random
+from bisect import bisect_right
 
 import numpy as np
 import pytest
@@ -169,6 +170,33 @@ def test_a_slow_move_is_not_planned_for_ever() -> None:
     talk.say("!", 0.1)
     talk.say(b"\x18")
     assert len(talk.output.played) <= 2
+
+
+def test_a_sender_can_count_every_move_that_is_not_cut(talk: Talk) -> None:
+    """Of many short moves the status counts all that are under way."""
+    most = int(next(line for line in talk.say("$I\n") if line.startswith("[OPT:")).split(",")[1])
+    talk.line("G21G90G94F1500")
+    ends = [4 * number for number in range(1, 200)]
+    for taken, end in enumerate(ends, 1):
+        answer = talk.say(f"G1X{end / 40}\n", 0.001)
+        while "ok" not in answer:
+            answer += talk.say(b"", 0.001)
+        under_way = most - int(talk.status()["Bf"].split(",")[0])
+        cut = bisect_right(ends, talk.output.position_steps[0])
+        assert taken - under_way <= cut, "none is taken for cut that is not"
+    talk.until_idle()
+    assert talk.output.position_steps == (ends[-1], 0, 0)
+    assert talk.status()["Bf"] == f"{most},128"
+
+
+def test_many_short_moves_in_line_keep_their_speed() -> None:
+    """The planner looks ahead over what is not made, however much is: 15 of them are 1.5 mm."""
+    took_s = []
+    for ends_mm in ([number / 10 for number in range(1, 300)], [29.9]):
+        talk = Talk(load_machine("thesis-table"))
+        talk.send("G21G90G94F600", *(f"G1X{end}" for end in ends_mm))
+        took_s.append(talk.output.played[-1][0] - talk.output.played[0][0])
+    assert took_s[0] < 1.1 * took_s[1]
 
 
 def corners(seed: int) -> list[str]:
