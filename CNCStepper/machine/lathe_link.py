@@ -20,8 +20,8 @@ class LatheLink(BaseModel, extra="forbid", frozen=True, allow_inf_nan=False):
     """What may lie in the lathe's buffer.
 
     ahead_s: of motion that was sent and is not done; a record that lasts longer is sent alone. ahead_bytes: of records
-    that were sent and are not done. slower: share of the time by which the lathe may be slower than its published waits;
-    too little fills its buffer, too much lets it stand between two chunks.
+    that were sent and are not done. slower: share of the time by which the lathe may be slower than its published
+    waits; too little fills its buffer, too much lets it stand between two chunks.
     """
 
     ahead_s: Annotated[float, Bounds("time", 0.1, 60.0)] = 2.0

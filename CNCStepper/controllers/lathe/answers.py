@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from CNCStepper.controllers.lathe.program import MOST_LINES
-from CNCStepper.errors import MachineRefusal
 from CNCStepper.machine.profile import Machine
 from CNCStepper.virtual.grbl.alarms_and_errors import refused
 from CNCStepper.virtual.grbl.firmware import Firmware
@@ -59,9 +58,7 @@ class Answers:
             raise refused(NOT_KNOWN)
         return lists[line]()
 
-    def status(
-        self, state: str, place_mm: Sequence[float], speed_mm_min: float, free_bytes: int, left_s: float
-    ) -> str:
+    def status(self, state: str, place_mm: Sequence[float], speed_mm_min: float, free_bytes: int, left_s: float) -> str:
         """Return the answer to `?`; left_s: how long the lathe still works on what it has."""
         fields = [
             state,

@@ -5,7 +5,8 @@
     Idle ──records──► Run ──all is done──► Idle           automatic mode, for good
                        `──!──► Hold:1 ──what it has is done──► Hold:0 ──~──► Run
 
-A hold or a reset sends nothing more; the lathe cuts what it has, and a message says for how long. Positions are reckoned.
+A hold or a reset sends nothing more; the lathe cuts what it has, and a message says for how long. Positions are
+reckoned.
 """
 
 from __future__ import annotations
@@ -24,13 +25,14 @@ from CNCStepper.gcode.dialects import dialect_named
 from CNCStepper.machine.lathe_link import LatheLink
 from CNCStepper.machine.profile import Machine
 from CNCStepper.safe_text import printable
+from CNCStepper.units import S_PER_MIN
 from CNCStepper.virtual.grbl.alarms_and_errors import ALARM_RESET_IN_MOTION, refused
 from CNCStepper.virtual.grbl.realtime import ACTING, DOOR, FIRST_EXTENDED, HOLD, JOG_CANCEL, RESET, START, STATUS
 from CNCStepper.virtual.grbl.serial_buffer import TOO_LONG, LineReader, RxRing
 
 CHECK_EVERY_S = 0.1  # of the port
 ZERO_STEPS = 2  # so far from the work zero a program may begin: a jog back is no better
-OVERFLOW, LOCKED, NOT_IDLE, UNSUPPORTED = 11, 9, 8, 20
+OVERFLOW, LOCKED, NOT_IDLE = 11, 9, 8
 SWITCH_ON_AGAIN = "switch the lathe off and on, connect again and set its zero"
 ONE_WAY = (
     "automatic mode: from here on nothing stops the lathe over its link, and there is no way back to manual mode "
@@ -46,9 +48,11 @@ class LatheBoard:
         self._per_mm = (axes["x"].steps_per_mm, axes["z"].steps_per_mm)
         self._machine, self._line = machine, OutwardLine(port)
         link = machine.link or LatheLink()
-        self._reader = RecordReader(dialect_named(machine.language()), self._per_mm, link.ahead_bytes - 1)
+        dialect = dialect_named(machine.language())
+        index_s = S_PER_MIN / max(machine.spindle.min_rpm, 1.0) if dialect.waits_for_index else 0.0
+        self._reader = RecordReader(dialect, self._per_mm, link.ahead_bytes - 1)
         self.manual = Manual(self._line, self._per_mm)
-        self.program = Program(self._line, link, self._reader.first_modes())
+        self.program = Program(self._line, link, self._reader.first_modes(), index_s)
         self._answers = Answers(machine)
         self._ring, self._lines = RxRing(FIRMWARE.receive_bytes), LineReader(FIRMWARE)
         self._line_in_hand: str | None = None

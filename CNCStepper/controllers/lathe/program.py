@@ -19,6 +19,7 @@ from CNCStepper.controllers.lathe.outward_line import OutwardLine
 from CNCStepper.controllers.lathe.records import Modes, Record
 from CNCStepper.controllers.lathe.step_times import Steps
 from CNCStepper.machine.lathe_link import LatheLink
+from CNCStepper.toolpath import LINE
 
 AUTOMATIC, CHUNK_END = b"Y", "?"
 LEAD_S = 0.3  # before the lathe comes to its end, what follows goes out whatever it lasts
@@ -40,13 +41,14 @@ class _Sent:
 class Program:
     """The records of one program; modes: behind the last line that was taken.
 
-    begun: automatic mode is on, for good. over: M02 has been sent.
+    begun: automatic mode is on, for good. over: M02 has been sent. index_s: how long the lathe waits at most for its
+    encoder before a run of G01, and before a chunk that opens with one.
     """
 
-    def __init__(self, line: OutwardLine, link: LatheLink, modes: Modes):
+    def __init__(self, line: OutwardLine, link: LatheLink, modes: Modes, index_s: float = 0.0):
         self.begun = self.over = self.held = False
         self.modes = modes
-        self._line, self._link = line, link
+        self._line, self._link, self._index_s = line, link, index_s
         self._waiting: deque[tuple[Record, bool]] = deque()  # with whether it ends its line
         self._sent: deque[_Sent] = deque()
         self._sent_modes = modes  # behind the last record that was sent
@@ -130,14 +132,21 @@ class Program:
             self._line.send(AUTOMATIC, now_s)
         texts = [due[0][0].opening, *(record.text for record, _ in due[1:])]
         there_s = self._line.send(f"{''.join(texts)}{CHUNK_END}".encode("ascii"), now_s)
-        at_s = max(there_s, self._end_s)
+        at_s, chunk_begun = max(there_s, self._end_s), False
         for text, (record, ends_line) in zip(texts, due, strict=True):
+            at_s += self._waits_s(record, is_first=not chunk_begun)
+            chunk_begun = True
             end_s = at_s + record.lasts_s * (1.0 + self._link.slower)
             self._sent.append(_Sent(record, len(text), at_s, end_s, self._sent_modes, ends_line))
             self._sent_modes, at_s = record.modes, end_s
             self.over = self.over or record.ends_program
             self._waiting.popleft()
         self._end_s = at_s
+
+    def _waits_s(self, record: Record, is_first: bool) -> float:
+        """Return how long the lathe waits for its encoder at most; is_first: of a chunk."""
+        waits = record.begins_feed or (is_first and record.move is not None and record.modes.motion == LINE)
+        return self._index_s if waits else 0.0
 
     def _due(self, now_s: float) -> list[tuple[Record, bool]]:
         """Return the records of the next chunk."""

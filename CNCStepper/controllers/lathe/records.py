@@ -3,8 +3,8 @@
 
     G01X-10.F1.#G01Z-50.F1.#   ──►   two records, each with its "#"
 
-Nothing of a line counts unless all of it can be read. A coordinate is rounded to steps record by record, since the lathe
-knows its place in steps alone.
+Nothing of a line counts unless all of it can be read. A coordinate is rounded to steps record by record, since the
+lathe knows its place in steps alone.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ class Modes:
 class Record:
     """One record: its text with "#", its move (None where it has none), the modes behind it.
 
-    opening: the text where it opens a chunk, which must begin with a G or M word.
+    opening: the text where it opens a chunk, which must begin with a G or M word. begins_feed: a run of G01.
     """
 
     text: str
@@ -53,6 +53,7 @@ class Record:
     move: Move | None
     modes: Modes
     ends_program: bool = False
+    begins_feed: bool = False
 
     @property
     def lasts_s(self) -> float:
@@ -86,12 +87,13 @@ class RecordReader:
 
     def _record(self, text: str, modes: Modes) -> Record:
         words = self._words(text)
-        modes = self._followed(words, modes)
+        before, modes = modes.motion, self._followed(words, modes)
         if len(self._opening(text, words, modes)) > self._longest:
             raise refused(TOO_LONG)
         move, modes = self._moved(words, modes)
         ends = any(word.name == END for word in words)
-        return Record(text, self._opening(text, words, modes), move, modes, ends)
+        begins_feed = move is not None and modes.motion == LINE and before != LINE
+        return Record(text, self._opening(text, words, modes), move, modes, ends, begins_feed)
 
     def _words(self, text: str) -> list[Word]:
         """Return the words in the form of RS274: numbers with their point, F in mm or inches a minute."""

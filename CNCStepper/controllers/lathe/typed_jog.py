@@ -17,9 +17,7 @@ G_WORDS = (20.0, 21.0, 53.0, 90.0, 91.0)
 AXES = "XYZ"
 
 
-def jog_of(
-    line: str, machine: Machine, zero_mm: Sequence[float], place_mm: Sequence[float]
-) -> tuple[Jog | None, str]:
+def jog_of(line: str, machine: Machine, zero_mm: Sequence[float], place_mm: Sequence[float]) -> tuple[Jog | None, str]:
     """Return the jog of a line, None for no way at all, and what is to be said of it, or "".
 
     zero_mm, place_mm: work zero and place of X, Y, Z in machine coordinates. Raises MachineRefusal with grbl's error.

@@ -28,7 +28,7 @@ def test_a_sender_expects_its_settings_of_x_and_z_only() -> None:
 @pytest.mark.parametrize(("controller", "axes", "missing"), [("mini-lathe", "xy", "z"), ("grbl", "xz", "y")])
 def test_each_machine_needs_its_own_axes(controller: str, axes: str, missing: str) -> None:
     content = load_machine("mini-lathe").model_dump() | {"controller": controller}
-    content["axis"] = {name: content["axis"]["x"] for name in axes}
+    content["axis"] = dict.fromkeys(axes, content["axis"]["x"])
     with pytest.raises(ValueError, match=f"axis.{missing} is missing"):
         Machine.model_validate(content)
 

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The mini-lathe's port: 9600 baud, eight data bits, even parity, one stop bit; nothing ever comes back.
 
-    a serial device             8E1
-    socket://…, a pseudo-       8N1, and `note` says so: sockets have no parity, and Linux refuses it to
-    terminal, loop://           pseudo-terminals
-    record:FILE                 a file of t_s,byte for each byte that is sent
+a serial device             8E1
+socket://…, a pseudo-       8N1, and `note` says so: sockets have no parity, and Linux refuses it to
+terminal, loop://           pseudo-terminals
+record:FILE                 a file of t_s,byte for each byte that is sent
 """
 
 from __future__ import annotations
