@@ -49,6 +49,7 @@ FAMILIES = {  # folder of the verbs' modules: title in the help, and its verbs
         "Set up a machine",
         {
             "machine": "List, make, show and change machine profiles.",
+            "machine-test": "Try a machine out and measure it: pulses, relays, inputs, travel.",
             "ports": "List the serial ports, or say what controller answers at one.",
             "home": "Let a machine find its own zero.",
             "zero": "Make the tool's place the work zero.",

@@ -108,7 +108,9 @@ def write_chart(path: Path, rows: Sequence[CutData], units: str = "mm") -> list[
     """Write the rows as TOML, or as QtPlasmaC's material file (`*.cfg`) in `units`; return what is left out of them."""
     if path.suffix.lower() == ".cfg":
         return write_materials(path, rows, units)
-    tables = ["[[cut]]\n" + "".join(f"{key} = {value_text(value)}\n" for key, value in _given(row).items()) for row in rows]
+    tables = [
+        "[[cut]]\n" + "".join(f"{key} = {value_text(value)}\n" for key, value in _given(row).items()) for row in rows
+    ]
     write_whole(path, ("# Cut chart, made by CNCStepper\n\n" + "\n".join(tables)).encode("utf-8"))
     return []
 

@@ -101,7 +101,9 @@ def save(name: str, content: Mapping[str, Any]) -> Written:
     return change(name, dict(differences(profile_content(name), content)))
 
 
-def differences(before: Mapping[str, Any], after: Mapping[str, Any], table: KeyPath = ()) -> Iterator[tuple[KeyPath, Any]]:
+def differences(
+    before: Mapping[str, Any], after: Mapping[str, Any], table: KeyPath = ()
+) -> Iterator[tuple[KeyPath, Any]]:
     """Yield the paths of the keys whose values differ, with the new value, None for what is no longer there."""
     for key in {**before, **after}:
         old, new = before.get(key), after.get(key)

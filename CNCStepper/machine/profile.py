@@ -213,8 +213,8 @@ class Machine(_Checked):
     "pause" (retract, M5, a message, M0), "split" (a file a tool) or "m6". tool_length: what is done about the length of
     a new tool: "touch_off" (the operator sets the Z zero with it), "table" (its length offset: G43 H, or G43.1 Z) or
     "none" (all tools stand out equally far). axis: x, y and, where the table has one, z. spindle: left out, the torch
-    is a switch (M3 and M5 without S), or the machine has none. input: the machine's own buttons. relay: what the keys of
-    the dock switch, by the machine's own words.
+    is a switch (M3 and M5 without S), or the machine has none. input: the machine's own buttons. relay: what the keys
+    of the dock switch, by the machine's own words.
     """
 
     name: str

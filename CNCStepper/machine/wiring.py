@@ -193,7 +193,8 @@ class Relay(BaseModel, extra="forbid", frozen=True):
 
 def check_relays(relays: Sequence[Relay]) -> None:
     """Raise ValueError where two relays have one name, or switch one device."""
-    for values in ([entry.name for entry in relays], [entry.device for entry in relays]):
+    names, devices = [str(entry.name) for entry in relays], [str(entry.device) for entry in relays]
+    for values in (names, devices):
         twice = [value for value in values if values.count(value) > 1]
         if twice:
             raise ValueError(Text("relay: {twice} is there twice", twice=printable(twice[0])))

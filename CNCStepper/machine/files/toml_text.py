@@ -212,7 +212,8 @@ def _trimmed(lines: Iterator[str]) -> list[str]:
 
 def _sections(lines: Sequence[str]) -> Iterator[_Section]:
     """Yield the top and the tables of a text, each with its keys."""
-    path, begin, place = (), -1, 0
+    path: Path = ()
+    begin, place = -1, 0
     entries: list[_Entry] = []
     while place < len(lines):
         if _HEADER.fullmatch(lines[place]) and (header := _path_of(lines[place])):

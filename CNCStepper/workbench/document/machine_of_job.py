@@ -10,8 +10,8 @@ from typing import Any
 from CNCStepper.errors import Text
 from CNCStepper.job.deferred_fitting import once
 from CNCStepper.machine.feeds_and_speeds import remarks_on
-from CNCStepper.machine.materials import material
 from CNCStepper.machine.files.profile_files import own_path
+from CNCStepper.machine.materials import material
 from CNCStepper.machine.processes import MILLING
 from CNCStepper.machine.profile import Machine, load_machine, profile_names
 from CNCStepper.machine.tools.tool import Tool
