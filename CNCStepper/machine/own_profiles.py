@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 from pydantic import BaseModel
 
 from CNCStepper.atomic_file import write_whole
-from CNCStepper.errors import JobError, Text
+from CNCStepper.errors import CNCStepperError, JobError, Text
 from CNCStepper.input_file import is_there, read_input
 from CNCStepper.machine.files.profile_files import NAME, own_folder, own_names, own_path, shipped_file, shipped_names
 from CNCStepper.machine.files.readers import MOST_BYTES, read_json, read_toml
@@ -48,6 +48,14 @@ def profiles() -> list[Profile]:
     """Return all profiles by name."""
     own, shipped = own_names(), shipped_names()
     return [Profile(name, name in shipped, name in own) for name in profile_names()]
+
+
+def label_of(name: str) -> str:
+    """Return how a profile is offered: "Cutting table A (table-a)"; one that cannot be read by its name alone."""
+    try:
+        return f"{load_machine(name).name} ({name})"
+    except CNCStepperError:
+        return name
 
 
 def profile_text(name_or_path: str) -> str:
