@@ -123,9 +123,9 @@ class Machines(QtGui.QDialog):
             said.append(tr("It is your copy of a shipped profile, and takes its place."))
         if not written.comments_kept:
             said.append(tr("The file has a new layout: its comments are not in it."))
-        self.about.setText(" ".join(said))
         self.look(self.name)
         self.judge()
+        self.about.setText(" ".join(said))
         return True
 
     def revert(self) -> None:
@@ -215,7 +215,7 @@ class Machines(QtGui.QDialog):
         self.revert_button = self._button("revert", tr("Revert"), self.revert)
         bottom = QtGui.QHBoxLayout()
         bottom.addWidget(self.about, 1)
-        for button in (self.save_button, self.revert_button, self._button("close", tr("Close"), self.close)):
+        for button in (self.save_button, self.revert_button, self._button("close", tr("Close"), self.reject)):
             bottom.addWidget(button)
         right = QtGui.QVBoxLayout()
         right.addWidget(self.tabs, 1)
@@ -226,7 +226,7 @@ class Machines(QtGui.QDialog):
         whole.addLayout(right, 1)
 
     def _button(self, name: str, text: str, clicked: Any) -> Any:
-        button = QtGui.QPushButton(text)
+        button = QtGui.QPushButton(text, self)
         button.setObjectName(f"{NAME}_{name}")
         button.setAutoDefault(False)  # Return ends a line here, and saves nothing
         button.clicked.connect(guarded(clicked))

@@ -41,6 +41,7 @@ NO_NUMBER = later("'{0}' is no number")
 NO_WHOLE = later("'{0}' is no whole number")
 POINT_FORM = later("write points as: 0 1.2; 300 1.0")
 TRUE = "true"
+ADDRESS = ("signals", "base")  # that people know in hexadecimal figures
 ROWS = tuple(rows())
 TABLES = {table.key: table for table in tables()}
 Problems = dict[Path, Refused]
@@ -173,6 +174,8 @@ def text_of(value: Any, row: Row) -> str:
         return "; ".join(" ".join(map(_number_text, point)) for point in value)
     if row.kind in (SET, WORDS, NUMBERS) and isinstance(value, (list, tuple)):
         return " ".join(one if isinstance(one, str) else _number_text(one) for one in value)
+    if row.path == ADDRESS and isinstance(value, int):
+        return f"0x{value:X}"
     if isinstance(value, bool):
         return TRUE if value else ""
     return value if isinstance(value, str) else _number_text(value)

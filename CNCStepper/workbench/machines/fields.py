@@ -8,8 +8,9 @@ from typing import Any
 
 from PySide import QtGui
 
+from CNCStepper.gcode.dialects import dialect_names
 from CNCStepper.workbench.machines.declaration import CHECK, CHOICE, SET, Path, Row, Table
-from CNCStepper.workbench.machines.draft import TRUE
+from CNCStepper.workbench.machines.draft import TRUE, text_of
 from CNCStepper.workbench.machines.labels import choice_label, hint_of, label_of, label_with_unit
 from CNCStepper.workbench.panels.fields import ERROR_COLOUR, FRAME, note_label
 from CNCStepper.workbench.panels.number_input import Refused
@@ -18,7 +19,8 @@ from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.services.translation import tr
 
 NAME = "CNCStepper_Machine"
-NARROWEST_PX = 90
+CONTROLLER = ("controller",)
+NARROWEST_PX, NARROWEST_COLUMN_PX = 60, 110
 SET_COLUMNS = 4
 Changed = Callable[[str], None]
 
@@ -72,10 +74,9 @@ class LineEditor(QtGui.QLineEdit, Editor):
     def __init__(self, row: Row, changed: Changed):
         super().__init__()
         self.setMinimumWidth(NARROWEST_PX)
-        default = row.default
-        if isinstance(default, (list, tuple)):
-            default = " ".join(map(str, default))
-        self.setPlaceholderText("" if default in (None, "") else f"{default}")
+        self.setPlaceholderText(text_of(row.default, row))
+        if row.path == CONTROLLER:
+            self.setCompleter(QtGui.QCompleter(dialect_names(), self))
         self.textEdited.connect(guarded(changed))
 
     def show_text(self, text: str) -> None:
@@ -156,11 +157,12 @@ class ListEditor(QtGui.QWidget):
         self.grid = QtGui.QTableWidget(0, len(table.columns))
         self.grid.setObjectName(f"{NAME}_{table.key}")
         self.grid.setHorizontalHeaderLabels([label_with_unit(row) for row in table.columns])
+        self.grid.horizontalHeader().setMinimumSectionSize(NARROWEST_COLUMN_PX)
         self.grid.verticalHeader().setVisible(True)
         self.grid.horizontalHeader().setStretchLastSection(True)
         self.grid.itemChanged.connect(guarded(self._typed))
         self.note = note_label(f"{NAME}_{table.key}_error", ERROR_COLOUR, self)
-        add, remove = QtGui.QPushButton(tr("Add")), QtGui.QPushButton(tr("Remove"))
+        add, remove = QtGui.QPushButton(tr("Add"), self), QtGui.QPushButton(tr("Remove"), self)
         add.setObjectName(f"{NAME}_{table.key}_add")
         remove.setObjectName(f"{NAME}_{table.key}_remove")
         add.clicked.connect(guarded(self._add))

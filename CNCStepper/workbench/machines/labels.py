@@ -72,6 +72,7 @@ LABELS = {  # by key, or by table and key where the same key is two things
     "device": later("Device"),
 }
 HINTS = {
+    "controller": later("Its language and its link: grbl, grblhal, fluidnc, linuxcnc, thesis-a …"),
     "feed_mm_min": later("What a program without F takes, and the cutting speed of a language without F"),
     "rapid_mm_min": later("The speed of rapids, where the language leaves it to the machine"),
     "torque": later("Points of the pull-out curve, rpm and Nm: 0 1.2; 300 1.0"),

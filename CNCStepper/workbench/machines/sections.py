@@ -18,10 +18,9 @@ from CNCStepper.workbench.machines.port_picture import PortPicture
 from CNCStepper.workbench.panels.fields import ERROR_COLOUR, note_label
 from CNCStepper.workbench.services.translation import tr
 
-LEFT = QtCore.Qt.AlignmentFlag.AlignLeft
-NO_INPUTS = ("input",)
+INPUTS, RELAYS = "input", "relay"
 Typed = Callable[[Path, str], None]
-SIGNAL_COLUMNS = 2
+SIGNAL_COLUMNS = 3
 
 
 class Section(QtGui.QWidget):
@@ -151,9 +150,8 @@ class WiringSection(Section):
             self._grid.takeAt(0).widget().deleteLater()
         names = draft.signals
         self.pins = {name: Field(Row((*PINS, name), WHOLE), partial(self._pin_typed, name)) for name in names}
-        columns = 2 * SIGNAL_COLUMNS
         for place, (name, field) in enumerate(self.pins.items()):
-            line, side = divmod(place, columns)
+            line, side = divmod(place, SIGNAL_COLUMNS)
             self._grid.addWidget(QtGui.QLabel(signal_label(name)), line, 2 * side)
             self._grid.addWidget(field, line, 2 * side + 1)
 
@@ -167,7 +165,7 @@ class WiringSection(Section):
                 names[int(digits)] = signal_label(name)
                 if text.startswith("-"):
                     low.add(int(digits))
-        for entry in draft.lists.get(NO_INPUTS[0], []):
+        for entry in draft.lists.get(INPUTS, []):
             if entry.get("pin", "").isdecimal():
                 names[int(entry["pin"])] = entry.get("act", "")
         self.picture.show_pins(names, low)
@@ -183,9 +181,9 @@ def sections(typed: Typed, pin_typed: Callable[[str, str], None], changed: Calla
         tr("General"): FormSection(of[""], typed, (), changed),
         tr("Axes"): AxesSection(of["axis"], typed),
         tr("Ramps"): FormSection(of["planner"], typed, (), changed),
-        tr("Spindle and relays"): FormSection(of["spindle"], typed, ("relay",), changed),
+        tr("Spindle and relays"): FormSection(of["spindle"], typed, (RELAYS,), changed),
         tr("Signals and pins"): WiringSection(of["signals"], typed, pin_typed),
-        tr("Inputs"): FormSection((), typed, [key for key in TABLES if key != "relay"], changed),
+        tr("Inputs"): FormSection((), typed, [key for key in TABLES if key != RELAYS], changed),
     }
 
 
