@@ -14,9 +14,12 @@ from PySide import QtCore, QtGui
 
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.machine.own_profiles import create, profile_content, profiles, save
-from CNCStepper.workbench.machines.declaration import Path
-from CNCStepper.workbench.machines.draft import Draft
+from CNCStepper.machine.profile import Machine
+from CNCStepper.workbench.machines.declaration import NUMBER, Path, Row
+from CNCStepper.workbench.machines.draft import Draft, text_of
 from CNCStepper.workbench.machines.fields import words_of
+from CNCStepper.workbench.machines.labels import label_of
+from CNCStepper.workbench.machines.machine_test_view import MachineTest
 from CNCStepper.workbench.machines.sections import scrolled, sections
 from CNCStepper.workbench.panels.fields import ERROR_COLOUR, note_label
 from CNCStepper.workbench.services import messages
@@ -39,7 +42,6 @@ class Machines(QtGui.QDialog):
         self.resize(*SIZE)
         self.drafts: dict[str, Draft] = {}
         self.name = ""
-        self._say_errors = True
         self.list = QtGui.QListWidget()
         self.list.setObjectName(f"{NAME}_list")
         self.list.setFixedWidth(LIST_PX)
@@ -49,6 +51,8 @@ class Machines(QtGui.QDialog):
         self.sections = sections(self._typed, self._pin_typed, self.judge)
         for title, section in self.sections.items():
             self.tabs.addTab(scrolled(section), title)
+        self.test = MachineTest(self.machine, self.propose)
+        self.tabs.addTab(scrolled(self.test), tr("Machine test"))
         self.note = note_label(f"{NAME}_error", ERROR_COLOUR, self)
         self.about = QtGui.QLabel()
         self.about.setObjectName(f"{NAME}_about")
@@ -84,11 +88,25 @@ class Machines(QtGui.QDialog):
         for section in self.sections.values():
             section.show_draft(draft)
         self.judge()
+        self.test.show_profile()
 
     @property
     def draft(self) -> Draft:
         """The draft that is shown."""
         return self.drafts[self.name]
+
+    def machine(self) -> Machine | None:
+        """Return the machine of the draft that is shown, None while it has a bad value."""
+        if self.name not in self.drafts:
+            return None
+        content, problems = self.draft.judged()
+        return None if problems else Machine.model_validate(content)
+
+    def propose(self, path: Path, value: float) -> None:
+        """Put a measured value into the draft, for a person to save."""
+        self.draft.texts[path] = text_of(value, Row(path, NUMBER))
+        self.choose(self.name)
+        self.about.setText(tr("{0} is {1} now: save it.").format(label_of(path), self.draft.texts[path]))
 
     def judge(self) -> bool:
         """Show what is wrong with the draft, and return whether nothing is."""

@@ -91,7 +91,7 @@ class CheckEditor(QtGui.QCheckBox, Editor):
 
     def __init__(self, row: Row, changed: Changed):
         super().__init__()
-        self.clicked.connect(guarded(lambda on: changed(TRUE if on else "")))
+        self.clicked.connect(guarded(lambda: changed(TRUE if self.isChecked() else "")))
 
     def show_text(self, text: str) -> None:
         """Show yes or no."""
@@ -133,7 +133,7 @@ class SetEditor(QtGui.QWidget, Editor):
         self._others: list[str] = []
         for place, (choice, box) in enumerate(self.boxes.items()):
             box.setObjectName(f"{NAME}_{'_'.join(row.path)}_{choice}")
-            box.clicked.connect(guarded(lambda _=False: changed(self._text())))
+            box.clicked.connect(guarded(lambda: changed(self._text())))
             grid.addWidget(box, place // SET_COLUMNS, place % SET_COLUMNS)
 
     def show_text(self, text: str) -> None:
