@@ -51,7 +51,7 @@ class Parport:
         self._drives, self._wrong = Drives(signals), PinFaults()
         self._arrivals = Arrivals(WRITE_BYTES)
         self._relays = dict.fromkeys((name for name in self._pins if _is_relay(name)), False)
-        self._levels = 0
+        self._levels = int(pin_levels(*np.zeros((2, 1), np.uint8))[0])
         self._carried_s = carried_s
         self._dead_until_s: dict[int, float] = {}  # motors that stall or have no supply
         self._output, self._path, self._notes = bytearray(), list[np.ndarray](), list[tuple[float, str]]()
