@@ -7,8 +7,8 @@
                      |-up |     |       |
 
 A pulse counts once it has been long enough. It is lost where set-up, width or gap is certainly too short, and where the
-drives are switched off. "Certainly": by the earliest and latest times at which the edges can have come. Before the first
-write both registers are 0, as when a computer is switched on.
+drives are switched off. "Certainly": by the earliest and latest times at which the edges can have come. Before the
+first write both registers are 0, as when a computer is switched on.
 """
 
 from __future__ import annotations
