@@ -38,6 +38,7 @@ from CNCStepper.safe_text import printable
 
 AXIS_NAMES = ("x", "y", "z")
 WITHOUT_FEED_WORDS = ("thesis-a",)  # languages in which the speeds of cuts and rapids are settings of the machine
+WITH_STATUS_PINS = ("thesis-a",)  # machines that this computer drives by a port with inputs of its own
 CALIBRATED = 0.02  # steps_per_mm, as measured, may differ from what the drive gives by this share
 Model = TypeVar("Model", bound=BaseModel)
 Interpolation = Literal["planner", "dda", "published"]
@@ -257,6 +258,8 @@ class Machine(_Checked):
     @model_validator(mode="after")
     def _inputs_are_apart(self) -> Machine:
         check_apart(self.input)
+        if self.controller not in WITH_STATUS_PINS and any(entry.is_own for entry in self.input):
+            raise ValueError("a pin with a number has a port: the device file of its parallel port")
         return self
 
     @model_validator(mode="after")
