@@ -13,10 +13,7 @@ The sender's process reads this table too, so that no package is imported here.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Literal
-
-if TYPE_CHECKING:
-    from CNCStepper.machine.profile import Machine
+from typing import Literal, Protocol
 
 Family = Literal["grbl", "parport", "board", "lathe", ""]
 FAMILIES: dict[str, Family] = {
@@ -31,11 +28,19 @@ OWN: tuple[Family, ...] = ("parport", "board", "lathe")  # a process on this com
 PULSES: tuple[Family, ...] = ("parport", "board")  # of these, those whose single pulses it makes
 
 
-def family_of(machine: Machine | None) -> Family:
+class Controlled(Protocol):
+    """A machine's profile, as far as it says what its controller is."""
+
+    @property
+    def controller(self) -> str:
+        """The controller's key."""
+
+
+def family_of(machine: Controlled | None) -> Family:
     """Return the family of a profile's controller; "" where nothing drives it, or where there is no profile."""
     return FAMILIES.get(machine.controller, "") if machine else ""
 
 
-def wire_language(machine: Machine | None) -> str:
+def wire_language(machine: Controlled | None) -> str:
     """Return the language in which its lines are sent where that is not the program's own, else ""."""
     return "grbl" if family_of(machine) in PULSES else ""
