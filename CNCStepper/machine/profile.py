@@ -42,6 +42,7 @@ WITHOUT_FEED_WORDS = ("thesis-a",)  # languages in which the speeds of cuts and 
 LATHES = ("mini-lathe",)  # controllers of machines without Y: X is the radius, Z lies along the spindle
 CALIBRATED = 0.02  # steps_per_mm, as measured, may differ from what the drive gives by this share
 Model = TypeVar("Model", bound=BaseModel)
+Interpolation = Literal["planner", "dda", "published"]
 TorqueOr0 = Annotated[float, Bounds("torque", zero=True)]
 
 
@@ -223,9 +224,10 @@ class Machine(_Checked):
     the speeds of a language that has no words for them; the first also what a program without F takes. tool_change:
     "pause" (retract, M5, a message, M0), "split" (a file a tool) or "m6". tool_length: what is done about the length of
     a new tool: "touch_off" (the operator sets the Z zero with it), "table" (its length offset: G43 H, or G43.1 Z) or
-    "none" (all tools stand out equally far). axis: x, y and, where the table has one, z; of a lathe x and z. spindle:
-    left out, the torch is a switch (M3 and M5 without S), or the machine has none. input: the machine's own buttons.
-    link: of the mini-lathe.
+    "none" (all tools stand out equally far). interpolation: of pulses that this computer makes: "planner" (our own), or
+    the digital differential analyser of the published table, "dda" with our registers, "published" with its own.
+    axis: x, y and, where the table has one, z; of a lathe x and z. spindle: left out, the torch is a switch (M3 and M5
+    without S), or the machine has none. input: the machine's own buttons. link: of the mini-lathe.
     """
 
     name: str
@@ -235,6 +237,7 @@ class Machine(_Checked):
     rapid_mm_min: Feed | None = None
     tool_change: Literal["pause", "split", "m6"] = "pause"
     tool_length: Literal["touch_off", "table", "none"] = "touch_off"
+    interpolation: Interpolation = "planner"
     planner: Planner
     axis: dict[Literal["x", "y", "z"], Axis]
     spindle: Spindle = SWITCHED
@@ -256,7 +259,7 @@ class Machine(_Checked):
     @model_serializer(mode="wrap")
     def _without_what_is_usual(self, as_dict: Any) -> dict[str, Any]:
         """Leave out what a profile that does not say it means, so that its certificates stay what they were."""
-        usual: dict[str, Any] = {"feed_mm_min": None, "rapid_mm_min": None, "link": None}
+        usual: dict[str, Any] = {"feed_mm_min": None, "rapid_mm_min": None, "interpolation": "planner", "link": None}
         usual["processes"] = _usual_processes(self.spindle.laser)
         if not self.has_spindle:
             usual["spindle"] = self.spindle

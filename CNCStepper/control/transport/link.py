@@ -23,6 +23,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
 
+from CNCStepper.control.transport.controller_link import LINE_BAUD, has_no_controller, open_controller
 from CNCStepper.control.transport.output_queue import WireQueue
 from CNCStepper.control.transport.telnet import TelnetPort, socket_url
 from CNCStepper.errors import CNCStepperError, LinkError, MissingPackage, Text
@@ -155,12 +156,15 @@ class Link:
         )
 
 
-def open_link(name: str, baud: int = BAUD) -> Link:
+def open_link(name: str, baud: int = BAUD, machine: str = "") -> Link:
     """Open a port by device name or URL (`socket://host:port`, `telnet://host`, `rfc2217://host:port`, `loop://`).
 
-    Raises LinkError that says what to do when the port is missing, busy, forbidden or silent, and
+    machine: the profile, by name or file, of what is there; where it has no controller of its own, ours is started at
+    that port. Raises LinkError that says what to do when the port is missing, busy, forbidden or silent, and
     MissingPackage without pyserial.
     """
+    if machine and has_no_controller(machine):
+        return Link(open_controller(name, machine), name, LINE_BAUD)
     serial = load_pyserial()
     is_telnet = name.startswith("telnet://")
     try:
