@@ -7,7 +7,6 @@ import math
 import tomllib
 from collections.abc import Set
 from functools import cache
-from importlib import resources
 from itertools import pairwise
 from pathlib import Path
 from typing import Annotated, Any, Literal, TypeVar
@@ -18,12 +17,13 @@ from CNCStepper.errors import JobError, Text
 from CNCStepper.input_file import is_there
 from CNCStepper.machine.axis_drive import Drive
 from CNCStepper.machine.controller_family import LANGUAGES, WIRE_LANGUAGE, makes_pulses
+from CNCStepper.machine.files.profile_files import own_names, own_path, shipped_file, shipped_names
 from CNCStepper.machine.files.readers import read_json, read_toml
 from CNCStepper.machine.files.validation_errors import refusal_of
 from CNCStepper.machine.lathe_link import LatheLink
 from CNCStepper.machine.processes import PROCESSES, Process, ProcessName, process_named
 from CNCStepper.machine.step_wait_tables import Waits
-from CNCStepper.machine.wiring import Input, Signals, check_apart
+from CNCStepper.machine.wiring import DEVICES, Input, Relay, Signals, check_apart, check_relays
 from CNCStepper.quantities import (
     MOST_ITEMS,
     Acceleration,
@@ -228,7 +228,8 @@ class Machine(_Checked):
     "none" (all tools stand out equally far). interpolation: of pulses that this computer makes: "planner" (our own), or
     the digital differential analyser of the published table, "dda" with our registers, "published" with its own.
     axis: x, y and, where the table has one, z; of a lathe x and z. spindle: left out, the torch is a switch (M3 and M5
-    without S), or the machine has none. input: the machine's own buttons. link: of the mini-lathe.
+    without S), or the machine has none. input: the machine's own buttons. relay: what the keys of the dock switch, by
+    the machine's own words. link: of the mini-lathe.
     """
 
     name: str
@@ -247,6 +248,7 @@ class Machine(_Checked):
     signals: Signals = Signals()
     input: tuple[Input, ...] = Field(default=(), max_length=MOST_ITEMS["inputs"])
     link: LatheLink | None = None
+    relay: tuple[Relay, ...] = Field(default=(), max_length=len(DEVICES))
 
     @model_validator(mode="before")
     @classmethod
@@ -260,7 +262,8 @@ class Machine(_Checked):
     @model_serializer(mode="wrap")
     def _without_what_is_usual(self, as_dict: Any) -> dict[str, Any]:
         """Leave out what a profile that does not say it means, so that its certificates stay what they were."""
-        usual: dict[str, Any] = {"feed_mm_min": None, "rapid_mm_min": None, "interpolation": "planner", "link": None}
+        usual: dict[str, Any] = {"feed_mm_min": None, "rapid_mm_min": None, "interpolation": "planner"}
+        usual |= {"link": None, "relay": ()}
         usual["processes"] = _usual_processes(self.spindle.laser)
         if not self.has_spindle:
             usual["spindle"] = self.spindle
@@ -270,6 +273,7 @@ class Machine(_Checked):
     @model_validator(mode="after")
     def _inputs_are_apart(self) -> Machine:
         check_apart(self.input)
+        check_relays(self.relay)
         return self
 
     @model_validator(mode="after")
@@ -417,24 +421,20 @@ def _usual_processes(is_laser: bool) -> tuple[ProcessName, ...]:
 
 
 def profile_names() -> list[str]:
-    """Return the names of the profiles that ship with the product."""
-    return list(_profile_names())
-
-
-@cache
-def _profile_names() -> tuple[str, ...]:
-    folder = resources.files("CNCStepper.machine") / "profiles"
-    return tuple(sorted(entry.name[:-5] for entry in folder.iterdir() if entry.name.endswith(".toml")))
+    """Return the names of the profiles that ship with the product and of the user's own."""
+    return sorted({*shipped_names(), *own_names()})
 
 
 def load_machine(name_or_path: str | Path) -> Machine:
-    """Return the machine of a shipped profile ("table-a"), of a TOML file, or of the same as JSON.
+    """Return the machine of a profile of `profile_names`, of a TOML file, or of the same as JSON.
 
-    Raises JobError when there is no such profile or a value in it is not allowed.
+    The user's own profile takes the place of a shipped one of its name. Raises JobError when there is no such profile
+    or a value in it is not allowed.
     """
-    if str(name_or_path) in profile_names():
+    own = own_path(str(name_or_path))
+    if own is None and str(name_or_path) in shipped_names():
         return _shipped(str(name_or_path))
-    path = Path(name_or_path)
+    path = own or Path(name_or_path)
     if not is_there(path):
         raise JobError(
             "machine-missing",
@@ -447,8 +447,7 @@ def load_machine(name_or_path: str | Path) -> Machine:
 
 @cache
 def _shipped(name: str) -> Machine:
-    entry = resources.files("CNCStepper.machine") / "profiles" / f"{name}.toml"
-    return validated(Machine, tomllib.loads(entry.read_text("utf-8")), name)
+    return validated(Machine, tomllib.loads(shipped_file(name).read_text("utf-8")), name)
 
 
 def validated(model: type[Model], content: dict[str, Any], file: str) -> Model:
