@@ -188,7 +188,7 @@ class PathWatch:
             self._warn(str(error))
             return None
         start, held = start_of(self._driver, found), held_modes(offsets_of(self._driver, found), found.modes)
-        return PlannedPath(self._job.lines, start, held, first, self._gaps, found.firmware.dialects[0])
+        return PlannedPath(self._job.lines, start, held, first, self._gaps, found.firmware.language)
 
     def _notify_unknown(self, path: PlannedPath) -> None:
         if path.refused and not self._told:
