@@ -68,7 +68,7 @@ class ProofResult:
     sent. send_file: the certificate. moves: the tip in work coordinates in time. rapids, feeds: as lines.
     part: what is left of the stock. fallen: what it cuts free. tools: the outlines of cutter and shank by number.
     report: as `cncstepper run` writes it. work_origin_mm: where the work zero lies in the document. begins: the start
-    state that it holds for, None where that is not known. words: what a restart does, the core's sentences in its order.
+    state that it holds for, None where that is not known. words: what a restart does, the core's sentences.
     """
 
     program_lines: list[str]
