@@ -150,7 +150,7 @@ class PlannedPath:
             if text.startswith(LETTERS) and len(self._step_mm):
                 self._take_letters(text)
                 return
-            if self._by_letters or text.startswith("$"):
+            if (self._by_letters and not text.startswith("M")) or text.startswith("$"):
                 raise ProgramError("path-unknown", Text("'{text}' moves as only the controller knows", text=text))
             self._interpreter.line(text)
         except ProgramError as error:

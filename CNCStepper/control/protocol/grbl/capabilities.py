@@ -24,6 +24,7 @@ REASONS: dict[str, tuple[str, str]] = {  # of each word of [CANNOT:...]: why not
     "jog-hold": ("this machine cannot be jogged while a program is held", "stop the program, then jog"),
     "back": ("this machine cannot go back along its cut", "restart the program at a line before it"),
     "home": ("this machine cannot find its own zero", "move the tool to the work zero and set it there"),
+    "probe": ("this machine has no probe", "set the zero by hand"),
     "position": ("this machine does not report its position: it is counted from what was sent", "look at the machine"),
 }
 NEEDS: dict[str, tuple[str, ...]] = {  # of each command: what the machine must be able to do for it
