@@ -226,7 +226,7 @@ class PulseOutput:
         if self._is_first:
             waits[0], rests[0] = 0.0, True
         acceleration = np.clip(acceleration_mm_s2, LEAST_ACCELERATION, MOST_ACCELERATION).astype(np.float64)
-        changes = 2.0 * acceleration * np.minimum(way_mm, self._step_mm)
+        changes = 2.0 * acceleration * np.where(rests, self._step_mm, np.minimum(way_mm, self._step_mm))
         self._write(step, back, speed, waits, changes, rests * IS_REST + np.asarray(is_rapid, bool) * IS_RAPID)
         stops_from = max(2.0 * changes[-1] ** 0.5, acceleration[-1] * AT_REST_S)
         self._words[ENDS_AT_REST] = speed[-1] <= stops_from

@@ -171,11 +171,11 @@ def random_plan(dice: random.Random, moves: int) -> Plan:
         counts = [dice.choice((0, dice.randint(-60, 60), dice.randint(-300, 300))) for _ in range(3)]
         if not any(counts):
             counts[0] = 1
-        rapid, top = dice.random() < 0.4, dice.choice((3.0, 10.0, 40.0))
+        rapid, top = dice.random() < 0.4, dice.choice((8.0, 20.0, 40.0))
         leaves = min(top, 8.0) if dice.random() < 0.5 and moves else 0.0
         clock_s, entry = _add_move(rows, clock_s, counts, rapid, (entry, max(top, entry), leaves))
         if entry == 0.0 and dice.random() < 0.5:
-            clock_s += dice.choice((0.02, 0.3, 2.0))
+            clock_s += dice.choice((0.02, 0.3))
     seconds, step, back, speed, is_rapid, way = map(np.array, zip(*rows, strict=True))
     ticks = np.maximum.accumulate(np.round(seconds * TICKS_PER_S).astype(np.int64) + np.arange(len(rows)))
     masks = step.astype(np.uint8), back.astype(np.uint8)
