@@ -28,6 +28,7 @@ from CNCStepper.job.start_state_file import start_from
 from CNCStepper.machine.backlash import Backlash
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tools.tool import Tool
+from CNCStepper.machine.wiring import seen_by_sender
 from CNCStepper.simulation.checks.clamps import Clamp
 from CNCStepper.simulation.cutter_solid import Tools
 from CNCStepper.simulation.stock import HeightField, Stock
@@ -203,7 +204,7 @@ def send_job(
         machine=machine.name if machine else "",
         retrace=_path_retract(machine, start or Start(), dialect) if machine else {},
         plan=plan,
-        inputs=[entry.model_dump(mode="json") for entry in machine.input] if machine else (),
+        inputs=[entry.model_dump(mode="json") for entry in seen_by_sender(machine.input)] if machine else (),
     )
 
 

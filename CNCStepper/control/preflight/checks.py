@@ -38,7 +38,7 @@ from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.program.wire_line import is_move
 from CNCStepper.control.protocol.grbl.connect import ControllerInfo, check_units, offsets_of
 from CNCStepper.control.protocol.grbl.driver import Grbl
-from CNCStepper.control.protocol.grbl.firmware import FIRMWARES, Firmware
+from CNCStepper.control.protocol.grbl.firmware import BOARD_FIRMWARES, Firmware, firmware_of_controller
 from CNCStepper.control.protocol.grbl.motion_interlock import UNKNOWN
 from CNCStepper.control.protocol.grbl.readiness import (
     OFFSET_TOLERANCE_MM,
@@ -72,14 +72,14 @@ def check_sendable(dialect: str, controller: str) -> None:
 
     controller: as the profile names it; "" where there is none. Raises MachineRefusal.
     """
-    named = next((firmware for firmware in FIRMWARES if firmware.key == controller), None)
+    named = firmware_of_controller(controller)
     if named:
         check_dialect(dialect, named)
-    elif not any(_without_settings(dialect) in firmware.dialects for firmware in FIRMWARES):
+    elif not any(_without_settings(dialect) in firmware.dialects for firmware in BOARD_FIRMWARES):
         what = Text(
             "the program was read as {dialect}, which no controller understands that lines are sent to", dialect=dialect
         )
-        raise _dialect_refusal(dialect, what, FIRMWARES[0])
+        raise _dialect_refusal(dialect, what, BOARD_FIRMWARES[0])
 
 
 def _without_settings(dialect: str) -> str:

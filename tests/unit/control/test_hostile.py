@@ -94,7 +94,7 @@ SEEN_TO_STAND = (
     "settings",
     "noise",
 )
-QUICK = ("invented-state", "statuses")  # of the faults, those that every run of the tests sees
+QUICK = ("statuses",)  # of the faults, those that every run of the tests sees
 EACH_FAULT = [fault if fault in QUICK else pytest.param(fault, marks=pytest.mark.slow) for fault in FAULTS]
 
 
@@ -221,7 +221,7 @@ STATES = {  # of the sender: how it comes there, and what the job and the contro
     "retracting": (retracting, None, {}),
 }
 THEN = ("obeys", "deaf", "runs-on", "never-slower", "statuses", "ok", "noise", "long-number")
-QUICK_STOPS = {("running", "deaf"), ("preflight", "obeys"), ("retracting", "deaf")}
+QUICK_STOPS = {("preflight", "obeys")}
 EACH_STOP = [
     pytest.param(state, then, marks=() if (state, then) in QUICK_STOPS else pytest.mark.slow)
     for state in STATES

@@ -54,6 +54,7 @@ def made(seed: int) -> tuple[Sheet, WireCut, Toolpath, Answer] | CycleError:
     return sheet, cycle, table.toolpath(), answer
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", SEEDS)
 def test_the_wire_cuts_every_part_whole_in_one_way(seed: int) -> None:
     case = made(seed)

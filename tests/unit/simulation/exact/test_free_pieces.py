@@ -110,6 +110,7 @@ def _after(start: Start, part: Toolpath) -> Start:
     return replace(start, position_mm=tuple(part.table().end[-1].tolist()))
 
 
+@pytest.mark.slow
 def test_five_hundred_parts_take_about_a_second_and_twice_as_many_twice_as_long() -> None:
     took_s = {}
     for count in (250, 500):
