@@ -83,6 +83,7 @@ from CNCStepper.control.session.files import session_folder
 from CNCStepper.control.session.status import error_from_json
 from CNCStepper.control.transport.port_identity import identify
 from CNCStepper.errors import LinkError, MachineRefusal, Text
+from CNCStepper.machine.controller_family import family_of
 from CNCStepper.machine.profile import Machine
 from CNCStepper.motion.planner.buffers import TICKS_PER_S
 from CNCStepper.motion.signals.parallel_port import RegisterWriter, idle_registers
@@ -101,7 +102,6 @@ from CNCStepper.motion.signals.pulse_player import (
     SENT,
 )
 
-BOARD = "usb-board"
 LEAST_SHARE = 0.1
 LEAST_ACCELERATION, MOST_ACCELERATION = 1e-3, 1e9  # mm/s²: sums of them stay exact enough
 REST_STEPS = 3.0  # a path that went so many steps of all axes before a pulse has stood on the way
@@ -153,6 +153,11 @@ class PulseOutput:
         finally:
             ring.forget_name()
         return output
+
+    @property
+    def process(self) -> int:
+        """The number of the player's process."""
+        return int(self._worker.pid)
 
     @property
     def room(self) -> int:
@@ -442,7 +447,7 @@ class PulseOutput:
 
 def is_board(machine: Machine) -> bool:
     """Return whether a machine's pulses go out as a board's bytes, not as a parallel port's registers."""
-    return machine.controller.partition(":")[0] == BOARD
+    return family_of(machine) == "board"
 
 
 def _writer(machine: Machine) -> RegisterWriter | BoardWriter:
