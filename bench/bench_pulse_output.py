@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The player of pulses: how late its writes come, and which share of a core its process takes, at each rate and at rest.
 
-Lateness is a matter of what else the computer does: its load is printed beside the figures. Nothing is asserted.
+Lateness is a matter of what else the computer does: its load is printed beside it. Nothing is asserted.
 
     python bench/bench_pulse_output.py [PORT]     a parallel port's device file; a recording and a socket without it
 """

@@ -23,6 +23,7 @@ import json
 import os
 import subprocess
 import sys
+import threading
 import time
 from contextlib import suppress
 from math import hypot
@@ -108,7 +109,7 @@ REST_STEPS = 3.0  # a path that went so many steps of all axes before a pulse ha
 AT_REST_S = 0.025  # a path that is so near its stop may end
 BUSY_PULSES = 32  # over which the fastest rate is taken
 LONGER = 1.5  # of the time that a trial may take where no motor follows
-ANSWER_LIMIT_S, END_LIMIT_S = 120.0, 10.0  # kernels may have to be compiled; a way to a stop may be long
+ANSWER_LIMIT_S, END_LIMIT_S = 300.0, 10.0  # kernels may have to be compiled; a way to a stop may be long
 LOOK_S = 0.002
 NS_PER_TICK = NS_PER_S / TICKS_PER_S
 
@@ -146,7 +147,12 @@ class PulseOutput:
         output = cls(worker, ring, port, machine, places)
         try:
             output._tell_what()
-            _answer(_line_of(worker), "ready")
+            limit = threading.Timer(ANSWER_LIMIT_S, worker.kill)
+            limit.start()
+            try:
+                _answer(_line_of(worker), "ready")
+            finally:
+                limit.cancel()
         except BaseException:
             output._end()
             raise
