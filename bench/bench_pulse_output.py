@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The player of pulses: how late its writes come, and which share of a core its process takes, at each rate and at rest.
+"""The player of pulses: how late its writes come, and which share of a core its process takes, running and at rest.
 
 Lateness is a matter of what else the computer does: its load is printed beside it. Nothing is asserted.
 

@@ -19,7 +19,7 @@ from CNCStepper.control.pulses.pulse_loop import PulseLoop
 from CNCStepper.control.pulses.pulse_output import PulseOutput
 from CNCStepper.control.pulses.pulse_ring import PulseRing
 from CNCStepper.machine.profile import Machine, load_machine
-from CNCStepper.motion.planner.buffers import TICKS_PER_S
+from CNCStepper.motion.planner.buffers import TICKS_PER_S, UNLIMITED
 from CNCStepper.motion.signals.parallel_port import RegisterWriter
 from CNCStepper.motion.signals.pulse_player import SENSE
 
@@ -120,6 +120,14 @@ def machine(**signals: Any) -> Machine:
     axes = {name: axis.model_copy(update={"steps_per_mm": STEPS_PER_MM}) for name, axis in table.axis.items()}
     times = {"pulse_us": 2.0, "gap_us": 2.0, "direction_setup_us": 2.0, "enable_lead_us": 100.0}
     return table.model_copy(update={"axis": axes, "signals": type(table.signals)(**(times | signals))})
+
+
+def pulses(count: int, per_s: float, step: int = 1, first: int = 1) -> tuple[Any, ...]:
+    """Return columns of steady pulses of one mask, whose motors may start and stop at once."""
+    ticks = np.arange(first, first + count) * round(TICKS_PER_S / per_s)
+    ones = np.ones(count)
+    speed, acceleration = (per_s / 80 * ones).astype(np.float32), np.full(count, UNLIMITED, np.float32)
+    return ticks, (step * ones).astype(np.uint8), np.zeros(count, np.uint8), speed, acceleration, ones < 0
 
 
 @dataclass(frozen=True)

@@ -25,9 +25,8 @@ from CNCStepper.control.pulses import pulse_output
 from CNCStepper.control.pulses.pulse_output import PulseOutput
 from CNCStepper.errors import LinkError, MachineRefusal
 from CNCStepper.machine.profile import Machine, load_machine
-from CNCStepper.motion.planner.buffers import TICKS_PER_S, UNLIMITED
 from CNCStepper.motion.signals.step_letters import read_letters
-from helpers.control.virtual_player import decoded, machine
+from helpers.control.virtual_player import decoded, machine, pulses
 
 LIMIT_S = 60.0
 IDLE = ("0", "11")  # pins 1, 14 and 17 are turned round
@@ -38,14 +37,6 @@ def board() -> Machine:
     table = load_machine("table-a")
     signals = type(table.signals)(null_motor=1)
     return table.model_copy(update={"controller": "usb-board", "signals": signals})
-
-
-def pulses(count: int, per_s: float, step: int = 1, first: int = 1) -> tuple[Any, ...]:
-    """Return columns of pulses of one mask whose motors may start and stop at once."""
-    ticks = np.arange(first, first + count) * round(TICKS_PER_S / per_s)
-    ones = np.ones(count)
-    speed, acceleration = (per_s / 80 * ones).astype(np.float32), np.full(count, UNLIMITED, np.float32)
-    return ticks, (step * ones).astype(np.uint8), np.zeros(count, np.uint8), speed, acceleration, ones < 0
 
 
 def wait_for(output: PulseOutput, *states: str) -> None:
@@ -281,7 +272,7 @@ def test_a_player_that_is_killed_leaves_nothing_on(
 PARENT = """
 import sys, time
 sys.path[:0] = {paths!r}
-from test_pulse_output import machine, pulses
+from helpers.control.virtual_player import machine, pulses
 from CNCStepper.control.pulses.pulse_output import PulseOutput
 output = PulseOutput.launch("record:" + {file!r}, machine())
 output.switch("flood", True)
@@ -292,7 +283,7 @@ time.sleep(600)
 
 
 def test_a_player_whose_parent_is_killed_ends_with_everything_off(tmp_path: Path) -> None:
-    paths = [str(Path(__file__).parent), str(Path(__file__).parents[3])]
+    paths = [str(Path(__file__).parents[3])]
     script = PARENT.format(paths=paths, file=str(tmp_path / "port.csv"))
     with subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE) as parent:
         assert parent.stdout and int(parent.stdout.readline())
