@@ -75,7 +75,7 @@ class PulseBoard(Grbl):
     @property
     def quiet(self) -> bool:
         """Whether it only waits for bytes: nothing moves, no line is in hand."""
-        return super().quiet and self.axes.idle
+        return super().quiet and self.axes.stopped
 
     @property
     def at_rest(self) -> bool:
