@@ -11,25 +11,33 @@ The machine's own buttons and switches: the pin that each is on, and what it doe
 pin = "P"            # a letter of `Pn:` in the controller's status, or a status pin of the parallel port in `port`
 act = "pause"
 level = "low"        # a contact that opens when it is pressed
+
+What is switched by hand, under the name that the machine's people have for it:
+
+[[relay]]
+name = "oxygen"
+device = "output_0"
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, get_args
 
 from pydantic import BaseModel, Field, StrictInt, model_serializer, model_validator
 
 from CNCStepper.errors import Text
 from CNCStepper.quantities import Bounds
+from CNCStepper.safe_text import printable
 
 DATA_PINS = (2, 3, 4, 5, 6, 7, 8, 9)
 CONTROL_PINS = (1, 14, 16, 17)
 INVERTED_PINS = (1, 14, 17)
 INPUT_PINS = (10, 11, 12, 13, 15)
 OUTPUT_PINS = (*DATA_PINS, *CONTROL_PINS)
-DEVICES = ("spindle_cw", "spindle_ccw", "mist", "flood", "output_0", "output_1", "output_2", "output_3")
+Device = Literal["spindle_cw", "spindle_ccw", "mist", "flood", "output_0", "output_1", "output_2", "output_3"]
+DEVICES: tuple[str, ...] = get_args(Device)
 ENABLE = "enable"
 STANDARD_PINS = {  # as most break-out boards have them
     **{f"{axis}_{what}": 2 + 2 * n + k for n, axis in enumerate("xyz") for k, what in enumerate(("step", "direction"))},
@@ -116,6 +124,7 @@ class Signals(BaseModel, extra="forbid", frozen=True):
 
 CONTROLLER_PINS = "XYZABCPDHRS"  # limit switches, probe, door, hold, reset, cycle start
 LONGEST_LINE = 70
+LONGEST_NAME = 20  # of what stands on a key
 _SWITCHING = re.compile(r"M(?:[345789]|6[234578])(?:[SPQE]\d+(?:\.\d+)?)*")
 
 SENDERS_PINS = "ABC"  # by which a controller of ours reports its pins for acts that only the sender can do
@@ -212,3 +221,19 @@ def seen_by_sender(inputs: Sequence[Input]) -> list[Input]:
         for entry in inputs
         if not entry.is_own or entry.pin in letters
     ]
+
+
+class Relay(BaseModel, extra="forbid", frozen=True):
+    """What a key of the dock switches. name: on the key. device: one of DEVICES."""
+
+    name: Annotated[str, Field(min_length=1, max_length=LONGEST_NAME)]
+    device: Device
+
+
+def check_relays(relays: Sequence[Relay]) -> None:
+    """Raise ValueError where two relays have one name, or switch one device."""
+    names, devices = [str(entry.name) for entry in relays], [str(entry.device) for entry in relays]
+    for values in (names, devices):
+        twice = [value for value in values if values.count(value) > 1]
+        if twice:
+            raise ValueError(Text("relay: {twice} is there twice", twice=printable(twice[0])))
