@@ -69,7 +69,7 @@ class SerialPort:
 
     def close(self) -> None:
         """Send what waits, and give the port back."""
-        with suppress(OSError, ValueError):
+        with suppress(Exception):  # termios' own errors are no OSError; the port may be gone
             self._port.flush()
         with suppress(OSError, ValueError):
             self._port.close()
