@@ -100,7 +100,7 @@ class Parport:
     def advance(self, now_s: float) -> None:
         """Let time pass up to `now_s`."""
         records = self._arrivals.take()
-        if len(records):
+        if not records.is_empty:
             self._write(records._replace(earliest_s=records.earliest_s - self._carried_s))
         self._move(self._drives.settle(now_s))
         for rotor in self._rotors:

@@ -118,6 +118,7 @@ LATHE = Firmware(
     line_characters=1000,  # many records
 )
 OWN_FIRMWARES = (PARPORT, BOARD, LATHE)  # processes of this computer, `machine.controller_family`
+PULSE_FIRMWARES = (PARPORT, BOARD)
 BOARD_FIRMWARES = (GRBL, GRBLHAL, FLUIDNC)  # what may answer at a port of which no profile is known
 FIRMWARES = (*BOARD_FIRMWARES, *OWN_FIRMWARES)
 
