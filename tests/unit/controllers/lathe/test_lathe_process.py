@@ -14,6 +14,7 @@ from pathlib import Path
 
 import pytest
 
+from CNCStepper.control.transport.controller_link import open_controller
 from CNCStepper.control.transport.link import open_link
 
 LIMIT_S = 60.0
@@ -43,6 +44,11 @@ class Line:
                 self.heard += os.read(self._master, 100)
         return time.monotonic()
 
+    def wait(self, seconds: float) -> None:
+        """Hear what comes within a time."""
+        while select.select([self._master], [], [], seconds)[0]:
+            self.heard += os.read(self._master, 100)
+
     def close(self) -> None:
         os.close(self._master)
         os.close(self._slave)
@@ -69,6 +75,28 @@ def test_a_sender_that_is_killed_releases_its_jog(line: Line, tmp_path: Path) ->
     finally:
         sender.kill()
         sender.wait()
+
+
+def test_a_controller_that_is_killed_releases_its_jog_too(line: Line) -> None:
+    port = open_controller(line.name, "mini-lathe")
+    for ended in (b"EP", b"G"):
+        port.write(b"$J=G91X-.1F120\n" if ended == b"EP" else b"$J=G91Z-100F120\n")
+        line.until(ended)
+    time.sleep(0.3)
+    port._process.kill()  # of the controller alone: nothing of it can send any more
+    line.until(b"P")
+    assert line.heard == b"I2.0000?EPGP"
+    port.close()
+
+
+def test_a_controller_that_is_killed_at_rest_sends_nothing(line: Line) -> None:
+    port = open_controller(line.name, "mini-lathe")
+    port.write(b"$J=G91X-.1F120\n")
+    line.until(b"P")
+    port._process.kill()
+    port.close()
+    line.wait(0.5)
+    assert line.heard == b"I2.0000?EP"
 
 
 def test_a_link_that_is_closed_releases_its_jog_and_says_8n1(line: Line) -> None:
