@@ -2323,6 +2323,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A short sound at an alarm, an end, a pause, and for a part beyond the work surface</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A sketch or wire that holds one circle; without it the numbers count</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2355,7 +2359,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Acceleration</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Acceleration in steps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Active</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Add</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2443,6 +2459,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Arc tolerance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Arcs below</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2463,11 +2483,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>As people call the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>At the end of {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Attached again to the controller at {0}.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Axes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2567,6 +2595,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Change of wait</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Change the programmed value while cutting, in percent.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2655,6 +2687,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Come from above</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Come from below</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Comes from</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Comparing the cut with the drawing…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2668,6 +2712,14 @@
         </message>
         <message>
             <source>Connect to the controller at this port.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Connect to the machine first, in the controller's panel.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Connected and idle. Take the tool out, or lift it.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2720,6 +2772,14 @@
         </message>
         <message>
             <source>Coolant</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Copy of {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Copy…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2815,6 +2875,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Debounce</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Degrees, counter-clockwise</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2839,6 +2903,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Device</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Dial</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Dialect</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2855,6 +2927,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Direction before step</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Discard</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2868,6 +2944,10 @@
         </message>
         <message>
             <source>Distance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Does</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2907,6 +2987,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Drive (steps per mm follow from it)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drive the length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Duplicate operations</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2943,6 +3031,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Efficiency</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Elapsed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2952,6 +3044,10 @@
         </message>
         <message>
             <source>Elliptical pocket</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Enable before step</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3043,6 +3139,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Feed without F</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Feeding in air</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3103,6 +3203,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>First wait</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Fit to drawing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3136,6 +3240,10 @@
         </message>
         <message>
             <source>For a mill that does not cut over its centre; 0: 10°</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Force</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3188,6 +3296,14 @@
         </message>
         <message>
             <source>From X to the lines of the pattern</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From above</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From below</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3291,6 +3407,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>General</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Go back along the cut by this length; a machine that moves is held first.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3324,6 +3444,10 @@
         </message>
         <message>
             <source>Go up to this Z first; where none is given: the program's highest crossing rapid</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Goes back by</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3391,6 +3515,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Highest speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Highest spindle speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Hold</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3432,6 +3564,10 @@
         </message>
         <message>
             <source>Homing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Homing switch</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3731,11 +3867,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>In machine coordinates</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>In the program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>In whole passes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Inertia</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Inputs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Inputs that are on: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Interpolation</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3748,6 +3904,18 @@
         </message>
         <message>
             <source>It is cut last already</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>It is your copy of a shipped profile, and takes its place.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Its language and its link: grbl, grblhal, fluidnc, linuxcnc, thesis-a …</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Jerk</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3772,6 +3940,10 @@
         </message>
         <message>
             <source>Joints that hold the part until it is broken out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Junction deviation</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3800,6 +3972,10 @@
         </message>
         <message>
             <source>Laser</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Laser (M4 with power)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3843,11 +4019,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Least wait</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Leave</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Leave out of the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Left out, it follows from the drive</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3887,7 +4071,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Level</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Levels</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Lift before</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3895,7 +4087,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Line at release</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Line length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Line {0}, {1}: {2}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3927,6 +4127,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Look-ahead</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Looking for a Python…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3947,11 +4151,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Lower right to upper left</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Lowest speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>M6, by the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>MDF board</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Machine profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Machine test</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Machines</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3991,6 +4219,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Measured</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Mend what is marked first.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Message</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4023,6 +4259,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Motion in air</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Motor (its torque is checked)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Motor angle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4036,6 +4280,10 @@
         </message>
         <message>
             <source>Motor's steps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Motors</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4063,11 +4311,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Moved mass</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Moves, scales, turns or rewrites the whole program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Move…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Name of the profile: letters of a to z, digits, - and _</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4083,7 +4343,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>New machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>New program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>New…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4263,11 +4531,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Other diagonal (0: none)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Outlines of the clamps</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Outputs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Outputs on the way back</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4311,6 +4587,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Parallel port</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Parts</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4328,6 +4608,10 @@
         </message>
         <message>
             <source>Pause</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pause between pulses</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4352,6 +4636,18 @@
         </message>
         <message>
             <source>Pierces</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pin {0}: {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pins of the parallel port; a minus sign is active low</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4399,7 +4695,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Points of the pull-out curve, rpm and Nm: 0 1.2; 300 1.0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Port</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Port's address</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4408,6 +4712,10 @@
         </message>
         <message>
             <source>Power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Power (M3)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4436,6 +4744,10 @@
         </message>
         <message>
             <source>Process</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Processes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4487,7 +4799,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Pulse width</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Pulses</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pulses +</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4495,7 +4815,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Pulses −</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Pulses/s</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Put into the profile</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4535,7 +4863,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Ramps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Rapid</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Rapid speed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4579,6 +4915,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Relays</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Relays and inputs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Relays are switched by hand only while the machine is idle.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Release to close the line. Esc: give up this line.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4588,6 +4936,10 @@
         </message>
         <message>
             <source>Remaining</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Remove</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4651,7 +5003,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Reverse (M4)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Reverse the contours</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Revert</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4680,6 +5040,10 @@
         </message>
         <message>
             <source>S is turns per minute</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>S-curve</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4716,6 +5080,10 @@
         </message>
         <message>
             <source>Screw speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Screw's pitch</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4799,6 +5167,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Side along X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Side along Y</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Signals and pins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Simplify</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4808,6 +5188,10 @@
         </message>
         <message>
             <source>Size</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Size of square and circle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4827,6 +5211,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Sounds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Spacing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4835,7 +5223,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Spin-up time</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Spindle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Spindle and relays</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4851,11 +5247,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Square</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Squareness</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Start</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Start angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Start/stop wait</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4868,6 +5276,10 @@
         </message>
         <message>
             <source>Step ({0})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Step times</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4884,6 +5296,14 @@
         </message>
         <message>
             <source>Stepper motor (open loop)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Steps of the ramp</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Steps per mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4916,6 +5336,10 @@
         </message>
         <message>
             <source>Stopping…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Switch it on or off.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4955,7 +5379,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Take the dial's reading from both sides first.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Take the line numbers out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Take the reading</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4972,6 +5404,14 @@
         </message>
         <message>
             <source>The T word of the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The angle between X and Y is {0:.4f}°: {1:.3f} mm over a metre.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The axis of each motor in turn; -y is one that is mounted the other way round: x y -y z</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5000,6 +5440,10 @@
         </message>
         <message>
             <source>The connection is being made.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The connection was lost during the test.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5084,6 +5528,10 @@
         </message>
         <message>
             <source>The feed of the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The file has a new layout: its comments are not in it.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5275,6 +5723,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The profile has a value that is none: mend it first.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The profile of the machine at this port: its relays, and how it is driven</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The program has changed since: what is shown is the one before.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5343,6 +5799,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The speed of rapids, where the language leaves it to the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The speed of the cut; 0: that of the chart</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5356,6 +5816,10 @@
         </message>
         <message>
             <source>The step of the published method</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The test is under way: wait, or stop it.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5419,6 +5883,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The waits between steps from rest, in ms, none longer than the one before it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The way along the cut is being checked…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5471,11 +5939,51 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>These profiles have changes that are not saved: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>This is cut by: {0}. The job's process is: {1}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>This machine cannot be held over its link, so there is nothing to resume.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>This machine cannot be held over its link: the program that it has goes on to its end.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>This machine cannot be stopped over its link: use the stop at the machine itself.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>This machine cannot change the speed of what it has.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>This machine cannot do that.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>This machine cannot find its own zero.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>This machine cannot go back along its cut.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>This machine has no homing switches set up ($22=0).</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>This machine is not moved by hand over its link.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>This machine switches nothing over its link.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5535,11 +6043,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>To the start</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Tolerance</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tool change</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tool length</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5567,7 +6087,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Torque at speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Travel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Travel for a turn of the screw; with several starts its lead</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Travel from</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Travel per turn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Travel to</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5639,6 +6179,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>What a program without F takes, and the cutting speed of a language without F</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>What happened to the job's own program since</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5672,6 +6216,10 @@
         </message>
         <message>
             <source>What the cutter is made of</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What the motor turns at a reversal before the axis moves</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5779,6 +6327,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Work out the angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Work zero</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5831,6 +6383,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a file for each tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a parameter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5847,7 +6403,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>active low</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>ae, recalculated to whole passes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>all stand out equally</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5943,7 +6507,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>at the lower end</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at the upper end</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>back along the cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>back the way it came</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>backlash {0:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6019,6 +6599,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>constant acceleration</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>conventional</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6079,6 +6663,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>drives enabled</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>dwell for P</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6120,6 +6708,10 @@
         </message>
         <message>
             <source>flood on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>flood on/off</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6183,6 +6775,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>ground</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>hardwood</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6192,6 +6788,10 @@
         </message>
         <message>
             <source>helix</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>high</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6208,6 +6808,10 @@
         </message>
         <message>
             <source>incremental</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>input</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6267,6 +6871,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>low</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>make room in the folder for temporary files</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6288,6 +6896,10 @@
         </message>
         <message>
             <source>mist on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>mist on/off</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6335,6 +6947,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no switch</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no tool length</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6348,6 +6964,10 @@
         </message>
         <message>
             <source>not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>nothing to correct</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6371,7 +6991,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>off</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>off when pressed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>offsets from a table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>on the line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>on when pressed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6380,6 +7016,26 @@
         </message>
         <message>
             <source>open one and simulate again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>output</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>output 0 (M64 P0)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>output 1 (M64 P1)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>output 2 (M64 P2)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>output 3 (M64 P3)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6392,6 +7048,14 @@
         </message>
         <message>
             <source>paper</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>pause</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>pause, by hand</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6515,6 +7179,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>shipped; your first change makes a copy of it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>short rapids</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6543,6 +7211,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>spindle reversed (M4)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>spindle stop</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>spindle, torch or beam (M3)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>spiral</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6551,11 +7231,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>start</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>stay on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>steps per mm {0:g} becomes {1:g}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>stop</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>straight cut, at the feed F</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>straight down</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>switch by lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>table of step times</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6631,7 +7335,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>usual</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>usual for the process</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>usual: {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6648,6 +7360,18 @@
         </message>
         <message>
             <source>work zero {0} of 9</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write points as: 0 1.2; 300 1.0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>yours</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>zero set with each tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6671,11 +7395,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} direction</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} does not name this process</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{0} errors</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} from below, {1} from above</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6703,6 +7435,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} is written.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} is {1} now: save it.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} lines change:</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6727,6 +7467,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} readings: mean {1:.4f} mm, standard deviation {2:.4f} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} replaced</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6740,6 +7484,10 @@
         </message>
         <message>
             <source>{0} stays in its job; copy and paste it into another document</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} step</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6854,6 +7602,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{name}' is no name for a machine profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{name}' names no port number</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6891,6 +7643,10 @@
         </message>
         <message>
             <source>'{words}' is no length or angle that is known</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{word}' changes no key</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7135,6 +7891,10 @@
         </message>
         <message>
             <source>Mach probes with G31</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Machine profile, made by CNCStepper</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8051,6 +8811,10 @@
         </message>
         <message>
             <source>another user's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>approached from above, the axis stands below where it stands when approached from below</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9242,6 +10006,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give it another name, or change that one with: cncstepper machine set</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give it another number</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9323,6 +10091,10 @@
         </message>
         <message>
             <source>give the tool with the start state</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give the whole list or table, for example outputs.coolant=['mist']</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9762,6 +10534,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>jog to a place with more room, or test a shorter length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>jog with `cncstepper jog`: it lets the controller give up its lines first</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10154,6 +10930,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>make a profile of your own from it: cncstepper machine new NAME --from FILE</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>make finish_{name} smaller</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10259,6 +11039,14 @@
         </message>
         <message>
             <source>material {number} has no {key}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>measure again, or correct steps_per_mm first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>measure again; where it is true, work steps_per_mm out with: cncstepper axis</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11186,6 +11974,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>relay: {twice} is there twice</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>release buttons, door and emergency stop, then restart the controller</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11343,6 +12135,10 @@
         </message>
         <message>
             <source>see that it is a folder, that it is yours, and that you may write there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>see that the dial counts in the axis' sense, and measure again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11542,6 +12338,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>spindle, torch or beam is on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>spindle, torch or beam may still be on: look, and switch them off at the machine</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11654,6 +12454,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>switch it off first: M5</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>switch it off with M5 before it</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11758,6 +12562,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>take up to 60 letters of a to z, digits, - and _, a letter or digit first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>taken as a flat mill: '{name}' names no shape that a table's words can tell</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11767,6 +12575,10 @@
         </message>
         <message>
             <source>test a torch, a laser, a jet or a wire</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>test with the square, which changes none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12019,6 +12831,10 @@
         </message>
         <message>
             <source>the controller does not report its {system}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller does not say its modes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12910,6 +13726,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the measured length is far from the commanded one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the memory card cannot be mounted</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13147,6 +13967,10 @@
         </message>
         <message>
             <source>the profile has no end</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the profile has no key {key}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13574,6 +14398,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the test leaves the travel of the axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the text</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13854,6 +14682,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>there are: {axes}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there are: {keys}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there are: {names}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is a machine profile '{name}' already</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there is no act '{act}'</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13975,6 +14819,10 @@
         </message>
         <message>
             <source>there was nothing to read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>these diagonals belong to no rectangle of these sides</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14782,6 +15630,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write KEY=VALUE, for example axis.x.steps_per_mm=80</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write M2 or M30 as its last line</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15086,11 +15938,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} and {1} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} by {1} to {2} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} mm each where the axes are square</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} mm/min</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{0} to {1} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} to {1} mm from here</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15318,6 +16186,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{key} leads into a value that is no table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{key} must be a list of tables</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15495,6 +16367,14 @@
         </message>
         <message>
             <source>{machine} does not cut by {process}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{machine} has no axis {axis}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{machine} has no relay '{name}'</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15703,6 +16583,10 @@
         </message>
         <message>
             <source>{path} has no pins to read: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{path} is JSON: only TOML profiles are changed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16027,6 +16911,17 @@
         </message>
         <message>
             <source>Import tools…</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Machines</name>
+        <message>
+            <source>Machines…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Makes and changes machine profiles, and tests a machine</source>
             <translation type="unfinished"></translation>
         </message>
     </context>

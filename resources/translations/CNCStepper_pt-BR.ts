@@ -2323,6 +2323,10 @@
             <translation>O nome de um perfil fornecido, ou o arquivo de um perfil</translation>
         </message>
         <message>
+            <source>A short sound at an alarm, an end, a pause, and for a part beyond the work surface</source>
+            <translation>Um som curto em alarme, fim, pausa e para uma peça que excede a superfície de trabalho</translation>
+        </message>
+        <message>
             <source>A sketch or wire that holds one circle; without it the numbers count</source>
             <translation>Um esboço ou fio que contenha um círculo; sem ele valem os números</translation>
         </message>
@@ -2355,8 +2359,20 @@
             <translation>Em torno do primeiro canto, no sentido anti-horário</translation>
         </message>
         <message>
+            <source>Acceleration</source>
+            <translation>Aceleração</translation>
+        </message>
+        <message>
+            <source>Acceleration in steps</source>
+            <translation>Aceleração em passos</translation>
+        </message>
+        <message>
             <source>Active</source>
             <translation>Ativa</translation>
+        </message>
+        <message>
+            <source>Add</source>
+            <translation>Adicionar</translation>
         </message>
         <message>
             <source>Add a tool to this job</source>
@@ -2443,6 +2459,10 @@
             <translation>Aplicar</translation>
         </message>
         <message>
+            <source>Arc tolerance</source>
+            <translation>Tolerância de arco</translation>
+        </message>
+        <message>
             <source>Arcs below</source>
             <translation>Arcos abaixo de</translation>
         </message>
@@ -2463,12 +2483,20 @@
             <translation>Quantos podem ser gerados no máximo, em Hz</translation>
         </message>
         <message>
+            <source>As people call the machine</source>
+            <translation>Como as pessoas chamam a máquina</translation>
+        </message>
+        <message>
             <source>At the end of {0}</source>
             <translation>No fim de {0}</translation>
         </message>
         <message>
             <source>Attached again to the controller at {0}.</source>
             <translation>Reconectado ao controlador em {0}.</translation>
+        </message>
+        <message>
+            <source>Axes</source>
+            <translation>Eixos</translation>
         </message>
         <message>
             <source>Axis</source>
@@ -2567,6 +2595,10 @@
             <translation>Alterar</translation>
         </message>
         <message>
+            <source>Change of wait</source>
+            <translation>Mudança da espera</translation>
+        </message>
+        <message>
             <source>Change the programmed value while cutting, in percent.</source>
             <translation>Ajusta o valor programado durante o corte, em porcento.</translation>
         </message>
@@ -2655,6 +2687,18 @@
             <translation>Colunas</translation>
         </message>
         <message>
+            <source>Come from above</source>
+            <translation>Vir de cima</translation>
+        </message>
+        <message>
+            <source>Come from below</source>
+            <translation>Vir de baixo</translation>
+        </message>
+        <message>
+            <source>Comes from</source>
+            <translation>Vem de</translation>
+        </message>
+        <message>
             <source>Comparing the cut with the drawing…</source>
             <translation>Comparando o corte com o desenho…</translation>
         </message>
@@ -2669,6 +2713,14 @@
         <message>
             <source>Connect to the controller at this port.</source>
             <translation>Conecta ao controlador nesta porta.</translation>
+        </message>
+        <message>
+            <source>Connect to the machine first, in the controller's panel.</source>
+            <translation>Conecte primeiro à máquina, no painel do controlador.</translation>
+        </message>
+        <message>
+            <source>Connected and idle. Take the tool out, or lift it.</source>
+            <translation>Conectada e parada. Retire a ferramenta ou levante-a.</translation>
         </message>
         <message>
             <source>Connecting…</source>
@@ -2721,6 +2773,14 @@
         <message>
             <source>Coolant</source>
             <translation>Refrigeração</translation>
+        </message>
+        <message>
+            <source>Copy of {0}</source>
+            <translation>Cópia de {0}</translation>
+        </message>
+        <message>
+            <source>Copy…</source>
+            <translation>Copiar…</translation>
         </message>
         <message>
             <source>Core diameter</source>
@@ -2815,6 +2875,10 @@
             <translation>Danificado</translation>
         </message>
         <message>
+            <source>Debounce</source>
+            <translation>Filtro de repique</translation>
+        </message>
+        <message>
             <source>Degrees, counter-clockwise</source>
             <translation>Graus, anti-horário</translation>
         </message>
@@ -2839,6 +2903,14 @@
             <translation>Profundidade até</translation>
         </message>
         <message>
+            <source>Device</source>
+            <translation>Dispositivo</translation>
+        </message>
+        <message>
+            <source>Dial</source>
+            <translation>Relógio comparador</translation>
+        </message>
+        <message>
             <source>Dialect</source>
             <translation>Dialeto</translation>
         </message>
@@ -2855,6 +2927,10 @@
             <translation>Sentido</translation>
         </message>
         <message>
+            <source>Direction before step</source>
+            <translation>Direção antes do passo</translation>
+        </message>
+        <message>
             <source>Discard</source>
             <translation>Descartar</translation>
         </message>
@@ -2869,6 +2945,10 @@
         <message>
             <source>Distance</source>
             <translation>Distância</translation>
+        </message>
+        <message>
+            <source>Does</source>
+            <translation>Faz</translation>
         </message>
         <message>
             <source>Dog-bones</source>
@@ -2907,6 +2987,14 @@
             <translation>Furação</translation>
         </message>
         <message>
+            <source>Drive (steps per mm follow from it)</source>
+            <translation>Acionamento (dele seguem os passos por mm)</translation>
+        </message>
+        <message>
+            <source>Drive the length</source>
+            <translation>Percorrer o comprimento</translation>
+        </message>
+        <message>
             <source>Duplicate operations</source>
             <translation>Duplicar operações</translation>
         </message>
@@ -2943,6 +3031,10 @@
             <translation>Editar {0}</translation>
         </message>
         <message>
+            <source>Efficiency</source>
+            <translation>Rendimento</translation>
+        </message>
+        <message>
             <source>Elapsed</source>
             <translation>Decorrido</translation>
         </message>
@@ -2953,6 +3045,10 @@
         <message>
             <source>Elliptical pocket</source>
             <translation>Bolsão elíptico</translation>
+        </message>
+        <message>
+            <source>Enable before step</source>
+            <translation>Habilitação antes do passo</translation>
         </message>
         <message>
             <source>Encoder (closed loop)</source>
@@ -3043,6 +3139,10 @@
             <translation>Avanço dos furos</translation>
         </message>
         <message>
+            <source>Feed without F</source>
+            <translation>Avanço sem F</translation>
+        </message>
+        <message>
             <source>Feeding in air</source>
             <translation>Avanço no ar</translation>
         </message>
@@ -3103,6 +3203,10 @@
             <translation>Primeiro número</translation>
         </message>
         <message>
+            <source>First wait</source>
+            <translation>Primeira espera</translation>
+        </message>
+        <message>
             <source>Fit to drawing</source>
             <translation>Ajustar ao desenho</translation>
         </message>
@@ -3137,6 +3241,10 @@
         <message>
             <source>For a mill that does not cut over its centre; 0: 10°</source>
             <translation>Para uma fresa sem corte no centro; 0: 10°</translation>
+        </message>
+        <message>
+            <source>Force</source>
+            <translation>Força</translation>
         </message>
         <message>
             <source>Form</source>
@@ -3189,6 +3297,14 @@
         <message>
             <source>From X to the lines of the pattern</source>
             <translation>De X às linhas do padrão</translation>
+        </message>
+        <message>
+            <source>From above</source>
+            <translation>De cima</translation>
+        </message>
+        <message>
+            <source>From below</source>
+            <translation>De baixo</translation>
         </message>
         <message>
             <source>From chart</source>
@@ -3291,6 +3407,10 @@
             <translation>Redução</translation>
         </message>
         <message>
+            <source>General</source>
+            <translation>Geral</translation>
+        </message>
+        <message>
             <source>Go back along the cut by this length; a machine that moves is held first.</source>
             <translation>Volta este comprimento ao longo do corte; uma máquina em movimento é parada antes.</translation>
         </message>
@@ -3325,6 +3445,10 @@
         <message>
             <source>Go up to this Z first; where none is given: the program's highest crossing rapid</source>
             <translation>Subir primeiro até este Z; sem valor: a travessia rápida mais alta do programa</translation>
+        </message>
+        <message>
+            <source>Goes back by</source>
+            <translation>Volta</translation>
         </message>
         <message>
             <source>Goes on in the controller's panel: connect, work zero, start.</source>
@@ -3391,6 +3515,14 @@
             <translation>Avanço máximo</translation>
         </message>
         <message>
+            <source>Highest speed</source>
+            <translation>Velocidade máxima</translation>
+        </message>
+        <message>
+            <source>Highest spindle speed</source>
+            <translation>Rotação máxima</translation>
+        </message>
+        <message>
             <source>Hold</source>
             <translation>Pausar</translation>
         </message>
@@ -3433,6 +3565,10 @@
         <message>
             <source>Homing</source>
             <translation>Referenciando</translation>
+        </message>
+        <message>
+            <source>Homing switch</source>
+            <translation>Chave de referência</translation>
         </message>
         <message>
             <source>Homing works only while the machine is idle or in alarm.</source>
@@ -3731,12 +3867,32 @@
             <translation>Em quantos passos para fora</translation>
         </message>
         <message>
+            <source>In machine coordinates</source>
+            <translation>Em coordenadas da máquina</translation>
+        </message>
+        <message>
             <source>In the program</source>
             <translation>No programa</translation>
         </message>
         <message>
             <source>In whole passes</source>
             <translation>Em passes inteiros</translation>
+        </message>
+        <message>
+            <source>Inertia</source>
+            <translation>Inércia</translation>
+        </message>
+        <message>
+            <source>Inputs</source>
+            <translation>Entradas</translation>
+        </message>
+        <message>
+            <source>Inputs that are on: {0}</source>
+            <translation>Entradas ligadas: {0}</translation>
+        </message>
+        <message>
+            <source>Interpolation</source>
+            <translation>Interpolação</translation>
         </message>
         <message>
             <source>Is the work zero set on the stock and the way free?</source>
@@ -3749,6 +3905,18 @@
         <message>
             <source>It is cut last already</source>
             <translation>Já é usinada por último</translation>
+        </message>
+        <message>
+            <source>It is your copy of a shipped profile, and takes its place.</source>
+            <translation>É a sua cópia de um perfil fornecido, e toma o lugar dele.</translation>
+        </message>
+        <message>
+            <source>Its language and its link: grbl, grblhal, fluidnc, linuxcnc, thesis-a …</source>
+            <translation>Sua linguagem e sua ligação: grbl, grblhal, fluidnc, linuxcnc, thesis-a …</translation>
+        </message>
+        <message>
+            <source>Jerk</source>
+            <translation>Jerk (arranque)</translation>
         </message>
         <message>
             <source>Job</source>
@@ -3773,6 +3941,10 @@
         <message>
             <source>Joints that hold the part until it is broken out</source>
             <translation>Pontes que seguram a peça até ela ser destacada</translation>
+        </message>
+        <message>
+            <source>Junction deviation</source>
+            <translation>Desvio de junção</translation>
         </message>
         <message>
             <source>Keep as mesh</source>
@@ -3801,6 +3973,10 @@
         <message>
             <source>Laser</source>
             <translation>Laser</translation>
+        </message>
+        <message>
+            <source>Laser (M4 with power)</source>
+            <translation>Laser (M4 com potência)</translation>
         </message>
         <message>
             <source>Last hole</source>
@@ -3843,12 +4019,20 @@
             <translation>Avanço por dente mínimo</translation>
         </message>
         <message>
+            <source>Least wait</source>
+            <translation>Menor espera</translation>
+        </message>
+        <message>
             <source>Leave</source>
             <translation>Sai</translation>
         </message>
         <message>
             <source>Leave out of the program</source>
             <translation>Deixar fora do programa</translation>
+        </message>
+        <message>
+            <source>Left out, it follows from the drive</source>
+            <translation>Omitido, segue do acionamento</translation>
         </message>
         <message>
             <source>Length</source>
@@ -3887,16 +4071,32 @@
             <translation>Deixa a máquina encontrar o próprio zero com os fins de curso.</translation>
         </message>
         <message>
+            <source>Level</source>
+            <translation>Nível</translation>
+        </message>
+        <message>
             <source>Levels</source>
             <translation>Níveis</translation>
+        </message>
+        <message>
+            <source>Lift before</source>
+            <translation>Levantar antes</translation>
         </message>
         <message>
             <source>Line</source>
             <translation>Linha</translation>
         </message>
         <message>
+            <source>Line at release</source>
+            <translation>Linha ao soltar</translation>
+        </message>
+        <message>
             <source>Line length</source>
             <translation>Comprimento das linhas</translation>
+        </message>
+        <message>
+            <source>Line {0}, {1}: {2}</source>
+            <translation>Linha {0}, {1}: {2}</translation>
         </message>
         <message>
             <source>Line {0}: {1}</source>
@@ -3927,6 +4127,10 @@
             <translation>Examine a porta e conecte de novo.</translation>
         </message>
         <message>
+            <source>Look-ahead</source>
+            <translation>Antecipação (look-ahead)</translation>
+        </message>
+        <message>
             <source>Looking for a Python…</source>
             <translation>Procurando um Python…</translation>
         </message>
@@ -3947,12 +4151,36 @@
             <translation>Laços no retalho, que deixam vivos os cantos externos</translation>
         </message>
         <message>
+            <source>Lower right to upper left</source>
+            <translation>Inferior direito a superior esquerdo</translation>
+        </message>
+        <message>
+            <source>Lowest speed</source>
+            <translation>Rotação mínima</translation>
+        </message>
+        <message>
+            <source>M6, by the machine</source>
+            <translation>M6, pela máquina</translation>
+        </message>
+        <message>
             <source>MDF board</source>
             <translation>MDF</translation>
         </message>
         <message>
             <source>Machine</source>
             <translation>Máquina</translation>
+        </message>
+        <message>
+            <source>Machine profile</source>
+            <translation>Perfil da máquina</translation>
+        </message>
+        <message>
+            <source>Machine test</source>
+            <translation>Teste da máquina</translation>
+        </message>
+        <message>
+            <source>Machines</source>
+            <translation>Máquinas</translation>
         </message>
         <message>
             <source>Made from</source>
@@ -3991,6 +4219,14 @@
             <translation>Material</translation>
         </message>
         <message>
+            <source>Measured</source>
+            <translation>Medido</translation>
+        </message>
+        <message>
+            <source>Mend what is marked first.</source>
+            <translation>Corrija primeiro o que está marcado.</translation>
+        </message>
+        <message>
             <source>Message</source>
             <translation>Mensagem</translation>
         </message>
@@ -4023,6 +4259,14 @@
             <translation>Névoa</translation>
         </message>
         <message>
+            <source>Motion in air</source>
+            <translation>Movimento no ar</translation>
+        </message>
+        <message>
+            <source>Motor (its torque is checked)</source>
+            <translation>Motor (o torque é verificado)</translation>
+        </message>
+        <message>
             <source>Motor angle</source>
             <translation>Ângulo do motor</translation>
         </message>
@@ -4037,6 +4281,10 @@
         <message>
             <source>Motor's steps</source>
             <translation>Passos do motor</translation>
+        </message>
+        <message>
+            <source>Motors</source>
+            <translation>Motores</translation>
         </message>
         <message>
             <source>Move</source>
@@ -4063,12 +4311,24 @@
             <translation>Acionado por</translation>
         </message>
         <message>
+            <source>Moved mass</source>
+            <translation>Massa movida</translation>
+        </message>
+        <message>
             <source>Moves, scales, turns or rewrites the whole program</source>
             <translation>Move, escala, gira ou reescreve o programa inteiro</translation>
         </message>
         <message>
             <source>Move…</source>
             <translation>Mover…</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>Nome</translation>
+        </message>
+        <message>
+            <source>Name of the profile: letters of a to z, digits, - and _</source>
+            <translation>Nome do perfil: letras de a a z, algarismos, - e _</translation>
         </message>
         <message>
             <source>Narrow arcs</source>
@@ -4083,8 +4343,16 @@
             <translation>Novo trabalho</translation>
         </message>
         <message>
+            <source>New machine</source>
+            <translation>Nova máquina</translation>
+        </message>
+        <message>
             <source>New program</source>
             <translation>Programa novo</translation>
+        </message>
+        <message>
+            <source>New…</source>
+            <translation>Nova…</translation>
         </message>
         <message>
             <source>Next</source>
@@ -4263,12 +4531,20 @@
             <translation>Outro canto</translation>
         </message>
         <message>
+            <source>Other diagonal (0: none)</source>
+            <translation>Outra diagonal (0: nenhuma)</translation>
+        </message>
+        <message>
             <source>Outlines of the clamps</source>
             <translation>Contornos dos grampos</translation>
         </message>
         <message>
             <source>Outputs</source>
             <translation>Saídas</translation>
+        </message>
+        <message>
+            <source>Outputs on the way back</source>
+            <translation>Saídas na volta</translation>
         </message>
         <message>
             <source>Outside corners that turn by more get a loop</source>
@@ -4311,6 +4587,10 @@
             <translation>PVC expandido</translation>
         </message>
         <message>
+            <source>Parallel port</source>
+            <translation>Porta paralela</translation>
+        </message>
+        <message>
             <source>Parts</source>
             <translation>Peças</translation>
         </message>
@@ -4329,6 +4609,10 @@
         <message>
             <source>Pause</source>
             <translation>Pausa</translation>
+        </message>
+        <message>
+            <source>Pause between pulses</source>
+            <translation>Pausa entre pulsos</translation>
         </message>
         <message>
             <source>Paused</source>
@@ -4353,6 +4637,18 @@
         <message>
             <source>Pierces</source>
             <translation>Perfurações</translation>
+        </message>
+        <message>
+            <source>Pin</source>
+            <translation>Pino</translation>
+        </message>
+        <message>
+            <source>Pin {0}: {1}</source>
+            <translation>Pino {0}: {1}</translation>
+        </message>
+        <message>
+            <source>Pins of the parallel port; a minus sign is active low</source>
+            <translation>Pinos da porta paralela; o sinal de menos é ativo em nível baixo</translation>
         </message>
         <message>
             <source>Pitch</source>
@@ -4399,8 +4695,16 @@
             <translation>Pontos mantidos</translation>
         </message>
         <message>
+            <source>Points of the pull-out curve, rpm and Nm: 0 1.2; 300 1.0</source>
+            <translation>Pontos da curva de torque, rpm e Nm: 0 1.2; 300 1.0</translation>
+        </message>
+        <message>
             <source>Port</source>
             <translation>Porta</translation>
+        </message>
+        <message>
+            <source>Port's address</source>
+            <translation>Endereço da porta</translation>
         </message>
         <message>
             <source>Position</source>
@@ -4409,6 +4713,10 @@
         <message>
             <source>Power</source>
             <translation>Potência</translation>
+        </message>
+        <message>
+            <source>Power (M3)</source>
+            <translation>Potência (M3)</translation>
         </message>
         <message>
             <source>Power on before the tool moves; 0: that of the chart</source>
@@ -4437,6 +4745,10 @@
         <message>
             <source>Process</source>
             <translation>Processo</translation>
+        </message>
+        <message>
+            <source>Processes</source>
+            <translation>Processos</translation>
         </message>
         <message>
             <source>Profile</source>
@@ -4487,16 +4799,32 @@
             <translation>Frequência</translation>
         </message>
         <message>
+            <source>Pulse width</source>
+            <translation>Largura do pulso</translation>
+        </message>
+        <message>
             <source>Pulses</source>
             <translation>Pulsos</translation>
+        </message>
+        <message>
+            <source>Pulses +</source>
+            <translation>Pulsos +</translation>
         </message>
         <message>
             <source>Pulses of</source>
             <translation>Pulsos de</translation>
         </message>
         <message>
+            <source>Pulses −</source>
+            <translation>Pulsos −</translation>
+        </message>
+        <message>
             <source>Pulses/s</source>
             <translation>Pulsos/s</translation>
+        </message>
+        <message>
+            <source>Put into the profile</source>
+            <translation>Pôr no perfil</translation>
         </message>
         <message>
             <source>Put the stock around what is selected, or around the drawings of the operations</source>
@@ -4535,8 +4863,16 @@
             <translation>Comprimento da rampa</translation>
         </message>
         <message>
+            <source>Ramps</source>
+            <translation>Rampas</translation>
+        </message>
+        <message>
             <source>Rapid</source>
             <translation>Rápido</translation>
+        </message>
+        <message>
+            <source>Rapid speed</source>
+            <translation>Velocidade rápida</translation>
         </message>
         <message>
             <source>Rapids</source>
@@ -4579,6 +4915,18 @@
             <translation>Região</translation>
         </message>
         <message>
+            <source>Relays</source>
+            <translation>Relés</translation>
+        </message>
+        <message>
+            <source>Relays and inputs</source>
+            <translation>Relés e entradas</translation>
+        </message>
+        <message>
+            <source>Relays are switched by hand only while the machine is idle.</source>
+            <translation>Os relés só são ligados à mão com a máquina parada.</translation>
+        </message>
+        <message>
             <source>Release to close the line. Esc: give up this line.</source>
             <translation>Solte para fechar a linha. Esc: desistir desta linha.</translation>
         </message>
@@ -4589,6 +4937,10 @@
         <message>
             <source>Remaining</source>
             <translation>Restante</translation>
+        </message>
+        <message>
+            <source>Remove</source>
+            <translation>Remover</translation>
         </message>
         <message>
             <source>Remove tool</source>
@@ -4651,8 +5003,16 @@
             <translation>Recuar até</translation>
         </message>
         <message>
+            <source>Reverse (M4)</source>
+            <translation>Reverso (M4)</translation>
+        </message>
+        <message>
             <source>Reverse the contours</source>
             <translation>Inverter os contornos</translation>
+        </message>
+        <message>
+            <source>Revert</source>
+            <translation>Reverter</translation>
         </message>
         <message>
             <source>Rotate…</source>
@@ -4681,6 +5041,10 @@
         <message>
             <source>S is turns per minute</source>
             <translation>S são rotações por minuto</translation>
+        </message>
+        <message>
+            <source>S-curve</source>
+            <translation>Curva S</translation>
         </message>
         <message>
             <source>Save</source>
@@ -4717,6 +5081,10 @@
         <message>
             <source>Screw speed</source>
             <translation>Rotação do fuso</translation>
+        </message>
+        <message>
+            <source>Screw's pitch</source>
+            <translation>Passo do fuso</translation>
         </message>
         <message>
             <source>Scribe</source>
@@ -4799,6 +5167,18 @@
             <translation>Lado</translation>
         </message>
         <message>
+            <source>Side along X</source>
+            <translation>Lado em X</translation>
+        </message>
+        <message>
+            <source>Side along Y</source>
+            <translation>Lado em Y</translation>
+        </message>
+        <message>
+            <source>Signals and pins</source>
+            <translation>Sinais e pinos</translation>
+        </message>
+        <message>
             <source>Simplify</source>
             <translation>Simplificar</translation>
         </message>
@@ -4809,6 +5189,10 @@
         <message>
             <source>Size</source>
             <translation>Tamanho</translation>
+        </message>
+        <message>
+            <source>Size of square and circle</source>
+            <translation>Tamanho do quadrado e do círculo</translation>
         </message>
         <message>
             <source>Small holes</source>
@@ -4827,6 +5211,10 @@
             <translation>Sólidos em que a ferramenta não pode tocar; as ocorrências os citam pelo número</translation>
         </message>
         <message>
+            <source>Sounds</source>
+            <translation>Sons</translation>
+        </message>
+        <message>
             <source>Spacing</source>
             <translation>Espaçamento</translation>
         </message>
@@ -4835,8 +5223,16 @@
             <translation>Velocidade</translation>
         </message>
         <message>
+            <source>Spin-up time</source>
+            <translation>Tempo até a rotação</translation>
+        </message>
+        <message>
             <source>Spindle</source>
             <translation>Spindle</translation>
+        </message>
+        <message>
+            <source>Spindle and relays</source>
+            <translation>Fuso e relés</translation>
         </message>
         <message>
             <source>Spindle turns a minute; 0: those of the job's material</source>
@@ -4851,12 +5247,24 @@
             <translation>Tempo do ponto</translation>
         </message>
         <message>
+            <source>Square</source>
+            <translation>Quadrado</translation>
+        </message>
+        <message>
+            <source>Squareness</source>
+            <translation>Esquadro</translation>
+        </message>
+        <message>
             <source>Start</source>
             <translation>Iniciar</translation>
         </message>
         <message>
             <source>Start angle</source>
             <translation>Ângulo inicial</translation>
+        </message>
+        <message>
+            <source>Start/stop wait</source>
+            <translation>Espera de partida/parada</translation>
         </message>
         <message>
             <source>Starting</source>
@@ -4869,6 +5277,10 @@
         <message>
             <source>Step ({0})</source>
             <translation>Passo ({0})</translation>
+        </message>
+        <message>
+            <source>Step times</source>
+            <translation>Tempos de passo</translation>
         </message>
         <message>
             <source>Step {0} of {1}</source>
@@ -4885,6 +5297,14 @@
         <message>
             <source>Stepper motor (open loop)</source>
             <translation>Motor de passo (malha aberta)</translation>
+        </message>
+        <message>
+            <source>Steps of the ramp</source>
+            <translation>Passos da rampa</translation>
+        </message>
+        <message>
+            <source>Steps per mm</source>
+            <translation>Passos por mm</translation>
         </message>
         <message>
             <source>Steps/mm</source>
@@ -4917,6 +5337,10 @@
         <message>
             <source>Stopping…</source>
             <translation>Parando…</translation>
+        </message>
+        <message>
+            <source>Switch it on or off.</source>
+            <translation>Ligar ou desligar.</translation>
         </message>
         <message>
             <source>Switch {0}</source>
@@ -4955,8 +5379,16 @@
             <translation>Voltar ao valor da tabela</translation>
         </message>
         <message>
+            <source>Take the dial's reading from both sides first.</source>
+            <translation>Faça primeiro a leitura do relógio dos dois lados.</translation>
+        </message>
+        <message>
             <source>Take the line numbers out</source>
             <translation>Tirar os números de linha</translation>
+        </message>
+        <message>
+            <source>Take the reading</source>
+            <translation>Registrar a leitura</translation>
         </message>
         <message>
             <source>Take the solids that are selected for clamps</source>
@@ -4973,6 +5405,14 @@
         <message>
             <source>The T word of the program</source>
             <translation>A palavra T do programa</translation>
+        </message>
+        <message>
+            <source>The angle between X and Y is {0:.4f}°: {1:.3f} mm over a metre.</source>
+            <translation>O ângulo entre X e Y é {0:.4f}°: {1:.3f} mm em um metro.</translation>
+        </message>
+        <message>
+            <source>The axis of each motor in turn; -y is one that is mounted the other way round: x y -y z</source>
+            <translation>O eixo de cada motor em ordem; -y é um montado ao contrário: x y -y z</translation>
         </message>
         <message>
             <source>The baud rate of the serial port</source>
@@ -5001,6 +5441,10 @@
         <message>
             <source>The connection is being made.</source>
             <translation>A conexão está sendo feita.</translation>
+        </message>
+        <message>
+            <source>The connection was lost during the test.</source>
+            <translation>A conexão foi perdida durante o teste.</translation>
         </message>
         <message>
             <source>The controller does something that was not asked for here.</source>
@@ -5085,6 +5529,10 @@
         <message>
             <source>The feed of the program</source>
             <translation>O avanço do programa</translation>
+        </message>
+        <message>
+            <source>The file has a new layout: its comments are not in it.</source>
+            <translation>O arquivo tem nova disposição: os comentários não estão nele.</translation>
         </message>
         <message>
             <source>The file of a cut chart of your own; empty: the chart that ships</source>
@@ -5275,6 +5723,14 @@
             <translation>Os pontos como foram desenhados</translation>
         </message>
         <message>
+            <source>The profile has a value that is none: mend it first.</source>
+            <translation>O perfil tem um valor inválido: corrija-o primeiro.</translation>
+        </message>
+        <message>
+            <source>The profile of the machine at this port: its relays, and how it is driven</source>
+            <translation>O perfil da máquina nesta porta: seus relés e como é acionada</translation>
+        </message>
+        <message>
             <source>The program has changed since: what is shown is the one before.</source>
             <translation>O programa mudou desde então: o que se vê é o anterior.</translation>
         </message>
@@ -5343,6 +5799,10 @@
             <translation>A velocidade dos movimentos de corte; 0: a do material do trabalho</translation>
         </message>
         <message>
+            <source>The speed of rapids, where the language leaves it to the machine</source>
+            <translation>A velocidade dos rápidos, onde a linguagem a deixa para a máquina</translation>
+        </message>
+        <message>
             <source>The speed of the cut; 0: that of the chart</source>
             <translation>A velocidade do corte; 0: a da tabela</translation>
         </message>
@@ -5357,6 +5817,10 @@
         <message>
             <source>The step of the published method</source>
             <translation>O passo do método publicado</translation>
+        </message>
+        <message>
+            <source>The test is under way: wait, or stop it.</source>
+            <translation>O teste está em andamento: espere ou pare-o.</translation>
         </message>
         <message>
             <source>The thickest chip that a tooth bears; 0: not given</source>
@@ -5419,6 +5883,10 @@
             <translation>A tocha acima da chapa enquanto perfura; 0: a altura da tabela</translation>
         </message>
         <message>
+            <source>The waits between steps from rest, in ms, none longer than the one before it</source>
+            <translation>As esperas entre passos a partir do repouso, em ms, nenhuma maior que a anterior</translation>
+        </message>
+        <message>
             <source>The way along the cut is being checked…</source>
             <translation>O caminho ao longo do corte está sendo verificado…</translation>
         </message>
@@ -5471,12 +5939,52 @@
             <translation>Ainda não há reinício para enviar.</translation>
         </message>
         <message>
+            <source>These profiles have changes that are not saved: {0}</source>
+            <translation>Estes perfis têm mudanças não salvas: {0}</translation>
+        </message>
+        <message>
             <source>This is cut by: {0}. The job's process is: {1}</source>
             <translation>Isto se corta por: {0}. O processo do trabalho é: {1}</translation>
         </message>
         <message>
+            <source>This machine cannot be held over its link, so there is nothing to resume.</source>
+            <translation>Esta máquina não pode ser retida pela ligação; não há o que continuar.</translation>
+        </message>
+        <message>
+            <source>This machine cannot be held over its link: the program that it has goes on to its end.</source>
+            <translation>Esta máquina não pode ser retida pela ligação: o programa que ela tem vai até o fim.</translation>
+        </message>
+        <message>
+            <source>This machine cannot be stopped over its link: use the stop at the machine itself.</source>
+            <translation>Esta máquina não pode ser parada pela ligação: use a parada na própria máquina.</translation>
+        </message>
+        <message>
+            <source>This machine cannot change the speed of what it has.</source>
+            <translation>Esta máquina não muda a velocidade do que já recebeu.</translation>
+        </message>
+        <message>
+            <source>This machine cannot do that.</source>
+            <translation>Esta máquina não faz isso.</translation>
+        </message>
+        <message>
+            <source>This machine cannot find its own zero.</source>
+            <translation>Esta máquina não encontra o próprio zero.</translation>
+        </message>
+        <message>
+            <source>This machine cannot go back along its cut.</source>
+            <translation>Esta máquina não volta pelo corte.</translation>
+        </message>
+        <message>
             <source>This machine has no homing switches set up ($22=0).</source>
             <translation>Esta máquina não tem fins de curso de referência configurados ($22=0).</translation>
+        </message>
+        <message>
+            <source>This machine is not moved by hand over its link.</source>
+            <translation>Esta máquina não é movida à mão pela ligação.</translation>
+        </message>
+        <message>
+            <source>This machine switches nothing over its link.</source>
+            <translation>Esta máquina não liga nada pela ligação.</translation>
         </message>
         <message>
             <source>This takes a number without a unit, not '{0}'</source>
@@ -5535,12 +6043,24 @@
             <translation>Até a linha</translation>
         </message>
         <message>
+            <source>To the start</source>
+            <translation>Ao início</translation>
+        </message>
+        <message>
             <source>Tolerance</source>
             <translation>Tolerância</translation>
         </message>
         <message>
             <source>Tool</source>
             <translation>Ferramenta</translation>
+        </message>
+        <message>
+            <source>Tool change</source>
+            <translation>Troca de ferramenta</translation>
+        </message>
+        <message>
+            <source>Tool length</source>
+            <translation>Comprimento da ferramenta</translation>
         </message>
         <message>
             <source>Tool tables in inches ({0})</source>
@@ -5567,8 +6087,28 @@
             <translation>Desliga antes</translation>
         </message>
         <message>
+            <source>Torque at speed</source>
+            <translation>Torque por rotação</translation>
+        </message>
+        <message>
+            <source>Travel</source>
+            <translation>Curso</translation>
+        </message>
+        <message>
             <source>Travel for a turn of the screw; with several starts its lead</source>
             <translation>Percurso por volta do fuso; com várias entradas, o avanço da rosca</translation>
+        </message>
+        <message>
+            <source>Travel from</source>
+            <translation>Curso de</translation>
+        </message>
+        <message>
+            <source>Travel per turn</source>
+            <translation>Avanço por volta</translation>
+        </message>
+        <message>
+            <source>Travel to</source>
+            <translation>Curso até</translation>
         </message>
         <message>
             <source>Turns</source>
@@ -5639,6 +6179,10 @@
             <translation>Jato de água</translation>
         </message>
         <message>
+            <source>What a program without F takes, and the cutting speed of a language without F</source>
+            <translation>O que vale num programa sem F, e a velocidade de corte de uma linguagem sem F</translation>
+        </message>
+        <message>
             <source>What happened to the job's own program since</source>
             <translation>O que aconteceu desde então com o programa do próprio trabalho</translation>
         </message>
@@ -5673,6 +6217,10 @@
         <message>
             <source>What the cutter is made of</source>
             <translation>De que a ferramenta é feita</translation>
+        </message>
+        <message>
+            <source>What the motor turns at a reversal before the axis moves</source>
+            <translation>O que o motor gira na inversão antes de o eixo se mover</translation>
         </message>
         <message>
             <source>What the raw material looks like</source>
@@ -5779,6 +6327,10 @@
             <translation>Sistema de coordenadas</translation>
         </message>
         <message>
+            <source>Work out the angle</source>
+            <translation>Calcular o ângulo</translation>
+        </message>
+        <message>
             <source>Work zero</source>
             <translation>Zero-peça</translation>
         </message>
@@ -5831,6 +6383,10 @@
             <translation>um comentário</translation>
         </message>
         <message>
+            <source>a file for each tool</source>
+            <translation>um arquivo por ferramenta</translation>
+        </message>
+        <message>
             <source>a parameter</source>
             <translation>um parâmetro</translation>
         </message>
@@ -5847,8 +6403,16 @@
             <translation>acrílico fundido</translation>
         </message>
         <message>
+            <source>active low</source>
+            <translation>ativo em baixo</translation>
+        </message>
+        <message>
             <source>ae, recalculated to whole passes</source>
             <translation>ae, recalculada para passes inteiros</translation>
+        </message>
+        <message>
+            <source>all stand out equally</source>
+            <translation>todas salientes por igual</translation>
         </message>
         <message>
             <source>along the walls</source>
@@ -5943,8 +6507,24 @@
             <translation>como o programa</translation>
         </message>
         <message>
+            <source>at the lower end</source>
+            <translation>no extremo inferior</translation>
+        </message>
+        <message>
+            <source>at the upper end</source>
+            <translation>no extremo superior</translation>
+        </message>
+        <message>
+            <source>back along the cut</source>
+            <translation>volta pelo corte</translation>
+        </message>
+        <message>
             <source>back the way it came</source>
             <translation>de volta pelo mesmo caminho</translation>
+        </message>
+        <message>
+            <source>backlash {0:g} mm</source>
+            <translation>folga {0:g} mm</translation>
         </message>
         <message>
             <source>ball end mill</source>
@@ -6019,6 +6599,10 @@
             <translation>concordante</translation>
         </message>
         <message>
+            <source>constant acceleration</source>
+            <translation>aceleração constante</translation>
+        </message>
+        <message>
             <source>conventional</source>
             <translation>discordante</translation>
         </message>
@@ -6079,6 +6663,10 @@
             <translation>fura, retirando o cavaco</translation>
         </message>
         <message>
+            <source>drives enabled</source>
+            <translation>drivers habilitados</translation>
+        </message>
+        <message>
             <source>dwell for P</source>
             <translation>pausa de P</translation>
         </message>
@@ -6121,6 +6709,10 @@
         <message>
             <source>flood on</source>
             <translation>jato ligado</translation>
+        </message>
+        <message>
+            <source>flood on/off</source>
+            <translation>jato liga/desliga</translation>
         </message>
         <message>
             <source>foam</source>
@@ -6183,6 +6775,10 @@
             <translation>grade</translation>
         </message>
         <message>
+            <source>ground</source>
+            <translation>terra</translation>
+        </message>
+        <message>
             <source>hardwood</source>
             <translation>madeira dura</translation>
         </message>
@@ -6193,6 +6789,10 @@
         <message>
             <source>helix</source>
             <translation>hélice</translation>
+        </message>
+        <message>
+            <source>high</source>
+            <translation>alto</translation>
         </message>
         <message>
             <source>high-speed steel</source>
@@ -6209,6 +6809,10 @@
         <message>
             <source>incremental</source>
             <translation>incremental</translation>
+        </message>
+        <message>
+            <source>input</source>
+            <translation>entrada</translation>
         </message>
         <message>
             <source>inside</source>
@@ -6267,6 +6871,10 @@
             <translation>linhas em um só sentido</translation>
         </message>
         <message>
+            <source>low</source>
+            <translation>baixo</translation>
+        </message>
+        <message>
             <source>make room in the folder for temporary files</source>
             <translation>libere espaço na pasta de arquivos temporários</translation>
         </message>
@@ -6289,6 +6897,10 @@
         <message>
             <source>mist on</source>
             <translation>névoa ligada</translation>
+        </message>
+        <message>
+            <source>mist on/off</source>
+            <translation>névoa liga/desliga</translation>
         </message>
         <message>
             <source>mm</source>
@@ -6335,6 +6947,10 @@
             <translation>nenhum erro</translation>
         </message>
         <message>
+            <source>no switch</source>
+            <translation>sem chave</translation>
+        </message>
+        <message>
             <source>no tool length</source>
             <translation>sem comprimento de ferramenta</translation>
         </message>
@@ -6349,6 +6965,10 @@
         <message>
             <source>not given</source>
             <translation>não informado</translation>
+        </message>
+        <message>
+            <source>nothing to correct</source>
+            <translation>nada a corrigir</translation>
         </message>
         <message>
             <source>number of the line</source>
@@ -6371,8 +6991,24 @@
             <translation>de um desenho</translation>
         </message>
         <message>
+            <source>off</source>
+            <translation>desligado</translation>
+        </message>
+        <message>
+            <source>off when pressed</source>
+            <translation>desligado ao apertar</translation>
+        </message>
+        <message>
+            <source>offsets from a table</source>
+            <translation>compensações de uma tabela</translation>
+        </message>
+        <message>
             <source>on the line</source>
             <translation>sobre a linha</translation>
+        </message>
+        <message>
+            <source>on when pressed</source>
+            <translation>ligado ao apertar</translation>
         </message>
         <message>
             <source>open a document or its 3D view</source>
@@ -6381,6 +7017,26 @@
         <message>
             <source>open one and simulate again</source>
             <translation>abra uma e simule de novo</translation>
+        </message>
+        <message>
+            <source>output</source>
+            <translation>saída</translation>
+        </message>
+        <message>
+            <source>output 0 (M64 P0)</source>
+            <translation>saída 0 (M64 P0)</translation>
+        </message>
+        <message>
+            <source>output 1 (M64 P1)</source>
+            <translation>saída 1 (M64 P1)</translation>
+        </message>
+        <message>
+            <source>output 2 (M64 P2)</source>
+            <translation>saída 2 (M64 P2)</translation>
+        </message>
+        <message>
+            <source>output 3 (M64 P3)</source>
+            <translation>saída 3 (M64 P3)</translation>
         </message>
         <message>
             <source>outside</source>
@@ -6393,6 +7049,14 @@
         <message>
             <source>paper</source>
             <translation>papel</translation>
+        </message>
+        <message>
+            <source>pause</source>
+            <translation>pausa</translation>
+        </message>
+        <message>
+            <source>pause, by hand</source>
+            <translation>pausa, à mão</translation>
         </message>
         <message>
             <source>pauses until it is told to go on</source>
@@ -6515,6 +7179,10 @@
             <translation>chapa</translation>
         </message>
         <message>
+            <source>shipped; your first change makes a copy of it</source>
+            <translation>fornecido; sua primeira mudança faz uma cópia</translation>
+        </message>
+        <message>
             <source>short rapids</source>
             <translation>rápidos curtos</translation>
         </message>
@@ -6543,6 +7211,18 @@
             <translation>fuso ligado, anti-horário</translation>
         </message>
         <message>
+            <source>spindle reversed (M4)</source>
+            <translation>fuso invertido (M4)</translation>
+        </message>
+        <message>
+            <source>spindle stop</source>
+            <translation>parada do fuso</translation>
+        </message>
+        <message>
+            <source>spindle, torch or beam (M3)</source>
+            <translation>fuso, maçarico ou feixe (M3)</translation>
+        </message>
+        <message>
             <source>spiral</source>
             <translation>espiral</translation>
         </message>
@@ -6551,12 +7231,36 @@
             <translation>aço inoxidável</translation>
         </message>
         <message>
+            <source>start</source>
+            <translation>início</translation>
+        </message>
+        <message>
+            <source>stay on</source>
+            <translation>continuam ligadas</translation>
+        </message>
+        <message>
+            <source>steps per mm {0:g} becomes {1:g}</source>
+            <translation>passos por mm {0:g} passa a {1:g}</translation>
+        </message>
+        <message>
+            <source>stop</source>
+            <translation>parada</translation>
+        </message>
+        <message>
             <source>straight cut, at the feed F</source>
             <translation>corte reto, no avanço F</translation>
         </message>
         <message>
             <source>straight down</source>
             <translation>na vertical</translation>
+        </message>
+        <message>
+            <source>switch by lines</source>
+            <translation>ligar por linhas</translation>
+        </message>
+        <message>
+            <source>table of step times</source>
+            <translation>tabela de tempos de passo</translation>
         </message>
         <message>
             <source>takes G92 back</source>
@@ -6631,8 +7335,16 @@
             <translation>ferramenta {0}</translation>
         </message>
         <message>
+            <source>usual</source>
+            <translation>usual</translation>
+        </message>
+        <message>
             <source>usual for the process</source>
             <translation>usuais do processo</translation>
+        </message>
+        <message>
+            <source>usual: {0}</source>
+            <translation>usual: {0}</translation>
         </message>
         <message>
             <source>value {0}</source>
@@ -6649,6 +7361,18 @@
         <message>
             <source>work zero {0} of 9</source>
             <translation>zero de trabalho {0} de 9</translation>
+        </message>
+        <message>
+            <source>write points as: 0 1.2; 300 1.0</source>
+            <translation>escreva os pontos assim: 0 1.2; 300 1.0</translation>
+        </message>
+        <message>
+            <source>yours</source>
+            <translation>seu</translation>
+        </message>
+        <message>
+            <source>zero set with each tool</source>
+            <translation>zero com cada ferramenta</translation>
         </message>
         <message>
             <source>zigzag</source>
@@ -6671,12 +7395,20 @@
             <translation>{0} = 0</translation>
         </message>
         <message>
+            <source>{0} direction</source>
+            <translation>direção {0}</translation>
+        </message>
+        <message>
             <source>{0} does not name this process</source>
             <translation>{0} não tem este processo</translation>
         </message>
         <message>
             <source>{0} errors</source>
             <translation>{0} erros</translation>
+        </message>
+        <message>
+            <source>{0} from below, {1} from above</source>
+            <translation>{0} de baixo, {1} de cima</translation>
         </message>
         <message>
             <source>{0} has changed in the document meanwhile; here is still what you typed</source>
@@ -6703,6 +7435,14 @@
             <translation>{0} não é uma operação e não é movido</translation>
         </message>
         <message>
+            <source>{0} is written.</source>
+            <translation>{0} foi gravado.</translation>
+        </message>
+        <message>
+            <source>{0} is {1} now: save it.</source>
+            <translation>{0} agora é {1}: salve.</translation>
+        </message>
+        <message>
             <source>{0} lines change:</source>
             <translation>{0} linhas mudam:</translation>
         </message>
@@ -6727,6 +7467,10 @@
             <translation>{0} de {1} linhas, linha {2} do arquivo, enviado até a linha {3}</translation>
         </message>
         <message>
+            <source>{0} readings: mean {1:.4f} mm, standard deviation {2:.4f} mm</source>
+            <translation>{0} leituras: média {1:.4f} mm, desvio padrão {2:.4f} mm</translation>
+        </message>
+        <message>
             <source>{0} replaced</source>
             <translation>{0} substituídos</translation>
         </message>
@@ -6741,6 +7485,10 @@
         <message>
             <source>{0} stays in its job; copy and paste it into another document</source>
             <translation>{0} fica no seu trabalho; para levá-la a outro documento, copie e cole</translation>
+        </message>
+        <message>
+            <source>{0} step</source>
+            <translation>passo {0}</translation>
         </message>
         <message>
             <source>{0} tools imported</source>
@@ -6854,6 +7602,10 @@
             <translation>'{line}' não é um bloco que só comuta, como M8, M3S9000 ou M64P0</translation>
         </message>
         <message>
+            <source>'{name}' is no name for a machine profile</source>
+            <translation>'{name}' não é nome de perfil de máquina</translation>
+        </message>
+        <message>
             <source>'{name}' names no port number</source>
             <translation>'{name}' não indica um número de porta</translation>
         </message>
@@ -6892,6 +7644,10 @@
         <message>
             <source>'{words}' is no length or angle that is known</source>
             <translation>'{words}' não é um comprimento ou ângulo conhecido</translation>
+        </message>
+        <message>
+            <source>'{word}' changes no key</source>
+            <translation>'{word}' não muda nenhuma chave</translation>
         </message>
         <message>
             <source>(nu=7, ph=3.8, pd=0.4, ch=1.5, fr=3850, kw=1.5)</source>
@@ -7136,6 +7892,10 @@
         <message>
             <source>Mach probes with G31</source>
             <translation>o Mach apalpa com G31</translation>
+        </message>
+        <message>
+            <source>Machine profile, made by CNCStepper</source>
+            <translation>Perfil de máquina, feito pelo CNCStepper</translation>
         </message>
         <message>
             <source>Marlin has no end word (M30 deletes a file): leave it out</source>
@@ -8052,6 +8812,10 @@
         <message>
             <source>another user's</source>
             <translation>de outro usuário</translation>
+        </message>
+        <message>
+            <source>approached from above, the axis stands below where it stands when approached from below</source>
+            <translation>vindo de cima, o eixo fica abaixo de onde fica vindo de baixo</translation>
         </message>
         <message>
             <source>arcs are in XY</source>
@@ -9242,6 +10006,10 @@
             <translation>dê alturas acima do fundo, e a maior como Z do bloco</translation>
         </message>
         <message>
+            <source>give it another name, or change that one with: cncstepper machine set</source>
+            <translation>dê outro nome, ou mude aquele com: cncstepper machine set</translation>
+        </message>
+        <message>
             <source>give it another number</source>
             <translation>dê a ele outro número</translation>
         </message>
@@ -9324,6 +10092,10 @@
         <message>
             <source>give the tool with the start state</source>
             <translation>dê a ferramenta com o estado inicial</translation>
+        </message>
+        <message>
+            <source>give the whole list or table, for example outputs.coolant=['mist']</source>
+            <translation>dê a lista ou tabela inteira, por exemplo outputs.coolant=['mist']</translation>
         </message>
         <message>
             <source>give the work zero and the position, or choose a place after the next rapid</source>
@@ -9762,6 +10534,10 @@
             <translation>mova menos</translation>
         </message>
         <message>
+            <source>jog to a place with more room, or test a shorter length</source>
+            <translation>mova a um lugar com mais espaço, ou teste um comprimento menor</translation>
+        </message>
+        <message>
             <source>jog with `cncstepper jog`: it lets the controller give up its lines first</source>
             <translation>mova com `cncstepper jog`: ele primeiro faz o controlador largar as suas linhas</translation>
         </message>
@@ -10154,6 +10930,10 @@
             <translation>aumente Q</translation>
         </message>
         <message>
+            <source>make a profile of your own from it: cncstepper machine new NAME --from FILE</source>
+            <translation>faça dele um perfil seu: cncstepper machine new NAME --from FILE</translation>
+        </message>
+        <message>
             <source>make finish_{name} smaller</source>
             <translation>diminua finish_{name}</translation>
         </message>
@@ -10260,6 +11040,14 @@
         <message>
             <source>material {number} has no {key}</source>
             <translation>o material {number} não tem {key}</translation>
+        </message>
+        <message>
+            <source>measure again, or correct steps_per_mm first</source>
+            <translation>meça de novo, ou corrija antes steps_per_mm</translation>
+        </message>
+        <message>
+            <source>measure again; where it is true, work steps_per_mm out with: cncstepper axis</source>
+            <translation>meça de novo; se for verdade, calcule steps_per_mm com: cncstepper axis</translation>
         </message>
         <message>
             <source>measure the width of its cut, or leave kerf_mm out</source>
@@ -11186,6 +11974,10 @@
             <translation>tempo real</translation>
         </message>
         <message>
+            <source>relay: {twice} is there twice</source>
+            <translation>relay: {twice} aparece duas vezes</translation>
+        </message>
+        <message>
             <source>release buttons, door and emergency stop, then restart the controller</source>
             <translation>solte botões, porta e parada de emergência e reinicie o controlador</translation>
         </message>
@@ -11344,6 +12136,10 @@
         <message>
             <source>see that it is a folder, that it is yours, and that you may write there</source>
             <translation>verifique que é uma pasta, que é sua e que você pode escrever nela</translation>
+        </message>
+        <message>
+            <source>see that the dial counts in the axis' sense, and measure again</source>
+            <translation>veja se o relógio conta no sentido do eixo e meça de novo</translation>
         </message>
         <message>
             <source>see whether it is whole</source>
@@ -11542,6 +12338,10 @@
             <translation>spindle, refrigeração ou ferramenta seriam outros</translation>
         </message>
         <message>
+            <source>spindle, torch or beam is on</source>
+            <translation>fuso, maçarico ou feixe está ligado</translation>
+        </message>
+        <message>
             <source>spindle, torch or beam may still be on: look, and switch them off at the machine</source>
             <translation>spindle, tocha ou feixe podem ainda estar ligados: verifique e desligue-os na máquina</translation>
         </message>
@@ -11654,6 +12454,10 @@
             <translation>desligue e ligue de novo; se continuar, verifique a fiação</translation>
         </message>
         <message>
+            <source>switch it off first: M5</source>
+            <translation>desligue antes: M5</translation>
+        </message>
+        <message>
             <source>switch it off with M5 before it</source>
             <translation>desligue-o antes com M5</translation>
         </message>
@@ -11758,6 +12562,10 @@
             <translation>use a largura do corte da tabela</translation>
         </message>
         <message>
+            <source>take up to 60 letters of a to z, digits, - and _, a letter or digit first</source>
+            <translation>use até 60 letras de a a z, algarismos, - e _, primeiro letra ou algarismo</translation>
+        </message>
+        <message>
             <source>taken as a flat mill: '{name}' names no shape that a table's words can tell</source>
             <translation>tida como fresa de topo: '{name}' não nomeia uma forma que as palavras de uma tabela digam</translation>
         </message>
@@ -11768,6 +12576,10 @@
         <message>
             <source>test a torch, a laser, a jet or a wire</source>
             <translation>teste uma tocha, um laser, um jato ou um fio</translation>
+        </message>
+        <message>
+            <source>test with the square, which changes none</source>
+            <translation>teste com o quadrado, que não muda nenhum</translation>
         </message>
         <message>
             <source>the $ command is not known</source>
@@ -12020,6 +12832,10 @@
         <message>
             <source>the controller does not report its {system}</source>
             <translation>o controlador não informa: {system}</translation>
+        </message>
+        <message>
+            <source>the controller does not say its modes</source>
+            <translation>o controlador não diz seus modos</translation>
         </message>
         <message>
             <source>the controller does not say its work system: {modes}</source>
@@ -12910,6 +13726,10 @@
             <translation>a posição da máquina é desconhecida: veja se o spindle e as saídas estão desligados, depois referencie ou defina o zero de novo</translation>
         </message>
         <message>
+            <source>the measured length is far from the commanded one</source>
+            <translation>o comprimento medido está longe do comandado</translation>
+        </message>
+        <message>
             <source>the memory card cannot be mounted</source>
             <translation>o cartão de memória não pode ser montado</translation>
         </message>
@@ -13148,6 +13968,10 @@
         <message>
             <source>the profile has no end</source>
             <translation>o perfil não tem fim</translation>
+        </message>
+        <message>
+            <source>the profile has no key {key}</source>
+            <translation>o perfil não tem a chave {key}</translation>
         </message>
         <message>
             <source>the profile is smaller than its allowance</source>
@@ -13574,6 +14398,10 @@
             <translation>o destino fica fora do curso da máquina</translation>
         </message>
         <message>
+            <source>the test leaves the travel of the axis</source>
+            <translation>o teste sai do curso do eixo</translation>
+        </message>
+        <message>
             <source>the text</source>
             <translation>o texto</translation>
         </message>
@@ -13854,6 +14682,22 @@
             <translation>há {count} linhas, nenhuma em {index}</translation>
         </message>
         <message>
+            <source>there are: {axes}</source>
+            <translation>há: {axes}</translation>
+        </message>
+        <message>
+            <source>there are: {keys}</source>
+            <translation>há: {keys}</translation>
+        </message>
+        <message>
+            <source>there are: {names}</source>
+            <translation>há: {names}</translation>
+        </message>
+        <message>
+            <source>there is a machine profile '{name}' already</source>
+            <translation>já há um perfil de máquina '{name}'</translation>
+        </message>
+        <message>
             <source>there is no act '{act}'</source>
             <translation>não existe a ação '{act}'</translation>
         </message>
@@ -13976,6 +14820,10 @@
         <message>
             <source>there was nothing to read</source>
             <translation>não havia nada para ler</translation>
+        </message>
+        <message>
+            <source>these diagonals belong to no rectangle of these sides</source>
+            <translation>estas diagonais não são de um retângulo com estes lados</translation>
         </message>
         <message>
             <source>this build of the controller has no such setting</source>
@@ -14782,6 +15630,10 @@
             <translation>escreva G94 antes</translation>
         </message>
         <message>
+            <source>write KEY=VALUE, for example axis.x.steps_per_mm=80</source>
+            <translation>escreva CHAVE=VALOR, por exemplo axis.x.steps_per_mm=80</translation>
+        </message>
+        <message>
             <source>write M2 or M30 as its last line</source>
             <translation>escreva M2 ou M30 como última linha</translation>
         </message>
@@ -15086,12 +15938,28 @@
             <translation>zero de {axes} definido em {system}</translation>
         </message>
         <message>
+            <source>{0} and {1} mm</source>
+            <translation>{0} e {1} mm</translation>
+        </message>
+        <message>
+            <source>{0} by {1} to {2} mm</source>
+            <translation>{0} de {1} a {2} mm</translation>
+        </message>
+        <message>
+            <source>{0} mm each where the axes are square</source>
+            <translation>{0} mm cada, com os eixos em esquadro</translation>
+        </message>
+        <message>
             <source>{0} mm/min</source>
             <translation>{0} mm/min</translation>
         </message>
         <message>
             <source>{0} to {1} mm</source>
             <translation>{0} a {1} mm</translation>
+        </message>
+        <message>
+            <source>{0} to {1} mm from here</source>
+            <translation>{0} a {1} mm daqui</translation>
         </message>
         <message>
             <source>{0} to {1} mm/min</source>
@@ -15318,6 +16186,10 @@
             <translation>{key} é longo demais</translation>
         </message>
         <message>
+            <source>{key} leads into a value that is no table</source>
+            <translation>{key} leva a um valor que não é tabela</translation>
+        </message>
+        <message>
             <source>{key} must be a list of tables</source>
             <translation>{key} deve ser uma lista de tabelas</translation>
         </message>
@@ -15496,6 +16368,14 @@
         <message>
             <source>{machine} does not cut by {process}</source>
             <translation>{machine} não corta com {process}</translation>
+        </message>
+        <message>
+            <source>{machine} has no axis {axis}</source>
+            <translation>{machine} não tem o eixo {axis}</translation>
+        </message>
+        <message>
+            <source>{machine} has no relay '{name}'</source>
+            <translation>{machine} não tem o relé '{name}'</translation>
         </message>
         <message>
             <source>{match} is no number</source>
@@ -15704,6 +16584,10 @@
         <message>
             <source>{path} has no pins to read: {error}</source>
             <translation>{path} não tem pinos para ler: {error}</translation>
+        </message>
+        <message>
+            <source>{path} is JSON: only TOML profiles are changed</source>
+            <translation>{path} é JSON: só perfis TOML são mudados</translation>
         </message>
         <message>
             <source>{path} is no parallel port</source>
@@ -16028,6 +16912,17 @@
         <message>
             <source>Import tools…</source>
             <translation>Importar ferramentas…</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Machines</name>
+        <message>
+            <source>Machines…</source>
+            <translation>Máquinas…</translation>
+        </message>
+        <message>
+            <source>Makes and changes machine profiles, and tests a machine</source>
+            <translation>Faz e muda perfis de máquina, e testa uma máquina</translation>
         </message>
     </context>
     <context>

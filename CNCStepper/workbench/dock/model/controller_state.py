@@ -22,7 +22,7 @@ class ControllerSnapshot:
     phase: "off" (no controller), "starting", "connecting", "unreached" (no connection came about), "gone" (it ended by
     itself), or the service's phase. machine_state: as grbl writes it. message: the program's words at a pause, the
     sentence of an alarm or of what ended the connection. job: whether a job is on its way; a machine may be
-    held without one. homing, position_known: None while it is not known.
+    held without one. homing, position_known: None while it is not known. cannot: what this machine cannot do at all.
     """
 
     phase: str = "off"
@@ -31,6 +31,7 @@ class ControllerSnapshot:
     job: bool = False
     homing: bool | None = None
     position_known: bool | None = None
+    cannot: tuple[str, ...] = ()
 
     @property
     def connected(self) -> bool:
@@ -165,6 +166,11 @@ RULES = {
         later("Change the programmed value while cutting, in percent."),
         later("Overrides work only while the machine is idle or cutting."),
     ),
+    "relay": Rule(
+        frozenset({"idle"}),
+        later("Switch it on or off."),
+        later("Relays are switched by hand only while the machine is idle."),
+    ),
     "console": Rule(
         frozenset({"idle", "alarm"}),
         later("A line for the controller, sent with Return. The arrow keys bring back the lines before."),
@@ -181,10 +187,26 @@ HELD_AND_LOST = later(
 NO_HOMING = later("This machine has no homing switches set up ($22=0).")
 
 
+CANNOT = {  # of `SenderStatus.cannot`
+    "hold": later("This machine cannot be held over its link: the program that it has goes on to its end."),
+    "resume": later("This machine cannot be held over its link, so there is nothing to resume."),
+    "stop": later("This machine cannot be stopped over its link: use the stop at the machine itself."),
+    "override": later("This machine cannot change the speed of what it has."),
+    "jog": later("This machine is not moved by hand over its link."),
+    "home": later("This machine cannot find its own zero."),
+    "back": later("This machine cannot go back along its cut."),
+    "relay": later("This machine switches nothing over its link."),
+}
+CANNOT_AT_ALL = later("This machine cannot do that.")
+IMPLIED = {"resume": "hold", "back": "hold", "aside": "hold", "forward": "hold"}  # what needs what
+
+
 def why_not(control: str, moment: ControllerSnapshot) -> str:
     """Return why a control of `RULES` cannot work now, "" when it can."""
     if not moment.connected:
         return NOT_CONNECTED
+    if lacking := {control, IMPLIED.get(control, control)} & set(moment.cannot):
+        return CANNOT.get(control if control in CANNOT else lacking.pop(), CANNOT_AT_ALL)
     if control == "home" and moment.homing is False:
         return NO_HOMING
     if control == "resume" and moment.position_known is False and moment.phase in STANDING and not moment.job:
