@@ -216,7 +216,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Corner Distance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Corner Dwell</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corner Feed Share</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -645,6 +653,10 @@
         </message>
         <message>
             <source>How far before and behind a corner</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far before and behind a corner the feed is lower; 0: it is not</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1884,6 +1896,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The share of the feed there; a slower wire melts a wider kerf</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The share of the feed with which they are cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2108,7 +2124,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Where the way turns by less, the wire does not stand</source>
+            <source>Where the way turns by less, the wire neither stands nor slows down</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2575,6 +2591,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>By which share the lathe may be slower than its published step times</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Bytes ahead at most</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>CNCStepper has a fault: {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2696,6 +2720,10 @@
         </message>
         <message>
             <source>Comes from</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Commanded length</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3619,6 +3647,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How far before and behind a corner the feed is lower; 0: it is not</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far before its end the cut runs on without power</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4271,6 +4303,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Motor of a null pulse</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Motor speed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4428,6 +4464,10 @@
         </message>
         <message>
             <source>Number the lines…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of a board that takes bytes: 0 to 3, or unused for a motor without an axis</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4728,6 +4768,10 @@
         </message>
         <message>
             <source>Preheat</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Preset speeds</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5143,6 +5187,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Sent ahead at most</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Shape</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5192,6 +5240,10 @@
         </message>
         <message>
             <source>Size of square and circle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Slower than published</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5679,6 +5731,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The mini-lathe's link</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The minor diameter that is cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5775,6 +5831,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The share of the feed there; a slower wire melts a wider kerf</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The share of the feed with which they are cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5808,6 +5868,10 @@
         </message>
         <message>
             <source>The speed straight down; 0: that of the job's material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The speeds that a gear or a switch has, rising; none where any speed can be set</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5947,43 +6011,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>This machine cannot be held over its link, so there is nothing to resume.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>This machine cannot be held over its link: the program that it has goes on to its end.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>This machine cannot be stopped over its link: use the stop at the machine itself.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>This machine cannot change the speed of what it has.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>This machine cannot do that.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>This machine cannot find its own zero.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>This machine cannot go back along its cut.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>This machine has no homing switches set up ($22=0).</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>This machine is not moved by hand over its link.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>This machine switches nothing over its link.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6259,7 +6287,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Where the way turns by less, the wire does not stand</source>
+            <source>Where the way turns by less, the wire neither stands nor slows down</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6507,6 +6535,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>as the thesis published it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>at the lower end</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6640,6 +6672,10 @@
         </message>
         <message>
             <source>depth of a peck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>digital differential analyser</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6855,6 +6891,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>limit switch</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>limit {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7019,6 +7059,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>our planner</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>output</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7164,6 +7208,10 @@
         </message>
         <message>
             <source>rubber</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>safety door</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8198,6 +8246,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a limit or door is on a pin with a number, without port: on the machine's own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a limit switch is pressed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8314,6 +8366,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a move that the lathe has begun goes on: switch it off, then set its zero again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a move would end outside the travel (soft limit)</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8370,7 +8426,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a pin with a number, and only that, has a port: the device file of its parallel port</source>
+            <source>a pin with a number has a port: the device file of its parallel port</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8431,6 +8487,10 @@
         </message>
         <message>
             <source>a rapid with the tool running is not above all cuts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a rate is tried at rest only, not in state {state}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8735,6 +8795,10 @@
         </message>
         <message>
             <source>an arc needs a known start point</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>an arc of several turns cannot be sent to a controller of this computer</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9050,6 +9114,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>change F in the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>change the distance or the tolerance a little</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9087,6 +9155,10 @@
         </message>
         <message>
             <source>check cable and baud rate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>check cable and power; home the machine or set its zero again before its next move</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9870,6 +9942,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>free {size} MB</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>from 1 to {found}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9895,6 +9971,10 @@
         </message>
         <message>
             <source>gap {gap_mm:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give /dev/parport0, socket://host:port, a serial device, or record:FILE</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10430,6 +10510,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it takes nothing for {limit:g} s</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it was a restart itself: the first line not certainly cut is the program's {story}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10439,6 +10523,10 @@
         </message>
         <message>
             <source>it would forget the settings: write the settings that are to change one by one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>its controller's process has ended ({status})</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10838,6 +10926,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>look at the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>look at the machine, and restart the program by hand</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10851,6 +10943,10 @@
         </message>
         <message>
             <source>look at what it says, and correct that line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>look at what it says, end other programs, or choose lower speeds</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11162,6 +11258,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>move the tool to the work zero and set it there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>move the work zero {word} the {name} axis or make the program smaller</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11198,6 +11298,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>name a file that is not there yet, in a folder that you may write in</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>name a line that was cut before this one</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11207,6 +11311,10 @@
         </message>
         <message>
             <source>name a parallel port (/dev/parport0), or a text file with the numbers of the pins that are high</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>name a parallel port, a serial device, socket://host:port, or record:FILE</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11590,6 +11698,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>nothing answers at {name}: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>nothing answers at {name}: {text}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11699,6 +11811,10 @@
         </message>
         <message>
             <source>only a drag knife has a blade offset</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>only a pin with a number has a port: the device file of its parallel port</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11858,6 +11974,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>press the machine's own switch, or let it run to its end</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>press the machine's switch; no further line is sent</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>process must be a text</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11886,7 +12010,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>pulses are forgotten at rest only, not in state {state}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>pulses are taken back in a hold only, not in state {state}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>pulses are those of a machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>put in tool {tool:g}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12046,6 +12182,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>restart the program at a line before it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>restarts are written for grbl, grblHAL, FluidNC, LinuxCNC and Mach: convert it, or run it whole</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12139,6 +12279,10 @@
         </message>
         <message>
             <source>see that the dial counts in the axis' sense, and measure again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>see what it printed, and report it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12255,6 +12399,10 @@
         </message>
         <message>
             <source>set the zero again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set the zero by hand</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12382,6 +12530,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>start it, or write socket://host:port</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>start nearer to the part, then unlock with $X</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12427,6 +12579,10 @@
         </message>
         <message>
             <source>stop the machine with its own buttons where it must stand now</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>stop the program, then jog</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12603,6 +12759,10 @@
         </message>
         <message>
             <source>the P word is larger than the controller allows</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the USB board's controller</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12875,6 +13035,10 @@
         </message>
         <message>
             <source>the controller is starting</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller of {machine} ended at its start</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13199,6 +13363,10 @@
         </message>
         <message>
             <source>the feed asks more of {name} than its highest rate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the feed does not follow the spindle: write thread passes as G01 at F = pitch * rpm / 60, for a lathe that begins each run of G01 at the encoder's index (mini-lathe:thread_start=index)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13598,6 +13766,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the lines that would be sent mean another path than the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the lines to send are not those that were proven</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13718,6 +13890,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the machine's controller does not have it: take it out, or cut the program in two there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the machine's position is unknown</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13735,6 +13911,10 @@
         </message>
         <message>
             <source>the mill does not cut over its centre: it can neither plunge nor come down beside a tab</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the mini-lathe's controller</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13786,6 +13966,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the other end has closed it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the outlines enclose nothing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13807,6 +13991,10 @@
         </message>
         <message>
             <source>the overrides are not what they were before the reset</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the parallel port's controller</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13906,6 +14094,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the port is opened 8N1: neither a socket nor a pseudo-terminal has parity (the lathe itself wants 8E1)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the port {name} is lost: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the position along {axis} is not known here</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13947,6 +14143,10 @@
         </message>
         <message>
             <source>the process that knows the part at every moment has ended</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the process that plays the pulses has ended; steps may be lost</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14074,6 +14274,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the program sets its own work zero (G10)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the program waits or asks for what pulses cannot give</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14131,6 +14335,10 @@
         </message>
         <message>
             <source>the pulses were stopped: no more of them came in time</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the pulses were stopped: no more of them came in time; everything is off, and steps may be lost</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14778,6 +14986,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>there is no room for the pulses' memory: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there is no scrap for the pierce and lead-in of {chain} near X{x:.3f} Y{y:.3f}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14838,11 +15050,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this computer cannot keep the pulse rate of this program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this computer cannot keep the rate of the program's pulses</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>this computer may fall asleep while the machine cuts ({why}): switch its sleep off</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this is a fault of this program: report it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14886,6 +15106,42 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this machine cannot be held while its program runs: its link takes no such command</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine cannot be jogged from here</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine cannot be jogged while a program is held</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine cannot be resumed over its link</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine cannot be stopped while it runs what it was sent</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine cannot do this: {word}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine cannot find its own zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine cannot go back along its cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine does not report its position: it is counted from what was sent</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this machine has no Z axis: arcs are in XY</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14894,11 +15150,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this machine has no probe</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this machine has no spindle whose speed is chosen: write M3 alone</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>this machine has nothing that is switched (knife and point have no power): take it out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine's speeds cannot be changed while its program runs</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15334,6 +15598,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use the machine's own buttons</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use the version of CNCStepper that started it</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15730,6 +15998,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write each turn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write endsub, or M99 in a subprogram of Fanuc's form</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15859,6 +16131,10 @@
         </message>
         <message>
             <source>write the program for the dialect grblhal or grbl</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write the program for the dialect mini-lathe</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16019,6 +16295,10 @@
         </message>
         <message>
             <source>{count} joints do not fit on {chain}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{count} pulses do not fit: no room, or ticks that do not rise</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16258,6 +16538,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{late_ms:.0f} ms without a pulse</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{late_ns:.0f} µs late</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16315,6 +16599,10 @@
         </message>
         <message>
             <source>{limit_mm:g} mm high</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{limit_ms:.0f} ms</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16430,6 +16718,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{name} cannot be had: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{name} cannot be used as a serial port: {text}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16446,7 +16738,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{name} is a parallel port, and the machine is a board</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{name} is in use</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} is no port that takes pulses</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16542,6 +16842,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{number:.0f} pulses/s, the worst {worst_us:.0f} µs late</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{number:.0f} writes/s, the worst {worst_us:.0f} µs late</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16578,6 +16882,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{path} cannot be recorded in: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{path} cannot be written: {error}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16599,6 +16907,10 @@
         </message>
         <message>
             <source>{path} is no recording of pulses, and is not written over</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{per_s:.0f} pulses/s, {stall_us:.0f} µs</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16743,6 +17055,10 @@
         </message>
         <message>
             <source>{wall_mm:g} mm radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{what} cannot be sent to a controller of this computer</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

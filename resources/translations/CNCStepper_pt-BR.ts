@@ -216,8 +216,16 @@
             <translation>Canto B</translation>
         </message>
         <message>
+            <source>Corner Distance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Corner Dwell</source>
             <translation>Pausa no canto</translation>
+        </message>
+        <message>
+            <source>Corner Feed Share</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Corner Radius</source>
@@ -646,6 +654,10 @@
         <message>
             <source>How far before and behind a corner</source>
             <translation>Quanto antes e depois de um canto</translation>
+        </message>
+        <message>
+            <source>How far before and behind a corner the feed is lower; 0: it is not</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>How far before its end the cut runs on without power</source>
@@ -1884,6 +1896,10 @@
             <translation>A parte do avanço ali</translation>
         </message>
         <message>
+            <source>The share of the feed there; a slower wire melts a wider kerf</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The share of the feed with which they are cut</source>
             <translation>A parte do avanço com que são cortados</translation>
         </message>
@@ -2108,8 +2124,8 @@
             <translation>Onde a fileira termina</translation>
         </message>
         <message>
-            <source>Where the way turns by less, the wire does not stand</source>
-            <translation>Onde o caminho vira menos, o fio não para</translation>
+            <source>Where the way turns by less, the wire neither stands nor slows down</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Where the work zero lies in this document</source>
@@ -2575,6 +2591,14 @@
             <translation>Ocupado</translation>
         </message>
         <message>
+            <source>By which share the lathe may be slower than its published step times</source>
+            <translation>Que fração o torno pode ser mais lento que seus tempos de passo publicados</translation>
+        </message>
+        <message>
+            <source>Bytes ahead at most</source>
+            <translation>Bytes à frente no máximo</translation>
+        </message>
+        <message>
             <source>CNCStepper has a fault: {0}</source>
             <translation>O CNCStepper tem uma falha: {0}</translation>
         </message>
@@ -2697,6 +2721,10 @@
         <message>
             <source>Comes from</source>
             <translation>Vem de</translation>
+        </message>
+        <message>
+            <source>Commanded length</source>
+            <translation>Comprimento comandado</translation>
         </message>
         <message>
             <source>Comparing the cut with the drawing…</source>
@@ -3619,6 +3647,10 @@
             <translation>Quanto antes e depois de um canto</translation>
         </message>
         <message>
+            <source>How far before and behind a corner the feed is lower; 0: it is not</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far before its end the cut runs on without power</source>
             <translation>A que distância do fim o corte segue sem potência</translation>
         </message>
@@ -4271,6 +4303,10 @@
             <translation>Ângulo do motor</translation>
         </message>
         <message>
+            <source>Motor of a null pulse</source>
+            <translation>Motor do pulso nulo</translation>
+        </message>
+        <message>
             <source>Motor speed</source>
             <translation>Rotação do motor</translation>
         </message>
@@ -4429,6 +4465,10 @@
         <message>
             <source>Number the lines…</source>
             <translation>Numerar as linhas…</translation>
+        </message>
+        <message>
+            <source>Of a board that takes bytes: 0 to 3, or unused for a motor without an axis</source>
+            <translation>De uma placa que recebe bytes: 0 a 3, ou unused para um motor sem eixo</translation>
         </message>
         <message>
             <source>Of a bull nose; 0: not given</source>
@@ -4729,6 +4769,10 @@
         <message>
             <source>Preheat</source>
             <translation>Pré-aquecimento</translation>
+        </message>
+        <message>
+            <source>Preset speeds</source>
+            <translation>Rotações fixas</translation>
         </message>
         <message>
             <source>Preview</source>
@@ -5143,6 +5187,10 @@
             <translation>Enviar este reinício…</translation>
         </message>
         <message>
+            <source>Sent ahead at most</source>
+            <translation>Enviado à frente no máximo</translation>
+        </message>
+        <message>
             <source>Shape</source>
             <translation>Forma</translation>
         </message>
@@ -5193,6 +5241,10 @@
         <message>
             <source>Size of square and circle</source>
             <translation>Tamanho do quadrado e do círculo</translation>
+        </message>
+        <message>
+            <source>Slower than published</source>
+            <translation>Mais lento que o publicado</translation>
         </message>
         <message>
             <source>Small holes</source>
@@ -5679,6 +5731,10 @@
             <translation>O meio do círculo, a partir do zero da peça</translation>
         </message>
         <message>
+            <source>The mini-lathe's link</source>
+            <translation>A ligação do minitorno</translation>
+        </message>
+        <message>
             <source>The minor diameter that is cut</source>
             <translation>O diâmetro menor que é cortado</translation>
         </message>
@@ -5775,6 +5831,10 @@
             <translation>A parte do avanço ali</translation>
         </message>
         <message>
+            <source>The share of the feed there; a slower wire melts a wider kerf</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The share of the feed with which they are cut</source>
             <translation>A parte do avanço com que são cortados</translation>
         </message>
@@ -5809,6 +5869,10 @@
         <message>
             <source>The speed straight down; 0: that of the job's material</source>
             <translation>A velocidade de descida reta; 0: a do material do trabalho</translation>
+        </message>
+        <message>
+            <source>The speeds that a gear or a switch has, rising; none where any speed can be set</source>
+            <translation>As rotações que uma engrenagem ou chave tem, crescentes; nenhuma onde qualquer rotação serve</translation>
         </message>
         <message>
             <source>The spindle's speed in the program</source>
@@ -5947,44 +6011,8 @@
             <translation>Isto se corta por: {0}. O processo do trabalho é: {1}</translation>
         </message>
         <message>
-            <source>This machine cannot be held over its link, so there is nothing to resume.</source>
-            <translation>Esta máquina não pode ser retida pela ligação; não há o que continuar.</translation>
-        </message>
-        <message>
-            <source>This machine cannot be held over its link: the program that it has goes on to its end.</source>
-            <translation>Esta máquina não pode ser retida pela ligação: o programa que ela tem vai até o fim.</translation>
-        </message>
-        <message>
-            <source>This machine cannot be stopped over its link: use the stop at the machine itself.</source>
-            <translation>Esta máquina não pode ser parada pela ligação: use a parada na própria máquina.</translation>
-        </message>
-        <message>
-            <source>This machine cannot change the speed of what it has.</source>
-            <translation>Esta máquina não muda a velocidade do que já recebeu.</translation>
-        </message>
-        <message>
-            <source>This machine cannot do that.</source>
-            <translation>Esta máquina não faz isso.</translation>
-        </message>
-        <message>
-            <source>This machine cannot find its own zero.</source>
-            <translation>Esta máquina não encontra o próprio zero.</translation>
-        </message>
-        <message>
-            <source>This machine cannot go back along its cut.</source>
-            <translation>Esta máquina não volta pelo corte.</translation>
-        </message>
-        <message>
             <source>This machine has no homing switches set up ($22=0).</source>
             <translation>Esta máquina não tem fins de curso de referência configurados ($22=0).</translation>
-        </message>
-        <message>
-            <source>This machine is not moved by hand over its link.</source>
-            <translation>Esta máquina não é movida à mão pela ligação.</translation>
-        </message>
-        <message>
-            <source>This machine switches nothing over its link.</source>
-            <translation>Esta máquina não liga nada pela ligação.</translation>
         </message>
         <message>
             <source>This takes a number without a unit, not '{0}'</source>
@@ -6259,8 +6287,8 @@
             <translation>Não se sabe onde a mesa está: referencie a máquina ou defina de novo o zero-peça.</translation>
         </message>
         <message>
-            <source>Where the way turns by less, the wire does not stand</source>
-            <translation>Onde o caminho vira menos, o fio não para</translation>
+            <source>Where the way turns by less, the wire neither stands nor slows down</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Where the work zero lies in this document</source>
@@ -6507,6 +6535,10 @@
             <translation>como o programa</translation>
         </message>
         <message>
+            <source>as the thesis published it</source>
+            <translation>como publicado na dissertação</translation>
+        </message>
+        <message>
             <source>at the lower end</source>
             <translation>no extremo inferior</translation>
         </message>
@@ -6641,6 +6673,10 @@
         <message>
             <source>depth of a peck</source>
             <translation>profundidade de uma bicada</translation>
+        </message>
+        <message>
+            <source>digital differential analyser</source>
+            <translation>analisador diferencial digital (DDA)</translation>
         </message>
         <message>
             <source>drill</source>
@@ -6855,6 +6891,10 @@
             <translation>os comprimentos são milímetros</translation>
         </message>
         <message>
+            <source>limit switch</source>
+            <translation>fim de curso</translation>
+        </message>
+        <message>
             <source>limit {0}</source>
             <translation>limite {0}</translation>
         </message>
@@ -7019,6 +7059,10 @@
             <translation>abra uma e simule de novo</translation>
         </message>
         <message>
+            <source>our planner</source>
+            <translation>nosso planejador</translation>
+        </message>
+        <message>
             <source>output</source>
             <translation>saída</translation>
         </message>
@@ -7165,6 +7209,10 @@
         <message>
             <source>rubber</source>
             <translation>borracha</translation>
+        </message>
+        <message>
+            <source>safety door</source>
+            <translation>porta de segurança</translation>
         </message>
         <message>
             <source>sandblast film</source>
@@ -8198,6 +8246,10 @@
             <translation>uma entrada ou um corte atravessa uma peça</translation>
         </message>
         <message>
+            <source>a limit or door is on a pin with a number, without port: on the machine's own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a limit switch is pressed</source>
             <translation>um fim de curso está acionado</translation>
         </message>
@@ -8314,6 +8366,10 @@
             <translation>um driver de motor acusa falha</translation>
         </message>
         <message>
+            <source>a move that the lathe has begun goes on: switch it off, then set its zero again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a move would end outside the travel (soft limit)</source>
             <translation>um movimento terminaria fora do curso (limite de software)</translation>
         </message>
@@ -8370,8 +8426,8 @@
             <translation>um pino da configuração está errado</translation>
         </message>
         <message>
-            <source>a pin with a number, and only that, has a port: the device file of its parallel port</source>
-            <translation>um pino com número, e só ele, tem port: o arquivo de dispositivo da sua porta paralela</translation>
+            <source>a pin with a number has a port: the device file of its parallel port</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>a pipe (FIFO)</source>
@@ -8432,6 +8488,10 @@
         <message>
             <source>a rapid with the tool running is not above all cuts</source>
             <translation>um rápido com a ferramenta ligada não passa acima de todos os cortes</translation>
+        </message>
+        <message>
+            <source>a rate is tried at rest only, not in state {state}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>a rectangle's corner radius must not exceed half of its shorter side</source>
@@ -8736,6 +8796,10 @@
         <message>
             <source>an arc needs a known start point</source>
             <translation>um arco precisa de um ponto inicial conhecido</translation>
+        </message>
+        <message>
+            <source>an arc of several turns cannot be sent to a controller of this computer</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>an arc scaled unevenly is no arc</source>
@@ -9050,6 +9114,10 @@
             <translation>ciclos fixos não podem ser usados</translation>
         </message>
         <message>
+            <source>change F in the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>change the distance or the tolerance a little</source>
             <translation>mude um pouco a distância ou a tolerância</translation>
         </message>
@@ -9088,6 +9156,10 @@
         <message>
             <source>check cable and baud rate</source>
             <translation>verifique o cabo e a taxa (baud)</translation>
+        </message>
+        <message>
+            <source>check cable and power; home the machine or set its zero again before its next move</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>check cable and power; home the machine or set its zero again before the next cut</source>
@@ -9870,6 +9942,10 @@
             <translation>solte o apalpador, reinicie e referencie a máquina</translation>
         </message>
         <message>
+            <source>free {size} MB</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>from 1 to {found}</source>
             <translation>de 1 a {found}</translation>
         </message>
@@ -9896,6 +9972,10 @@
         <message>
             <source>gap {gap_mm:g} mm</source>
             <translation>lacuna de {gap_mm:g} mm</translation>
+        </message>
+        <message>
+            <source>give /dev/parport0, socket://host:port, a serial device, or record:FILE</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>give 2 or 3 numbers</source>
@@ -10430,6 +10510,10 @@
             <translation>deveria ser *{summed}</translation>
         </message>
         <message>
+            <source>it takes nothing for {limit:g} s</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it was a restart itself: the first line not certainly cut is the program's {story}</source>
             <translation>ele já era um reinício: a primeira linha não certamente cortada é a {story} do programa</translation>
         </message>
@@ -10440,6 +10524,10 @@
         <message>
             <source>it would forget the settings: write the settings that are to change one by one</source>
             <translation>ele esqueceria as configurações: escreva uma a uma as que devem mudar</translation>
+        </message>
+        <message>
+            <source>its controller's process has ended ({status})</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>its directory is too large</source>
@@ -10838,6 +10926,10 @@
             <translation>verifique o sistema de arquivos do controlador e tente de novo</translation>
         </message>
         <message>
+            <source>look at the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>look at the machine, and restart the program by hand</source>
             <translation>olhe a máquina e reinicie o programa à mão</translation>
         </message>
@@ -10852,6 +10944,10 @@
         <message>
             <source>look at what it says, and correct that line</source>
             <translation>veja o que ele diz e corrija essa linha</translation>
+        </message>
+        <message>
+            <source>look at what it says, end other programs, or choose lower speeds</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>look for a pendant or another program that is connected, set the zero again, then send again</source>
@@ -11162,6 +11258,10 @@
             <translation>mova o controle deslizante para iniciá-lo de novo</translation>
         </message>
         <message>
+            <source>move the tool to the work zero and set it there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>move the work zero {word} the {name} axis or make the program smaller</source>
             <translation>mova o zero-peça ({word}) no eixo {name} ou diminua o programa</translation>
         </message>
@@ -11198,6 +11298,10 @@
             <translation>indique antes X e Y em um rápido acima do bloco</translation>
         </message>
         <message>
+            <source>name a file that is not there yet, in a folder that you may write in</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>name a line that was cut before this one</source>
             <translation>indique uma linha que foi cortada antes desta</translation>
         </message>
@@ -11208,6 +11312,10 @@
         <message>
             <source>name a parallel port (/dev/parport0), or a text file with the numbers of the pins that are high</source>
             <translation>indique uma porta paralela (/dev/parport0), ou um arquivo de texto com os números dos pinos em nível alto</translation>
+        </message>
+        <message>
+            <source>name a parallel port, a serial device, socket://host:port, or record:FILE</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>name both axes</source>
@@ -11590,6 +11698,10 @@
             <translation>nada responde</translation>
         </message>
         <message>
+            <source>nothing answers at {name}: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>nothing answers at {name}: {text}</source>
             <translation>nada responde em {name}: {text}</translation>
         </message>
@@ -11700,6 +11812,10 @@
         <message>
             <source>only a drag knife has a blade offset</source>
             <translation>só uma faca de arrasto tem deslocamento da lâmina</translation>
+        </message>
+        <message>
+            <source>only a pin with a number has a port: the device file of its parallel port</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>only arcs of G17 can be turned about Z</source>
@@ -11858,6 +11974,14 @@
             <translation>prepare as linhas deste próprio programa</translation>
         </message>
         <message>
+            <source>press the machine's own switch, or let it run to its end</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>press the machine's switch; no further line is sent</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>process must be a text</source>
             <translation>process deve ser um texto</translation>
         </message>
@@ -11886,8 +12010,20 @@
             <translation>verifique partes do programa em separado</translation>
         </message>
         <message>
+            <source>pulses are forgotten at rest only, not in state {state}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>pulses are taken back in a hold only, not in state {state}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>pulses are those of a machine</source>
             <translation>os pulsos são os de uma máquina</translation>
+        </message>
+        <message>
+            <source>put in tool {tool:g}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>put it before the way</source>
@@ -12046,6 +12182,10 @@
             <translation>reinicie o controlador</translation>
         </message>
         <message>
+            <source>restart the program at a line before it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>restarts are written for grbl, grblHAL, FluidNC, LinuxCNC and Mach: convert it, or run it whole</source>
             <translation>retomadas são escritas para grbl, grblHAL, FluidNC, LinuxCNC e Mach: converta-o, ou execute-o inteiro</translation>
         </message>
@@ -12140,6 +12280,10 @@
         <message>
             <source>see that the dial counts in the axis' sense, and measure again</source>
             <translation>veja se o relógio conta no sentido do eixo e meça de novo</translation>
+        </message>
+        <message>
+            <source>see what it printed, and report it</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>see whether it is whole</source>
@@ -12256,6 +12400,10 @@
         <message>
             <source>set the zero again</source>
             <translation>defina o zero de novo</translation>
+        </message>
+        <message>
+            <source>set the zero by hand</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>set the zero on the stock, then confirm it (--zero-confirmed)</source>
@@ -12382,6 +12530,10 @@
             <translation>inicie-o, ou corrija a URL</translation>
         </message>
         <message>
+            <source>start it, or write socket://host:port</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>start nearer to the part, then unlock with $X</source>
             <translation>comece mais perto da peça e destrave com $X</translation>
         </message>
@@ -12428,6 +12580,10 @@
         <message>
             <source>stop the machine with its own buttons where it must stand now</source>
             <translation>pare a máquina com os botões dela se ela precisa parar agora</translation>
+        </message>
+        <message>
+            <source>stop the program, then jog</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>stop with M5 and M0 before the new tool</source>
@@ -12604,6 +12760,10 @@
         <message>
             <source>the P word is larger than the controller allows</source>
             <translation>a palavra P é maior do que o controlador permite</translation>
+        </message>
+        <message>
+            <source>the USB board's controller</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the angle is not known at the zero of the work system</source>
@@ -12876,6 +13036,10 @@
         <message>
             <source>the controller is starting</source>
             <translation>o controlador está iniciando</translation>
+        </message>
+        <message>
+            <source>the controller of {machine} ended at its start</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the controller raised an alarm</source>
@@ -13200,6 +13364,10 @@
         <message>
             <source>the feed asks more of {name} than its highest rate</source>
             <translation>o avanço pede de {name} mais que a sua velocidade máxima</translation>
+        </message>
+        <message>
+            <source>the feed does not follow the spindle: write thread passes as G01 at F = pitch * rpm / 60, for a lathe that begins each run of G01 at the encoder's index (mini-lathe:thread_start=index)</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the feed is higher than the machine's axes can go</source>
@@ -13598,6 +13766,10 @@
             <translation>as linhas têm quantidades diferentes de alturas</translation>
         </message>
         <message>
+            <source>the lines that would be sent mean another path than the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the lines to send are not those that were proven</source>
             <translation>as linhas a enviar não são as que foram verificadas</translation>
         </message>
@@ -13718,6 +13890,10 @@
             <translation>os botões da máquina não conduzem mais nada de volta: {error}</translation>
         </message>
         <message>
+            <source>the machine's controller does not have it: take it out, or cut the program in two there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the machine's position is unknown</source>
             <translation>a posição da máquina é desconhecida</translation>
         </message>
@@ -13736,6 +13912,10 @@
         <message>
             <source>the mill does not cut over its centre: it can neither plunge nor come down beside a tab</source>
             <translation>a fresa não corta sobre o centro: não pode mergulhar nem descer ao lado de uma ponte</translation>
+        </message>
+        <message>
+            <source>the mini-lathe's controller</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the minor diameter does not fit the major one and the pitch</source>
@@ -13786,6 +13966,10 @@
             <translation>a operação é longa demais para um programa</translation>
         </message>
         <message>
+            <source>the other end has closed it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the outlines enclose nothing</source>
             <translation>os contornos não encerram nada</translation>
         </message>
@@ -13808,6 +13992,10 @@
         <message>
             <source>the overrides are not what they were before the reset</source>
             <translation>os ajustes de velocidade não são os de antes do reinício</translation>
+        </message>
+        <message>
+            <source>the parallel port's controller</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the parameters of the file are not in the order of their numbers</source>
@@ -13906,6 +14094,14 @@
             <translation>os pontos de uma linha à mão livre estão em alturas diferentes</translation>
         </message>
         <message>
+            <source>the port is opened 8N1: neither a socket nor a pseudo-terminal has parity (the lathe itself wants 8E1)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the port {name} is lost: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the position along {axis} is not known here</source>
             <translation>a posição em {axis} não é conhecida aqui</translation>
         </message>
@@ -13948,6 +14144,10 @@
         <message>
             <source>the process that knows the part at every moment has ended</source>
             <translation>o processo que conhece a peça em cada momento terminou</translation>
+        </message>
+        <message>
+            <source>the process that plays the pulses has ended; steps may be lost</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the process that proves the program ended without an answer</source>
@@ -14074,6 +14274,10 @@
             <translation>o programa não para de executar: há um laço sem fim?</translation>
         </message>
         <message>
+            <source>the program sets its own work zero (G10)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the program waits or asks for what pulses cannot give</source>
             <translation>o programa espera ou pede o que os pulsos não podem dar</translation>
         </message>
@@ -14132,6 +14336,10 @@
         <message>
             <source>the pulses were stopped: no more of them came in time</source>
             <translation>os pulsos foram interrompidos: os seguintes não chegaram a tempo</translation>
+        </message>
+        <message>
+            <source>the pulses were stopped: no more of them came in time; everything is off, and steps may be lost</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the radius at the end of the arc is {at_end:.4f} mm and at its start {radius:.4f} mm</source>
@@ -14778,6 +14986,10 @@
             <translation>não há espaço para: {entry} em {others} de {kinds} lugares</translation>
         </message>
         <message>
+            <source>there is no room for the pulses' memory: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there is no scrap for the pierce and lead-in of {chain} near X{x:.3f} Y{y:.3f}</source>
             <translation>não há retalho para a perfuração e a entrada de {chain} perto de X{x:.3f} Y{y:.3f}</translation>
         </message>
@@ -14838,12 +15050,20 @@
             <translation>este comentário executaria Python na máquina</translation>
         </message>
         <message>
+            <source>this computer cannot keep the pulse rate of this program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this computer cannot keep the rate of the program's pulses</source>
             <translation>este computador não consegue manter a frequência dos pulsos do programa</translation>
         </message>
         <message>
             <source>this computer may fall asleep while the machine cuts ({why}): switch its sleep off</source>
             <translation>este computador pode adormecer enquanto a máquina corta ({why}): desligue a suspensão</translation>
+        </message>
+        <message>
+            <source>this is a fault of this program: report it</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>this is no certificate</source>
@@ -14886,6 +15106,42 @@
             <translation>esta linha fica em um trecho a ser percorrido ao contrário e faz mais que mover</translation>
         </message>
         <message>
+            <source>this machine cannot be held while its program runs: its link takes no such command</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine cannot be jogged from here</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine cannot be jogged while a program is held</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine cannot be resumed over its link</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine cannot be stopped while it runs what it was sent</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine cannot do this: {word}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine cannot find its own zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine cannot go back along its cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine does not report its position: it is counted from what was sent</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this machine has no Z axis: arcs are in XY</source>
             <translation>esta máquina não tem eixo Z: os arcos ficam em XY</translation>
         </message>
@@ -14894,12 +15150,20 @@
             <translation>esta máquina não tem eixo Z: retire-o</translation>
         </message>
         <message>
+            <source>this machine has no probe</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this machine has no spindle whose speed is chosen: write M3 alone</source>
             <translation>esta máquina não tem fuso com rotação escolhida: escreva só M3</translation>
         </message>
         <message>
             <source>this machine has nothing that is switched (knife and point have no power): take it out</source>
             <translation>esta máquina não tem nada que se ligue (faca e ponta não têm potência): retire-o</translation>
+        </message>
+        <message>
+            <source>this machine's speeds cannot be changed while its program runs</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>this material number is none of a material file</source>
@@ -15334,6 +15598,10 @@
             <translation>use o lado "inside", "outside" ou "on"</translation>
         </message>
         <message>
+            <source>use the machine's own buttons</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use the version of CNCStepper that started it</source>
             <translation>use a versão do CNCStepper que a iniciou</translation>
         </message>
@@ -15730,6 +15998,10 @@
             <translation>escreva os dois, como em: NAME = mild-steel 3 mm 45A</translation>
         </message>
         <message>
+            <source>write each turn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write endsub, or M99 in a subprogram of Fanuc's form</source>
             <translation>escreva endsub, ou M99 em um subprograma na forma Fanuc</translation>
         </message>
@@ -15860,6 +16132,10 @@
         <message>
             <source>write the program for the dialect grblhal or grbl</source>
             <translation>escreva o programa para o dialeto grblhal ou grbl</translation>
+        </message>
+        <message>
+            <source>write the program for the dialect mini-lathe</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>write the program in mm, or choose a higher feed</source>
@@ -16020,6 +16296,10 @@
         <message>
             <source>{count} joints do not fit on {chain}</source>
             <translation>{count} microjunções não cabem em {chain}</translation>
+        </message>
+        <message>
+            <source>{count} pulses do not fit: no room, or ticks that do not rise</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{crossing} rapid(s) lead over parts that are already free</source>
@@ -16258,6 +16538,10 @@
             <translation>{lacks} viraram retas, afastadas no máximo {chord_mm:g} mm</translation>
         </message>
         <message>
+            <source>{late_ms:.0f} ms without a pulse</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{late_ns:.0f} µs late</source>
             <translation>{late_ns:.0f} µs de atraso</translation>
         </message>
@@ -16316,6 +16600,10 @@
         <message>
             <source>{limit_mm:g} mm high</source>
             <translation>{limit_mm:g} mm de altura</translation>
+        </message>
+        <message>
+            <source>{limit_ms:.0f} ms</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{line_characters} characters, {window_bytes} with spaces</source>
@@ -16430,6 +16718,10 @@
             <translation>{name} virou movimentos simples</translation>
         </message>
         <message>
+            <source>{name} cannot be had: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{name} cannot be used as a serial port: {text}</source>
             <translation>{name} não pode ser usado como porta serial: {text}</translation>
         </message>
@@ -16446,8 +16738,16 @@
             <translation>{name} não tem valor para {argument:g}</translation>
         </message>
         <message>
+            <source>{name} is a parallel port, and the machine is a board</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{name} is in use</source>
             <translation>{name} está em uso</translation>
+        </message>
+        <message>
+            <source>{name} is no port that takes pulses</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{name} is no port: {text}</source>
@@ -16542,6 +16842,10 @@
             <translation>{name} funciona no plano ZX</translation>
         </message>
         <message>
+            <source>{number:.0f} pulses/s, the worst {worst_us:.0f} µs late</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{number:.0f} writes/s, the worst {worst_us:.0f} µs late</source>
             <translation>{number:.0f} escritas/s, a pior {worst_us:.0f} µs atrasada</translation>
         </message>
@@ -16578,6 +16882,10 @@
             <translation>{owner} define o zero a partir de onde a ferramenta está depois de movimentos do percurso</translation>
         </message>
         <message>
+            <source>{path} cannot be recorded in: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{path} cannot be written: {error}</source>
             <translation>não é possível gravar {path}: {error}</translation>
         </message>
@@ -16600,6 +16908,10 @@
         <message>
             <source>{path} is no recording of pulses, and is not written over</source>
             <translation>{path} não é uma gravação de pulsos e não é sobrescrito</translation>
+        </message>
+        <message>
+            <source>{per_s:.0f} pulses/s, {stall_us:.0f} µs</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{pierce_mm:g} mm from parts</source>
@@ -16744,6 +17056,10 @@
         <message>
             <source>{wall_mm:g} mm radius</source>
             <translation>raio de {wall_mm:g} mm</translation>
+        </message>
+        <message>
+            <source>{what} cannot be sent to a controller of this computer</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{what} while the tool is compensated</source>

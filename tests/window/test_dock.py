@@ -466,15 +466,14 @@ def test_what_the_machine_cannot_do_is_said_at_its_button(
     moment = type(dock.link).moment.fget
 
     def lathe(link: Any) -> Any:
-        return dataclasses.replace(moment(link), cannot=("hold", "override", "relay"))
+        return dataclasses.replace(moment(link), cannot=("hold", "resume", "override"))
 
     monkeypatch.setattr(type(dock.link), "moment", property(lathe))
     hand.main(dock.refresh)
     for name, words in (
         ("Hold", "cannot be held"),
-        ("Resume", "nothing to resume"),
-        ("Override_feed_10", "cannot change the speed"),
-        ("Relay_flood", "switches nothing"),
+        ("Resume", "cannot be resumed"),
+        ("Override_feed_10", "speeds cannot be changed"),
     ):
         widget = hand.find(f"{D}{name}")
         assert not hand.main(widget.isEnabled) and words in hand.main(widget.toolTip), name

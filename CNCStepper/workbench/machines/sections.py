@@ -64,7 +64,7 @@ class FormSection(Section):
         column.addLayout(form)
         group = ""
         for row in rows:
-            table = row.path[-2] if len(row.path) > 2 else ""
+            table = row.path[-2] if len(row.path) > 1 else ""
             if table != group and table in GROUPS:
                 form.addRow(_caption(tr(GROUPS[table])))
             group = table

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from CNCStepper.control.protocol.grbl.capabilities import missing, reason
 from CNCStepper.control.session.job_phase import CONNECTED, JOB_RUNS, Phase
 from CNCStepper.control.session.job_phase import WAITING as STANDING
 from CNCStepper.workbench.services.translation import later
@@ -187,26 +188,18 @@ HELD_AND_LOST = later(
 NO_HOMING = later("This machine has no homing switches set up ($22=0).")
 
 
-CANNOT = {  # of `SenderStatus.cannot`
-    "hold": later("This machine cannot be held over its link: the program that it has goes on to its end."),
-    "resume": later("This machine cannot be held over its link, so there is nothing to resume."),
-    "stop": later("This machine cannot be stopped over its link: use the stop at the machine itself."),
-    "override": later("This machine cannot change the speed of what it has."),
-    "jog": later("This machine is not moved by hand over its link."),
-    "home": later("This machine cannot find its own zero."),
-    "back": later("This machine cannot go back along its cut."),
-    "relay": later("This machine switches nothing over its link."),
-}
-CANNOT_AT_ALL = later("This machine cannot do that.")
-IMPLIED = {"resume": "hold", "back": "hold", "aside": "hold", "forward": "hold"}  # what needs what
+COMMAND_OF = {"back": "retrace", "forward": "retrace"}  # by which a control is carried out, where it is another word
+ALSO_NEEDS = {"aside": "jog-hold"}
 
 
 def why_not(control: str, moment: ControllerSnapshot) -> str:
-    """Return why a control of `RULES` cannot work now, "" when it can."""
+    """Return why a control of `RULES` cannot work now, "" when it can; what a machine never can is said first."""
     if not moment.connected:
         return NOT_CONNECTED
-    if lacking := {control, IMPLIED.get(control, control)} & set(moment.cannot):
-        return CANNOT.get(control if control in CANNOT else lacking.pop(), CANNOT_AT_ALL)
+    if word := missing(COMMAND_OF.get(control, control), moment.cannot):
+        return reason(word)
+    if ALSO_NEEDS.get(control) in moment.cannot:
+        return reason(ALSO_NEEDS[control])
     if control == "home" and moment.homing is False:
         return NO_HOMING
     if control == "resume" and moment.position_known is False and moment.phase in STANDING and not moment.job:

@@ -68,7 +68,7 @@ class RelayView(QtGui.QWidget):
         """Show what the controller says is on; of numbered outputs it says nothing: they stay as they were pressed."""
         self._outputs = outputs
         for device, key in self.keys.items():
-            on = is_on(device, outputs)  # type: ignore[arg-type]
+            on = is_on(device, outputs)
             if on is not None and not self._lines.is_out:
                 key.setChecked(on)
 
