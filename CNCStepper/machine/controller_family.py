@@ -35,12 +35,12 @@ class Driven(Protocol):
 
     @property
     def controller(self) -> str:
-        """The name of its controller."""
+        """The name of its controller, perhaps with settings of its language: "mini-lathe:thread_start=index"."""
 
 
 def family_of(machine: Driven | None) -> Family:
     """Return the family of a profile's controller; "" where nothing drives it, or where there is no profile."""
-    return FAMILIES.get(machine.controller, "") if machine else ""
+    return FAMILIES.get(machine.controller.partition(":")[0], "") if machine else ""
 
 
 def makes_pulses(machine: Driven | None) -> bool:

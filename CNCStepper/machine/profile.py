@@ -16,7 +16,7 @@ from pydantic import BaseModel, ConfigDict, Field, StrictBool, ValidationError, 
 from CNCStepper.errors import JobError, Text
 from CNCStepper.input_file import is_there
 from CNCStepper.machine.axis_drive import Drive
-from CNCStepper.machine.controller_family import LANGUAGES, WIRE_LANGUAGE, makes_pulses
+from CNCStepper.machine.controller_family import LANGUAGES, WIRE_LANGUAGE, family_of, makes_pulses
 from CNCStepper.machine.files.profile_files import own_names, own_path, shipped_file, shipped_names
 from CNCStepper.machine.files.readers import read_json, read_toml
 from CNCStepper.machine.files.validation_errors import refusal_of
@@ -40,7 +40,6 @@ from CNCStepper.safe_text import printable
 
 AXIS_NAMES = ("x", "y", "z")
 WITHOUT_FEED_WORDS = ("thesis-a",)  # languages in which the speeds of cuts and rapids are settings of the machine
-LATHES = ("mini-lathe",)  # controllers of machines without Y: X is the radius, Z lies along the spindle
 CALIBRATED = 0.02  # steps_per_mm, as measured, may differ from what the drive gives by this share
 Model = TypeVar("Model", bound=BaseModel)
 Interpolation = Literal["planner", "dda", "published"]
@@ -274,6 +273,8 @@ class Machine(_Checked):
     def _inputs_are_apart(self) -> Machine:
         check_apart(self.input)
         check_relays(self.relay)
+        if family_of(self) != "parport" and any(entry.is_own for entry in self.input):
+            raise ValueError("a pin with a number has a port: the device file of its parallel port")
         return self
 
     @model_validator(mode="after")
@@ -345,7 +346,7 @@ class Machine(_Checked):
     @property
     def is_lathe(self) -> bool:
         """Whether it turns: X is the radius and there is no Y."""
-        return self.controller.partition(":")[0] in LATHES
+        return family_of(self) == "lathe"
 
     @property
     def has_z(self) -> bool:

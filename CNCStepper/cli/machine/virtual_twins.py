@@ -54,11 +54,11 @@ def parport(
       at_s = 2.5
       for_s = 0.3
     """
-    from CNCStepper.virtual.parport.machine import Parport
+    from CNCStepper.virtual.parport.machine import CARRIED_S, Parport
     from CNCStepper.virtual.server.twin_faults import PARPORT_KINDS
 
     profile = machine or load_machine("thesis-table")
-    twin = Parport(profile, _limits(profile, motors, margin, start_stop))
+    twin = Parport(profile, _limits(profile, motors, margin, start_stop), CARRIED_S)
     _serve(twin, "parport", PARPORT_KINDS, options, hand=lambda: hand_at(twin, press, typed))
 
 

@@ -71,6 +71,7 @@ from CNCStepper.motion.signals.pulse_player import (
 SLICE_NS = 2_000_000
 MOST_PULSES = 1024  # of a slice
 STALE_S = 0.05
+MOST_STARVED_NS = 250_000_000
 WAIT_S, REST_S, LONG_REST_S = 0.001, 0.002, 0.004
 LONG_NS = NS_PER_S  # of rest, after which it looks less often
 SLIP_NS = 1_000_000  # by which the signals' own times may delay pulses before all later ones come later too
@@ -135,13 +136,20 @@ class PulseLoop:
     def run(self) -> None:
         """Play until the end, which leaves everything off; raises LinkError for a lost port and for late pulses."""
         try:
-            while not (self._look() and self._is_at_rest()):
-                moved = self._slice()
-                self._publish()
-                if not moved:
-                    self._rest()
+            while self.goes_on():
+                pass
         finally:
             self._pacer.write(self._writer.off(self._pacer.now_ns()))
+
+    def goes_on(self) -> bool:
+        """Look, and play the next moment; return whether the loop goes on, else it is at rest and was told to end."""
+        if self._look() and self._is_at_rest():
+            return False
+        moved = self._slice()
+        self._publish()
+        if not moved:
+            self._rest()
+        return True
 
     # --- commands ------------------------------------------------------------------------------
 
@@ -226,10 +234,15 @@ class PulseLoop:
         self._words[IS_STALE] = now - self._head_since_ns > STALE_S * NS_PER_S
 
     def _check_starved(self, stall: int) -> None:
-        """Raise LinkError where pulses are wanting while the axes move, longer than a motor can wait."""
+        """Raise LinkError where pulses are wanting while the axes move, longer than a motor can wait.
+
+        No motor follows a recording: it goes on from rest.
+        """
         late = self._pacer.now_ns() - self._reals[DUE_NS] - self._writer.lead_ns
-        limit = max(2 * stall, self._port.patience_ns)
-        if late > limit:
+        limit = max(2 * stall, min(self._port.patience_ns, MOST_STARVED_NS))
+        if late > limit and self._port.patience_ns > MOST_STARVED_NS:
+            self._words[STARVES], self._words[STANDS] = 0, 1
+        elif late > limit:
             raise LinkError(
                 "pulses-late",
                 "the pulses were stopped: no more of them came in time; everything is off, and steps may be lost",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Which planned pulses come in the next moment, and when: on the plan, slower, to a stop, or backwards.
+r"""Which planned pulses come in the next moment, and when: on the plan, slower, to a stop, or backwards.
 
     planned speed   /‾‾‾‾‾‾‾‾‾‾‾\         u² rises and falls by 2 A ds from pulse to pulse, between 0 and the plan's;
     hold            /‾‾‾\____/‾‾\         the time to the next pulse is the planned one, stretched by plan / u

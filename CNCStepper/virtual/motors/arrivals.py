@@ -25,8 +25,10 @@ class Records(NamedTuple):
     latest_s: np.ndarray
     at_s: np.ndarray
 
-    def __len__(self) -> int:
-        return len(self.bytes)
+    @property
+    def is_empty(self) -> bool:
+        """Whether there is no record."""
+        return len(self.bytes) == 0
 
 
 NOTHING = Records(np.empty((0, 0), np.uint8), np.empty(0), np.empty(0), np.empty(0))

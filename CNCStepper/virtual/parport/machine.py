@@ -21,6 +21,7 @@ from CNCStepper.virtual.parport.drives import GOOD, VERDICTS, Drives, Pulses
 from CNCStepper.virtual.parport.pins import InputPins, PinFaults, pin_levels
 
 WRITE_BYTES = 2
+CARRIED_S = 0.02  # by a socket or a terminal of a computer that is busy
 ROOM_BYTES = 65_536  # a port has no buffer: it takes what comes
 QUIET_S = 0.05  # without a write
 
@@ -28,13 +29,14 @@ QUIET_S = 0.05  # without a write
 class Parport:
     """The machine of a profile at its port; see `CNCStepper.virtual.server.twin_faults.Twin` for how it is driven.
 
-    motors: what each motor of the profile's signals can follow, None for one that follows everything.
+    motors: what each motor of the profile's signals can follow, None for one that follows everything. carried_s: how
+    much later than another a write may arrive, by what carries it.
     lost: pulses that moved nothing, by motor and reason. switched: relays, as (time in s, name, whether on).
     """
 
     columns: tuple[str, ...] = AXIS_NAMES
 
-    def __init__(self, machine: Machine, motors: Sequence[MotorLimits | None] = ()):
+    def __init__(self, machine: Machine, motors: Sequence[MotorLimits | None] = (), carried_s: float = 0.0):
         self.time_s = 0.0
         self.lost: Counter[tuple[str, str]] = Counter()
         self.switched: list[tuple[float, str, bool]] = []
@@ -50,6 +52,7 @@ class Parport:
         self._arrivals = Arrivals(WRITE_BYTES)
         self._relays = dict.fromkeys((name for name in self._pins if _is_relay(name)), False)
         self._levels = 0
+        self._carried_s = carried_s
         self._dead_until_s: dict[int, float] = {}  # motors that stall or have no supply
         self._output, self._path, self._notes = bytearray(), list[np.ndarray](), list[tuple[float, str]]()
         self._last_write_s = self._last_row_s = -QUIET_S
@@ -97,8 +100,8 @@ class Parport:
     def advance(self, now_s: float) -> None:
         """Let time pass up to `now_s`."""
         records = self._arrivals.take()
-        if len(records):
-            self._write(records)
+        if not records.is_empty:
+            self._write(records._replace(earliest_s=records.earliest_s - self._carried_s))
         self._move(self._drives.settle(now_s))
         for rotor in self._rotors:
             rotor.settle(now_s)

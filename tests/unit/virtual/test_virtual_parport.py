@@ -136,6 +136,12 @@ def test_a_late_edge_in_a_span_is_certain_where_no_time_would_do():
     assert dict(twin.lost) == {("x", "the pulse is too short"): 1}
 
 
+def test_what_the_cable_delays_is_no_fault_and_a_turn_with_its_step_is():
+    twin = Parport(machine(pulse_us=1000), carried_s=0.02)
+    play(twin, [write(0.0, 0), *pulse(0.1, X), write(0.3, X | X_BACK), write(0.4, 0)])
+    assert dict(twin.lost) == {("x", "the direction changes too late"): 1} and twin.places_mm[0] == 1.0
+
+
 def test_a_torn_write_waits_for_its_second_byte():
     twin = Parport(machine())
     for n, byte in enumerate(b"".join(data for _, data in [write(0, 0), *pulse(0, X), *pulse(0, X)])):

@@ -115,6 +115,7 @@ LATHE = Firmware(
     {**OWN_ERRORS, 20: Code(GRBL_ERRORS[20].meaning, "write the program for the dialect mini-lathe")},
     GRBL_ALARMS,
     ("mini-lathe",),
+    line_characters=1000,  # many records
 )
 OWN_FIRMWARES = (PARPORT, BOARD, LATHE)  # processes of this computer, `machine.controller_family`
 PULSE_FIRMWARES = (PARPORT, BOARD)
@@ -129,6 +130,7 @@ def language_of(key: str) -> str:
 
 def firmware_of_controller(controller: str) -> Firmware | None:
     """Return the firmware of a profile's controller; None where it is none that lines are sent to."""
+    controller = controller.partition(":")[0]
     family = FAMILIES.get(controller, "")
     key = family if family in OWN else controller
     return next((firmware for firmware in FIRMWARES if firmware.key == key), None)
