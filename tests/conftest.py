@@ -53,6 +53,7 @@ def own_state(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -
     """Let no test find what another has left of a machine: ports of this computer are used again."""
     base: Path = request.getfixturevalue("tmp_path_factory").getbasetemp()
     monkeypatch.setenv("XDG_STATE_HOME", str(base / f"state-{secrets.token_hex(8)}"))
+    monkeypatch.setenv("CNCSTEPPER_KEEP_OPEN", "0")  # no connection outlives its verb, but where a test says so
 
 
 @pytest.fixture
