@@ -11,7 +11,7 @@ one file are the same. An existing file is replaced without asking only where CN
     sheet          PDF or HTML whose creator or generator is CNCStepper
     mesh           STL whose header names CNCStepper
     signals        CSV that begins with one of our headers, or VCD of the module "motion"
-    path           CSV that begins with t_s,x_mm,y_mm,z_mm
+    path           CSV that begins with t_s,x_mm,y_mm,z_mm, of a lathe t_s,x_mm,z_mm
     pulses         a recording that begins with "CNCStepper pulses"
 
 Programs that keep the user's own text (edit, compact), tools, letters and bytes carry no mark of ours.
@@ -39,7 +39,7 @@ MARKS = {
     "sheet": rb"(?s)\A(%PDF|<!DOCTYPE html>).*made by CNCStepper",
     "mesh": rb"\ACNCStepper, binary STL",
     "signals": rb"\A(time_s,(x_steps|x,|0x)|\$timescale [^\n]*\n\$scope module motion)",
-    "path": rb"\At_s,x_mm,y_mm,z_mm\r?\n",
+    "path": rb"\At_s,x_mm(,y_mm)?,z_mm\r?\n",
     "pulses": rb"\ACNCStepper pulses ",
 }
 

@@ -80,6 +80,7 @@ MOST_ITEMS: dict[str, int] = {  # of a list in a file; longer ones are a slip, a
     "heights": 5_000,  # rows of a height field, and values in a row
     "torques": 1_000,
     "inputs": 64,
+    "speeds": 100,
     "notes": 10_000,
     "diameters": 1_000,
     "cuts": 5_000,  # rows of a cut chart

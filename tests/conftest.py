@@ -52,7 +52,8 @@ def _updates(request: pytest.FixtureRequest) -> bool:
 def own_state(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
     """Let no test find what another has left of a machine: ports of this computer are used again."""
     base: Path = request.getfixturevalue("tmp_path_factory").getbasetemp()
-    monkeypatch.setenv("XDG_STATE_HOME", str(base / f"state-{secrets.token_hex(8)}"))
+    for variable in ("XDG_STATE_HOME", "XDG_CONFIG_HOME"):  # sessions, and machine profiles of a person's own
+        monkeypatch.setenv(variable, str(base / f"{variable.lower()}-{secrets.token_hex(8)}"))
     monkeypatch.setenv("CNCSTEPPER_KEEP_OPEN", "0")  # no connection outlives its verb, but where a test says so
 
 

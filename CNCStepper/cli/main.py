@@ -48,6 +48,8 @@ FAMILIES = {  # folder of the verbs' modules: title in the help, and its verbs
     "machine": (
         "Set up a machine",
         {
+            "machine": "List, make, show and change machine profiles.",
+            "machine-test": "Try a machine out and measure it: pulses, relays, inputs, travel.",
             "ports": "List the serial ports, or say what controller answers at one.",
             "home": "Let a machine find its own zero.",
             "zero": "Make the tool's place the work zero.",
@@ -95,7 +97,7 @@ class _Verbs(click.Group):
         os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")  # looking for them takes longer than a short verb
         if name in SHORT and "CNCStepper.kernels" not in sys.modules:
             kernel_cache.postponed = True
-        module = importlib.import_module(f"CNCStepper.cli.{FAMILY_OF[name]}.{name}")
+        module = importlib.import_module(f"CNCStepper.cli.{FAMILY_OF[name]}.{name.replace('-', '_')}")
         return module.command
 
     def invoke(self, context: click.Context) -> Any:

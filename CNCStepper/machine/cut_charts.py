@@ -26,6 +26,7 @@ from CNCStepper.atomic_file import write_whole
 from CNCStepper.errors import JobError, Place, Text
 from CNCStepper.machine.cut_data import CutData, between
 from CNCStepper.machine.files.readers import read_toml
+from CNCStepper.machine.files.toml_text import value_text
 from CNCStepper.machine.processes import PROCESSES, process_named
 from CNCStepper.machine.profile import validated
 from CNCStepper.machine.qtplasmac_materials import read_materials, write_materials
@@ -107,7 +108,9 @@ def write_chart(path: Path, rows: Sequence[CutData], units: str = "mm") -> list[
     """Write the rows as TOML, or as QtPlasmaC's material file (`*.cfg`) in `units`; return what is left out of them."""
     if path.suffix.lower() == ".cfg":
         return write_materials(path, rows, units)
-    tables = ["[[cut]]\n" + "".join(f"{key} = {_toml(value)}\n" for key, value in _given(row).items()) for row in rows]
+    tables = [
+        "[[cut]]\n" + "".join(f"{key} = {value_text(value)}\n" for key, value in _given(row).items()) for row in rows
+    ]
     write_whole(path, ("# Cut chart, made by CNCStepper\n\n" + "\n".join(tables)).encode("utf-8"))
     return []
 
@@ -223,14 +226,3 @@ def _refuse_twice(rows: Sequence[CutData], place: Place) -> None:
 
 def _given(row: CutData) -> dict[str, Any]:
     return row.model_dump(exclude_defaults=True)
-
-
-def _toml(value: Any) -> str:
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    if isinstance(value, tuple):
-        return "[" + ", ".join(_toml(one) for one in value) + "]"
-    if not isinstance(value, str):
-        return repr(value)
-    escaped = value.replace("\\", "\\\\").replace('"', '\\"')
-    return '"' + "".join(one if one.isprintable() else f"\\u{ord(one):04X}" for one in escaped) + '"'

@@ -7,7 +7,6 @@ import math
 import tomllib
 from collections.abc import Set
 from functools import cache
-from importlib import resources
 from itertools import pairwise
 from pathlib import Path
 from typing import Annotated, Any, Literal, TypeVar
@@ -17,11 +16,14 @@ from pydantic import BaseModel, ConfigDict, Field, StrictBool, ValidationError, 
 from CNCStepper.errors import JobError, Text
 from CNCStepper.input_file import is_there
 from CNCStepper.machine.axis_drive import Drive
+from CNCStepper.machine.controller_family import LANGUAGES, WIRE_LANGUAGE, family_of, makes_pulses
+from CNCStepper.machine.files.profile_files import own_names, own_path, shipped_file, shipped_names
 from CNCStepper.machine.files.readers import read_json, read_toml
 from CNCStepper.machine.files.validation_errors import refusal_of
+from CNCStepper.machine.lathe_link import LatheLink
 from CNCStepper.machine.processes import PROCESSES, Process, ProcessName, process_named
 from CNCStepper.machine.step_wait_tables import Waits
-from CNCStepper.machine.wiring import Input, Signals, check_apart
+from CNCStepper.machine.wiring import DEVICES, Input, Relay, Signals, check_apart, check_relays
 from CNCStepper.quantities import (
     MOST_ITEMS,
     Acceleration,
@@ -40,6 +42,7 @@ AXIS_NAMES = ("x", "y", "z")
 WITHOUT_FEED_WORDS = ("thesis-a",)  # languages in which the speeds of cuts and rapids are settings of the machine
 CALIBRATED = 0.02  # steps_per_mm, as measured, may differ from what the drive gives by this share
 Model = TypeVar("Model", bound=BaseModel)
+Interpolation = Literal["planner", "dda", "published"]
 TorqueOr0 = Annotated[float, Bounds("torque", zero=True)]
 
 
@@ -169,12 +172,21 @@ class Planner(_Checked):
 
 
 class Spindle(_Checked):
-    """Speeds and the time to reach them; `laser` means M4 with power ($32=1)."""
+    """Speeds and the time to reach them; `laser` means M4 with power ($32=1).
+
+    preset_rpm: the speeds that a gear or a switch has, rising; empty where any speed can be set.
+    """
 
     min_rpm: SpeedOr0
     max_rpm: Speed
+    preset_rpm: tuple[Speed, ...] = Field(default=(), max_length=MOST_ITEMS["speeds"])
     spin_up_s: Annotated[float, Bounds("time", most=3600.0, zero=True)] = 0.0
     laser: StrictBool = False
+
+    @model_serializer(mode="wrap")
+    def _without_no_presets(self, as_dict: Any) -> dict[str, Any]:
+        """Leave an empty list out, so that certificates stay what they were."""
+        return {key: value for key, value in as_dict(self).items() if key != "preset_rpm" or value}
 
 
 class Outputs(_Checked):
@@ -193,7 +205,7 @@ class Retreat(_Checked):
     outputs: Literal["keep", "off"] | None = None
 
 
-NO_Z = Axis(  # what planner and step generators take for a Z that is not there; it never moves
+NO_AXIS = Axis(  # what planner and step generators take for an axis that is not there; it never moves
     steps_per_mm=100.0,
     max_rate_mm_min=1000.0,
     acceleration_mm_s2=100.0,
@@ -212,8 +224,11 @@ class Machine(_Checked):
     the speeds of a language that has no words for them; the first also what a program without F takes. tool_change:
     "pause" (retract, M5, a message, M0), "split" (a file a tool) or "m6". tool_length: what is done about the length of
     a new tool: "touch_off" (the operator sets the Z zero with it), "table" (its length offset: G43 H, or G43.1 Z) or
-    "none" (all tools stand out equally far). axis: x, y and, where the table has one, z. spindle: left out, the torch
-    is a switch (M3 and M5 without S), or the machine has none. input: the machine's own buttons.
+    "none" (all tools stand out equally far). interpolation: of pulses that this computer makes: "planner" (our own), or
+    the digital differential analyser of the published table, "dda" with our registers, "published" with its own.
+    axis: x, y and, where the table has one, z; of a lathe x and z. spindle: left out, the torch is a switch (M3 and M5
+    without S), or the machine has none. input: the machine's own buttons. relay: what the keys of the dock switch, by
+    the machine's own words. link: of the mini-lathe.
     """
 
     name: str
@@ -223,6 +238,7 @@ class Machine(_Checked):
     rapid_mm_min: Feed | None = None
     tool_change: Literal["pause", "split", "m6"] = "pause"
     tool_length: Literal["touch_off", "table", "none"] = "touch_off"
+    interpolation: Interpolation = "planner"
     planner: Planner
     axis: dict[Literal["x", "y", "z"], Axis]
     spindle: Spindle = SWITCHED
@@ -230,6 +246,8 @@ class Machine(_Checked):
     retreat: Retreat = Retreat()
     signals: Signals = Signals()
     input: tuple[Input, ...] = Field(default=(), max_length=MOST_ITEMS["inputs"])
+    link: LatheLink | None = None
+    relay: tuple[Relay, ...] = Field(default=(), max_length=len(DEVICES))
 
     @model_validator(mode="before")
     @classmethod
@@ -243,7 +261,8 @@ class Machine(_Checked):
     @model_serializer(mode="wrap")
     def _without_what_is_usual(self, as_dict: Any) -> dict[str, Any]:
         """Leave out what a profile that does not say it means, so that its certificates stay what they were."""
-        usual: dict[str, Any] = {"feed_mm_min": None, "rapid_mm_min": None}
+        usual: dict[str, Any] = {"feed_mm_min": None, "rapid_mm_min": None, "interpolation": "planner"}
+        usual |= {"link": None, "relay": ()}
         usual["processes"] = _usual_processes(self.spindle.laser)
         if not self.has_spindle:
             usual["spindle"] = self.spindle
@@ -253,11 +272,14 @@ class Machine(_Checked):
     @model_validator(mode="after")
     def _inputs_are_apart(self) -> Machine:
         check_apart(self.input)
+        check_relays(self.relay)
+        if family_of(self) != "parport" and any(entry.is_own for entry in self.input):
+            raise ValueError("a pin with a number has a port: the device file of its parallel port")
         return self
 
     @model_validator(mode="after")
-    def _has_x_and_y(self) -> Machine:
-        missing = [name for name in ("x", "y") if name not in self.axis]
+    def _has_its_axes(self) -> Machine:
+        missing = [name for name in ("x", "z" if self.is_lathe else "y") if name not in self.axis]
         if missing:
             raise ValueError(Text("axis.{missing} is missing", missing=missing[0]))
         return self
@@ -308,13 +330,23 @@ class Machine(_Checked):
 
     @property
     def axes(self) -> tuple[Axis, ...]:
-        """The axes in the order x, y, z; for a Z that is not there one that never moves."""
-        return tuple(self.own_axes.get(name, NO_Z) for name in AXIS_NAMES)
+        """The axes in the order x, y, z; for one that is not there one that never moves."""
+        return tuple(self.own_axes.get(name, NO_AXIS) for name in AXIS_NAMES)
 
     @property
     def own_axes(self) -> dict[str, Axis]:
         """The axes that are there, by name, in the order x, y, z."""
         return {name: self.axis[name] for name in AXIS_NAMES if name in self.axis}  # type: ignore[index]
+
+    @property
+    def numbered_axes(self) -> list[tuple[int, str, Axis]]:
+        """The axes that are there, each with its number among x, y, z and its name."""
+        return [(AXIS_NAMES.index(name), name, axis) for name, axis in self.own_axes.items()]
+
+    @property
+    def is_lathe(self) -> bool:
+        """Whether it turns: X is the radius and there is no Y."""
+        return family_of(self) == "lathe"
 
     @property
     def has_z(self) -> bool:
@@ -354,12 +386,17 @@ class Machine(_Checked):
             )
         return process
 
+    def wire_language(self, dialect: str = "") -> str:
+        """Return the language of the lines that are sent of a program in a dialect: its own, or that of our pulses."""
+        base = (dialect or LANGUAGES.get(self.controller, self.controller)).partition(":")[0]
+        return self.language(WIRE_LANGUAGE if makes_pulses(self) and base != WIRE_LANGUAGE else dialect)
+
     def language(self, dialect: str = "", feed_mm_min: float = 0.0) -> str:
         """Return the dialect, the controller's where none is given, with settings for what this machine lacks.
 
         feed_mm_min: what a program without F takes; 0 is the profile's feed_mm_min, where it has one.
         """
-        base, _, own = (dialect or self.controller).partition(":")
+        base, _, own = (dialect or LANGUAGES.get(self.controller, self.controller)).partition(":")
         settings = [setting for setting in own.split(",") if setting]
         told = {setting.partition("=")[0] for setting in settings}
         feed_mm_min = feed_mm_min or self.feed_mm_min or 0.0
@@ -367,6 +404,7 @@ class Machine(_Checked):
             "z": "" if self.has_z else "none",
             "spindle": self._spindle_setting(base),
             "feed": f"{feed_mm_min:.10g}" if feed_mm_min else "",
+            "outputs": "pins" if base == WIRE_LANGUAGE and makes_pulses(self) else "",
         }
         settings += [f"{key}={value}" for key, value in lacks.items() if value and key not in told]
         return base + ":" * bool(settings) + ",".join(settings)
@@ -384,24 +422,20 @@ def _usual_processes(is_laser: bool) -> tuple[ProcessName, ...]:
 
 
 def profile_names() -> list[str]:
-    """Return the names of the profiles that ship with the product."""
-    return list(_profile_names())
-
-
-@cache
-def _profile_names() -> tuple[str, ...]:
-    folder = resources.files("CNCStepper.machine") / "profiles"
-    return tuple(sorted(entry.name[:-5] for entry in folder.iterdir() if entry.name.endswith(".toml")))
+    """Return the names of the profiles that ship with the product and of the user's own."""
+    return sorted({*shipped_names(), *own_names()})
 
 
 def load_machine(name_or_path: str | Path) -> Machine:
-    """Return the machine of a shipped profile ("table-a"), of a TOML file, or of the same as JSON.
+    """Return the machine of a profile of `profile_names`, of a TOML file, or of the same as JSON.
 
-    Raises JobError when there is no such profile or a value in it is not allowed.
+    The user's own profile takes the place of a shipped one of its name. Raises JobError when there is no such profile
+    or a value in it is not allowed.
     """
-    if str(name_or_path) in profile_names():
+    own = own_path(str(name_or_path))
+    if own is None and str(name_or_path) in shipped_names():
         return _shipped(str(name_or_path))
-    path = Path(name_or_path)
+    path = own or Path(name_or_path)
     if not is_there(path):
         raise JobError(
             "machine-missing",
@@ -414,8 +448,7 @@ def load_machine(name_or_path: str | Path) -> Machine:
 
 @cache
 def _shipped(name: str) -> Machine:
-    entry = resources.files("CNCStepper.machine") / "profiles" / f"{name}.toml"
-    return validated(Machine, tomllib.loads(entry.read_text("utf-8")), name)
+    return validated(Machine, tomllib.loads(shipped_file(name).read_text("utf-8")), name)
 
 
 def validated(model: type[Model], content: dict[str, Any], file: str) -> Model:

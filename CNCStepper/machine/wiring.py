@@ -11,25 +11,33 @@ The machine's own buttons and switches: the pin that each is on, and what it doe
 pin = "P"            # a letter of `Pn:` in the controller's status, or a status pin of the parallel port in `port`
 act = "pause"
 level = "low"        # a contact that opens when it is pressed
+
+What is switched by hand, under the name that the machine's people have for it:
+
+[[relay]]
+name = "oxygen"
+device = "output_0"
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
-from typing import Annotated, Literal
+from collections.abc import Iterable, Sequence
+from typing import Annotated, Any, Literal, get_args
 
-from pydantic import BaseModel, Field, StrictInt, model_validator
+from pydantic import BaseModel, Field, StrictInt, model_serializer, model_validator
 
 from CNCStepper.errors import Text
 from CNCStepper.quantities import Bounds
+from CNCStepper.safe_text import printable
 
 DATA_PINS = (2, 3, 4, 5, 6, 7, 8, 9)
 CONTROL_PINS = (1, 14, 16, 17)
 INVERTED_PINS = (1, 14, 17)
 INPUT_PINS = (10, 11, 12, 13, 15)
 OUTPUT_PINS = (*DATA_PINS, *CONTROL_PINS)
-DEVICES = ("spindle_cw", "spindle_ccw", "mist", "flood", "output_0", "output_1", "output_2", "output_3")
+Device = Literal["spindle_cw", "spindle_ccw", "mist", "flood", "output_0", "output_1", "output_2", "output_3"]
+DEVICES: tuple[str, ...] = get_args(Device)
 ENABLE = "enable"
 STANDARD_PINS = {  # as most break-out boards have them
     **{f"{axis}_{what}": 2 + 2 * n + k for n, axis in enumerate("xyz") for k, what in enumerate(("step", "direction"))},
@@ -40,6 +48,8 @@ STANDARD_PINS = {  # as most break-out boards have them
     "mist": 8,
 }
 MOST_MOTORS = 8
+BOARD_MOTORS = 4  # of a board that takes bytes
+LONGEST_PULSE_US = 50_000.0  # as the thesis sets it
 
 Turning = Literal["x", "y", "z", "-x", "-y", "-z"]
 
@@ -52,16 +62,23 @@ class Signals(BaseModel, extra="forbid", frozen=True):
     first edge. motors: the axis that each motor turns, "-y" one that is mounted the other way round; an axis may
     have several, the second of x is called x2. pins: the pin of the parallel port for each signal (x_step,
     x_direction, enable, spindle_cw, flood, ...), STANDARD_PINS when left out; a pin below zero is active low. base:
-    address of the data port.
+    address of the data port. null_motor: of a board that takes bytes, the motor that a null pulse selects; "unused":
+    one without an axis where there is one.
     """
 
-    pulse_us: Annotated[float, Bounds("pulse", most=1000.0)] = 10.0
-    gap_us: Annotated[float, Bounds("pulse", most=1000.0)] = 10.0
+    pulse_us: Annotated[float, Bounds("pulse", most=LONGEST_PULSE_US)] = 10.0
+    gap_us: Annotated[float, Bounds("pulse", most=LONGEST_PULSE_US)] = 10.0
     direction_setup_us: Annotated[float, Bounds("pulse", most=1000.0, zero=True)] = 10.0
     enable_lead_us: Annotated[float, Bounds("pulse", zero=True)] = 1000.0
     motors: tuple[Turning, ...] = Field(default=("x", "y", "z"), min_length=1, max_length=MOST_MOTORS)
     pins: dict[str, Annotated[int, Bounds("coordinate", -25, 25)]] = {}
     base: Annotated[int, Bounds("number", most=0xFFFF)] = 0x378
+    null_motor: Annotated[StrictInt, Field(ge=0, lt=BOARD_MOTORS)] | Literal["unused"] = "unused"
+
+    @model_serializer(mode="wrap")
+    def _without_what_is_usual(self, as_dict: Any) -> dict[str, Any]:
+        """Leave out the null motor where it is the usual one, so that certificates stay what they were."""
+        return {key: value for key, value in as_dict(self).items() if key != "null_motor" or value != "unused"}
 
     @model_validator(mode="after")
     def _pins_are_outputs_of_known_signals(self) -> Signals:
@@ -107,18 +124,24 @@ class Signals(BaseModel, extra="forbid", frozen=True):
 
 CONTROLLER_PINS = "XYZABCPDHRS"  # limit switches, probe, door, hold, reset, cycle start
 LONGEST_LINE = 70
+LONGEST_NAME = 20  # of what stands on a key
 _SWITCHING = re.compile(r"M(?:[345789]|6[234578])(?:[SPQE]\d+(?:\.\d+)?)*")
 
-Act = Literal["start", "pause", "back", "stop", "flood", "mist", "spindle_stop", "switch"]
+SENDERS_PINS = "ABC"  # by which a controller of ours reports its pins for acts that only the sender can do
+SENDERS_ACTS = ("back", "switch")
+BOARDS_ACTS = ("limit", "door")  # that only the controller itself can do
+
+Act = Literal["start", "pause", "back", "stop", "flood", "mist", "spindle_stop", "switch", "limit", "door"]
 
 
 class Input(BaseModel, extra="forbid", frozen=True):
     """One button or switch.
 
-    pin: one of CONTROLLER_PINS, or one of INPUT_PINS of a parallel port. port: that port's device file. act: what
-    pressing does. level: "high" where the pin is on while it is pressed, else "low". debounce_ms: how long a contact
-    must rest before it is believed. line: of act "switch", the block that switches an output; release_line: the one
-    that is sent when the switch is let go. back_mm: of act "back", how far each pressing goes back along the cut.
+    pin: one of CONTROLLER_PINS, or one of INPUT_PINS of a parallel port. port: that port's device file; without it the
+    port by which this computer drives the machine itself. act: what pressing does; limits and doors are on that port.
+    level: "high" where the pin is on while it is pressed, else "low". debounce_ms: how long a contact must rest before
+    it is believed. line: of act "switch", the block that switches an output; release_line: the one that is sent when
+    the switch is let go. back_mm: of act "back", how far each pressing goes back along the cut.
     """
 
     pin: StrictInt | str
@@ -144,8 +167,10 @@ class Input(BaseModel, extra="forbid", frozen=True):
                     controller_pins=", ".join(CONTROLLER_PINS),
                 )
             )
-        if isinstance(self.pin, int) != bool(self.port):
-            raise ValueError("a pin with a number, and only that, has a port: the device file of its parallel port")
+        if isinstance(self.pin, str) and self.port:
+            raise ValueError("only a pin with a number has a port: the device file of its parallel port")
+        if self.act in BOARDS_ACTS and not self.is_own:
+            raise ValueError("a limit or door is on a pin with a number, without port: on the machine's own")
         return self
 
     @model_validator(mode="after")
@@ -162,6 +187,11 @@ class Input(BaseModel, extra="forbid", frozen=True):
         return self
 
     @property
+    def is_own(self) -> bool:
+        """Whether it is on the port by which this computer drives the machine."""
+        return isinstance(self.pin, int) and not self.port
+
+    @property
     def name(self) -> str:
         """How a person finds it: "pin P", "pin 11 of /dev/parport0"."""
         return Text("pin {pin} of {port}", pin=self.pin, port=self.port) if self.port else f"pin {self.pin}"
@@ -173,3 +203,37 @@ def check_apart(inputs: Sequence[Input]) -> None:
     twice = [name for name in names if names.count(name) > 1]
     if twice:
         raise ValueError(Text("input: two inputs are on {twice}", twice=twice[0]))
+
+
+def letters_of_own(inputs: Iterable[Input]) -> dict[int, str]:
+    """Return the letter of `Pn:` for each pin of the machine's own port on whose change only the sender can act."""
+    pins = [entry.pin for entry in inputs if entry.is_own and entry.act in SENDERS_ACTS]
+    return {int(pin): letter for pin, letter in zip(pins, SENDERS_PINS, strict=False)}
+
+
+def seen_by_sender(inputs: Sequence[Input]) -> list[Input]:
+    """Return the inputs that the sender looks at; of those on the machine's own port by their letters in `Pn:`."""
+    letters = letters_of_own(inputs)
+    return [
+        entry.model_copy(update={"pin": letters[int(entry.pin)], "level": "high", "debounce_ms": 0.0})
+        if entry.is_own
+        else entry
+        for entry in inputs
+        if not entry.is_own or entry.pin in letters
+    ]
+
+
+class Relay(BaseModel, extra="forbid", frozen=True):
+    """What a key of the dock switches. name: on the key. device: one of DEVICES."""
+
+    name: Annotated[str, Field(min_length=1, max_length=LONGEST_NAME)]
+    device: Device
+
+
+def check_relays(relays: Sequence[Relay]) -> None:
+    """Raise ValueError where two relays have one name, or switch one device."""
+    names, devices = [str(entry.name) for entry in relays], [str(entry.device) for entry in relays]
+    for values in (names, devices):
+        twice = [value for value in values if values.count(value) > 1]
+        if twice:
+            raise ValueError(Text("relay: {twice} is there twice", twice=printable(twice[0])))

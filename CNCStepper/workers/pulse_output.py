@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The process that sends pulses: `... CNCStepper.workers.pulse_output PORT WRITES_PER_S DATA CONTROL KEEP_NS TRIAL_S`.
+"""The process that plays pulses, as control/pulses/pulse_output.py starts it: `... CNCStepper.workers.pulse_output`.
 
-DATA and CONTROL are the registers at rest, KEEP_NS as `pace` takes it. After the trial it says {"ready": {...}} or
-{"error": {...}} on standard output; then it takes RECORDs from standard input, with times from the begin, and at their
-end says {"done": {...}}. A closed terminal, Ctrl-C, Ctrl-Z, Ctrl-\\ and SIGTERM stop at once, as does a sender that
-falls silent: axes that move fast lose their place. Whatever ends it is said when the port is at rest already; only
-SIGKILL and SIGSTOP, which no process hears, leave the lines as they are.
+The first line of standard input says what it plays and where: {"ring", "port", "is_board", "signals", "axes",
+"places_file"}. It answers {"ready": {}} or {"error": {...}}; everything else passes through the ring. At its end it
+writes {"done": {}} or {"error": {...}}. Standard input that closes means that nobody plays any more: it brakes along
+what is queued, switches everything off and ends. So does SIGTERM. Ctrl-C and Ctrl-Z are for the process that appends.
 """
 
 from __future__ import annotations
@@ -13,91 +12,108 @@ from __future__ import annotations
 import gc
 import json
 import os
-import select
 import signal
 import sys
-from collections.abc import Iterator
+import threading
+import time
 from pathlib import Path
+from typing import Any
 
-from CNCStepper.control.pulses.pacing import HOME, Write, come_first, pace, require_rate, stall_ns
-from CNCStepper.control.pulses.ports import RECORD, Port, is_parallel_port, open_port
+from CNCStepper.atomic_file import write_whole
+from CNCStepper.control.pulses.output_ports import open_output
+from CNCStepper.control.pulses.pacing import come_first, lock_memory, own_core
+from CNCStepper.control.pulses.pulse_loop import PulseLoop
+from CNCStepper.control.pulses.pulse_ring import BEGIN_NS, FAILED, STATE, PulseRing
 from CNCStepper.control.session.status import error_to_json
-from CNCStepper.errors import CNCStepperError, LinkError
+from CNCStepper.errors import CNCStepperError
+from CNCStepper.machine.wiring import Signals
+from CNCStepper.motion.signals.parallel_port import RegisterWriter
+from CNCStepper.motion.signals.port_bytes import BoardWriter
 
-BLOCK_BYTES = 1024 * RECORD.size
-SILENT_S = 0.25
-STOPS = ("SIGINT", "SIGTERM", "SIGHUP", "SIGQUIT", "SIGTSTP", "SIGBREAK")
-STOPPED = 130
-
-
-def main(arguments: list[str]) -> int:
-    """Send the pulses of standard input; return the exit status."""
-    _on_message(_stop)
-    try:
-        port = open_port(Path(arguments[0]))
-    except CNCStepperError as error:
-        return _tell("error", error_to_json(error), 1)
-    idle = (int(arguments[2]), int(arguments[3]))
-    try:
-        gc.disable()
-        if is_parallel_port(Path(arguments[0])):  # a recording is not worth to hold up other work
-            come_first()
-        ended = ("done", _send(port, float(arguments[1]), idle, int(arguments[4]), float(arguments[5])), 0)
-    except CNCStepperError as error:
-        ended = ("error", error_to_json(error), 1)
-    except KeyboardInterrupt:
-        ended = ("stopped", {}, STOPPED)
-    finally:
-        try:
-            _on_message(signal.SIG_IGN)
-        finally:
-            port.write(*idle)
-            port.close()
-    return _tell(*ended)
+IGNORED = ("SIGINT", "SIGHUP", "SIGQUIT", "SIGTSTP", "SIGBREAK")
 
 
-def _on_message(what: signal._HANDLER) -> None:
-    for name in STOPS:
+def main() -> int:
+    """Play what comes until the end; return the exit status."""
+    for name in IGNORED:
         if hasattr(signal, name):
-            signal.signal(getattr(signal, name), what)
+            signal.signal(getattr(signal, name), signal.SIG_IGN)
+    wanted = json.loads(_line())
+    ring = PulseRing.open(Path(wanted["ring"]))
+    try:
+        _play(wanted, ring)
+    except CNCStepperError as error:
+        ring.words[STATE] = FAILED
+        return _tell("error", error_to_json(error), 1)
+    return _tell("done", {})
 
 
-def _stop(*_: object) -> None:
-    """Stop the work, once: a second signal must not come between the first one and the port's rest."""
-    _on_message(signal.SIG_IGN)
-    raise KeyboardInterrupt
+def _play(wanted: dict[str, Any], ring: PulseRing) -> None:
+    signals, is_board = Signals(**wanted["signals"]), bool(wanted["is_board"])
+    board = BoardWriter(signals.motors, signals.null_motor) if is_board else None
+    begin_ns = time.perf_counter_ns()
+    ring.words[BEGIN_NS] = begin_ns
+    places = Path(wanted["places_file"]) if wanted["places_file"] else None
+    if board and places:
+        _take_places(board, places)
+    port = open_output(wanted["port"], is_board, begin_ns)
+    try:
+        loop = PulseLoop(ring, board or RegisterWriter(signals, wanted["axes"]), port, begin_ns)
+        loop.load()
+        signal.signal(signal.SIGTERM, lambda *_: setattr(loop, "is_left", True))
+        threading.Thread(target=_watch, args=(loop,), daemon=True).start()
+        _settle(port.is_real)
+        _tell("ready", {})
+        loop.run()
+    finally:
+        port.close()
+        if board and places:
+            write_whole(places, json.dumps({"places": board.places}).encode("ascii"))
 
 
-def _send(port: Port, writes_per_s: float, idle: tuple[int, int], keep_ns: int, trial_s: float) -> dict:
-    trial = require_rate(port, writes_per_s, idle, keep_ns, trial_s)
-    _tell("ready", trial.as_dict())
-    return pace(_writes(sys.stdin.fileno()), port, keep_ns, stall_ns(writes_per_s)).as_dict()
+def _settle(is_real: bool) -> None:
+    """Keep what would come between two pulses away: a recording is not worth to hold up other work for it."""
+    gc.collect()
+    gc.freeze()
+    gc.disable()
+    if is_real:
+        come_first()
+        own_core()
+        lock_memory()
 
 
-def _writes(told: int) -> Iterator[Write]:
-    """Yield what is to be written, as it comes."""
-    left, block = b"", os.read(told, BLOCK_BYTES)  # the first one may take its time: all is at rest
-    while block:
-        block = left + block
-        whole = len(block) - len(block) % RECORD.size
-        yield from RECORD.iter_unpack(block[:whole])
-        left, block = block[whole:], _block(told)
+def _take_places(board: BoardWriter, path: Path) -> None:
+    """Go on in the motors' sequences where the last job left them; a file of other motors is left out."""
+    try:
+        places = json.loads(path.read_bytes())["places"]
+        if [type(place) for place in places] == [int] * len(board.places):
+            board.places = places
+    except (OSError, ValueError, KeyError, TypeError):
+        return
 
 
-def _block(told: int) -> bytes:
-    """Return what has come, b"" at its end; raises LinkError where nothing comes, for the beam may be on."""
-    if hasattr(select, "poll"):  # where there are parallel ports
-        waiting = select.poll()
-        waiting.register(told, select.POLLIN)
-        if not waiting.poll(SILENT_S * 1000):
-            raise LinkError("pulses-late", "the pulses were stopped: no more of them came in time", advice=HOME)
-    return os.read(told, BLOCK_BYTES)
+def _line() -> bytes:
+    """Read one line of standard input byte by byte: what is behind it is read by another thread."""
+    line = b""
+    while not line.endswith(b"\n") and (byte := os.read(0, 1)):
+        line += byte
+    return line
 
 
-def _tell(what: str, content: dict, status: int = 0) -> int:
-    print(json.dumps({what: content}), flush=True)
+def _watch(loop: PulseLoop) -> None:
+    """Tell the loop when nobody holds the other end of standard input any more."""
+    while os.read(0, 1):
+        pass
+    loop.is_left = True
+
+
+def _tell(what: str, content: dict[str, Any], status: int = 0) -> int:
+    try:
+        print(json.dumps({what: content}), flush=True)
+    except OSError:  # nobody reads it any more
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
     return status
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(main())

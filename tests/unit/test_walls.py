@@ -19,6 +19,7 @@ FLOORS = [  # from the top; rooms on one line do not know each other
     {"workers"},
     {"recovery"},
     {"job"},
+    {"controllers"},
     {"control", "virtual"},
     {"simulation"},
     {"motion"},

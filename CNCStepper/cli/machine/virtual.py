@@ -3,19 +3,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from pathlib import Path
-from typing import TYPE_CHECKING
-
 import click
 
 from CNCStepper.cli.common.options import FilePath, machine_option
 from CNCStepper.cli.common.path_types import InputPath, OutputPath
 from CNCStepper.cli.common.verb import Verbs
+from CNCStepper.cli.machine.virtual_options import hand_at
+from CNCStepper.cli.machine.virtual_twins import board, lathe, parport
 from CNCStepper.machine.profile import Machine, load_machine
-
-if TYPE_CHECKING:
-    from CNCStepper.virtual.grbl.machine import Grbl
 
 
 @click.group("virtual", cls=Verbs)
@@ -99,24 +94,9 @@ def grbl(
         ready=lambda address: click.echo(f"virtual {firmware} at {address}"),
         faults=plan_for_server(faults) if faults else None,
         told=lambda fault, time_s: click.echo(f"{time_s:.3f} s: {fault}"),
-        visit=lambda board: _hand_at(board, press, typed),
+        visit=lambda board: hand_at(board, press, typed),
     )
 
 
-def _hand_at(board: Grbl, press: Path | None, typed: bool) -> Callable[[], None]:
-    """Return what lets a hand press the pins of a board, called again and again."""
-    from CNCStepper.cli.common.terminal_input import TerminalInput
-    from CNCStepper.virtual.server.pin_presses import PinPresses
-
-    hand = PinPresses(board, tell=click.echo)
-    if press:
-        hand.plan(press)
-    if not typed:
-        return hand.turn
-    lines = TerminalInput(hand.on_message)
-
-    def poll_pin_presses() -> None:
-        lines.wait(0.0)
-        hand.turn()
-
-    return poll_pin_presses
+for _twin in (parport, board, lathe):
+    command.add_command(_twin)

@@ -152,7 +152,7 @@ def _coded(stream: PulseStream, machine: Machine, form: str, coils: str) -> Iter
     if form == "letters":
         return letters_of(stream)
     if form == "board":
-        return Board(signals.motors).bytes_of(stream)
+        return Board(signals.motors, signals.null_motor).bytes_of(stream)
     if form == "coils":
         return signal_export.coil_csv(stream, WIRES[coils], signals.motors, signals.motor_names)
     if form == "csv":

@@ -38,7 +38,7 @@ from typing import Any, Protocol
 from CNCStepper.control.protocol.grbl.driver import Received
 from CNCStepper.control.protocol.grbl.report import Greeting, Status
 from CNCStepper.control.protocol.grbl.timeouts import Timing
-from CNCStepper.control.pulses.ports import CLAIM, RELEASE, is_parallel_port, no_port
+from CNCStepper.control.pulses.ports import CLAIM, READ_STATUS, RELEASE, high_pins, is_parallel_port, no_port
 from CNCStepper.control.session.command import Command
 from CNCStepper.errors import JobError, LinkError, Text
 
@@ -125,9 +125,6 @@ def buttons_of(inputs: Iterable[Mapping[str, Any]]) -> tuple[Button, ...]:
     return tuple(map(Button.from_content, inputs))
 
 
-READ_STATUS = 0x80017081  # of Linux's ppdev.h
-BITS = {15: 3, 13: 4, 12: 5, 10: 6, 11: 7}
-INVERTED = (11,)
 LOOK_EVERY_S = 0.005
 CLOSE_LIMIT_S = 1.0  # another program may have claimed the port
 
@@ -178,11 +175,6 @@ class FilePins:
             raise LinkError(
                 "input-port", Text("{path} has no pins to read: {error}", path=self._path, error=error), advice=advice
             ) from error
-
-
-def high_pins(register: int) -> Pins:
-    """Return the pins that are high for the value of the status register."""
-    return frozenset(pin for pin, bit in BITS.items() if bool(register >> bit & 1) != (pin in INVERTED))
 
 
 def open_pins(port: str) -> StatusPins:

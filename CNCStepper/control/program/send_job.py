@@ -46,6 +46,8 @@ class SendJob:
     lift: where a restart goes first, straight up (`control.preflight.restart_height`); empty: it is none, or has no Z.
     made_with: the options of the command line that made it, for the journal; empty: not known
     (`cli.common.reproduce_options`).
+    profile: name or path of the profile whose controller is a process of this computer; empty: the port has its own.
+    pulses_per_s: its fastest rate of pulses, which such a controller tries before the first line; 0: nothing is tried.
     """
 
     port: str
@@ -71,6 +73,8 @@ class SendJob:
     home_first: bool = False
     lift: Mapping[str, Any] = field(default_factory=dict)
     made_with: Mapping[str, Any] = field(default_factory=dict)
+    profile: str = ""
+    pulses_per_s: float = 0.0
 
     def __post_init__(self) -> None:
         if len(self.file_lines) not in (0, len(self.lines)):

@@ -12,10 +12,12 @@ late as a stall, or all together take longer than they should, this computer can
 
 from __future__ import annotations
 
+import ctypes
 import os
 import time
 from collections.abc import Iterable
 from dataclasses import asdict, dataclass
+from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -32,8 +34,10 @@ NEVER_NS = 2**62
 THROTTLE = Path("/proc/sys/kernel/sched_rt_runtime_us")
 UNTHROTTLED = "-1"
 FIRST_NICENESS = -20
+SHARED_CORES = 2  # of so few none is one process's own
+MCL_CURRENT = 1  # of Linux's and macOS's sys/mman.h
 HOME = "home the machine before its next move"
-Write = tuple[int, int, int]  # due in ns from the begin, data, control
+Write = tuple[int, Any, int]  # due in ns from the begin, data, control; of a board: its bytes, their number
 
 
 @dataclass(frozen=True)
@@ -56,40 +60,90 @@ def stall_ns(writes_per_s: float) -> int:
     return round(WRITES_A_PULSE * NS_PER_S / writes_per_s)
 
 
-def pace(writes: Iterable[Write], port: Port, keep_ns: int, most_late_ns: int = NEVER_NS) -> Jitter:
-    """Write each when it is due, busy meanwhile.
+Bins = list[int] | memoryview
+
+
+class Pacer:
+    """Writes each when it is due, busy meanwhile, and counts how late each was.
 
     keep_ns: two writes that are due no farther apart are kept as far apart, however late the first is; they are the
-    edges of a pulse. Lateness is counted until the port has been written. Raises LinkError where it is more than
-    most_late_ns.
+    edges of a pulse. begin_ns: of the clock, from which moments count. bins: BINS + 1 counters of lateness.
+    sleep_ns: for a write that is due later than this the process sleeps up to then.
     """
-    clock, write = time.perf_counter_ns, port.write
-    bins = [0] * (BINS + 1)
-    total = worst = count = 0
-    begin = now = before = 0
-    for at, data, control in writes:
-        if not count:
-            begin = now = clock() - at
-            before = at
-        due = begin + at
-        apart = at - before
-        earliest = max(due, now + (apart if apart < keep_ns else keep_ns))
-        while (now := clock()) < earliest:
-            pass
-        if now - due <= most_late_ns:
-            write(data, control)
-            now = clock()  # not before: what comes between the clock and the port must not narrow a pulse
-        late = now - due
-        if late > most_late_ns:
-            raise _stalled(late, most_late_ns, count, at)
-        before = at
-        count += 1
-        total += late
-        if late > worst:
-            worst = late
-        bins[late // BIN_NS if late < BINS * BIN_NS else BINS] += 1
-    taken_s = (clock() - begin) / NS_PER_S if count else 0.0
-    return Jitter(count, taken_s, total / max(count, 1) / 1000, _percentile_us(bins, count), worst / 1000)
+
+    def __init__(self, port: Port, keep_ns: int, begin_ns: int, bins: Bins, sleep_ns: int = NEVER_NS):
+        self._port, self._keep_ns, self._begin_ns, self._sleep_ns = port, keep_ns, begin_ns, sleep_ns
+        self._bins = bins
+        self._now = begin_ns
+        self._before = 0
+        self.writes = self.late_ns = self.worst_ns = 0
+
+    def now_ns(self) -> int:
+        """Return the time since the begin."""
+        return time.perf_counter_ns() - self._begin_ns
+
+    def write(self, writes: Iterable[Write], most_late_ns: int = NEVER_NS) -> None:
+        """Write all, none early. Lateness is counted until the port has been written.
+
+        Raises LinkError where it is more than most_late_ns.
+        """
+        clock, write, bins, begin, keep_ns = (
+            time.perf_counter_ns,
+            self._port.write,
+            self._bins,
+            self._begin_ns,
+            self._keep_ns,
+        )
+        now, before, count, total, worst = self._now, self._before, self.writes, self.late_ns, self.worst_ns
+        try:
+            for at, first, second in writes:
+                due = begin + at
+                apart = at - before
+                earliest = max(due, now + (apart if apart < keep_ns else keep_ns))
+                if earliest - now > self._sleep_ns:
+                    _sleep_until(earliest - self._sleep_ns)
+                while (now := clock()) < earliest:
+                    pass
+                if now - due <= most_late_ns:
+                    write(first, second)
+                    now = clock()  # not before: what comes between the clock and the port must not narrow a pulse
+                late = now - due
+                if late > most_late_ns:
+                    raise _stalled(late, most_late_ns, count, at)
+                before = at
+                count += 1
+                total += late
+                if late > worst:
+                    worst = late
+                bins[late // BIN_NS if late < BINS * BIN_NS else BINS] += 1
+        finally:
+            self._now, self._before, self.writes, self.late_ns, self.worst_ns = now, before, count, total, worst
+
+    def jitter(self) -> Jitter:
+        """Return how late the writes were so far."""
+        taken_s = (time.perf_counter_ns() - self._begin_ns) / NS_PER_S if self.writes else 0.0
+        return jitter_of(self.writes, taken_s, self.late_ns, self.worst_ns, self._bins)
+
+
+def jitter_of(writes: int, taken_s: float, late_ns: int, worst_ns: int, bins: Any) -> Jitter:
+    """Return the jitter of so many writes that were late by so much together, and at worst."""
+    return Jitter(writes, taken_s, late_ns / max(writes, 1) / 1000, _percentile_us(bins, writes), worst_ns / 1000)
+
+
+def pace(writes: Iterable[Write], port: Port, keep_ns: int, most_late_ns: int = NEVER_NS) -> Jitter:
+    """Write each when it is due, the first at once, and return how late they were; raises as `Pacer.write` does."""
+    coming = iter(writes)
+    first = next(coming, None)
+    if first is None:
+        return Jitter(0, 0.0, 0.0, 0.0, 0.0)
+    pacer = Pacer(port, keep_ns, time.perf_counter_ns() - first[0], [0] * (BINS + 1))
+    pacer.write(chain([first], coming), most_late_ns)
+    return pacer.jitter()
+
+
+def _sleep_until(moment_ns: int) -> None:
+    if (left_ns := moment_ns - time.perf_counter_ns()) > 0:
+        time.sleep(left_ns / NS_PER_S)
 
 
 def _stalled(late_ns: int, most_ns: int, written: int, at_ns: int) -> LinkError:
@@ -108,7 +162,7 @@ def _stalled(late_ns: int, most_ns: int, written: int, at_ns: int) -> LinkError:
     )
 
 
-def _percentile_us(bins: list[int], count: int) -> float:
+def _percentile_us(bins: Any, count: int) -> float:
     """Return the lateness that 99 of 100 writes do not pass."""
     left = count * 0.99
     for number, some in enumerate(bins):
@@ -159,3 +213,26 @@ def come_first() -> bool:
     except (AttributeError, OSError):  # no such system, or not allowed: the trial tells whether it does without
         return False
     return True
+
+
+def own_core() -> bool:
+    """Keep this process on one core, the last one, where there are more than two; return whether it is so."""
+    try:
+        cores = os.sched_getaffinity(0)
+        if len(cores) > SHARED_CORES:
+            os.sched_setaffinity(0, {max(cores)})
+            return True
+    except (AttributeError, OSError):  # no such system, or not allowed
+        pass
+    return False
+
+
+def lock_memory() -> bool:
+    """Keep what this process has in memory now from being written to the disk, as far as it may; return whether it may.
+
+    What it takes later is not locked: where there is a limit, it would get none then.
+    """
+    try:
+        return ctypes.CDLL(None).mlockall(MCL_CURRENT) == 0
+    except (AttributeError, OSError, TypeError):  # no such system
+        return False

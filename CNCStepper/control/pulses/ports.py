@@ -18,12 +18,20 @@ from CNCStepper.atomic_file import followed
 from CNCStepper.errors import LinkError, Text
 
 WRITE_DATA, WRITE_CONTROL, DATA_DIRECTION = 0x40017086, 0x40017084, 0x40047090  # of Linux's ppdev.h
+READ_STATUS = 0x80017081
 CLAIM, RELEASE = 0x0000708B, 0x0000708C
 OUTPUT = struct.pack("i", 0)  # the direction of the data pins
+STATUS_BITS = {15: 3, 13: 4, 12: 5, 10: 6, 11: 7}  # of the pins
+INVERTED_STATUS = (11,)
 PARALLEL_PORTS = 99  # the major number of Linux's /dev/parport*
 MAGIC = b"CNCStepper pulses 1\n"
 FIELDS = (("ns", "q"), ("data", "B"), ("control", "B"))  # of a RECORD, little-endian
 RECORD = struct.Struct("<" + "".join(code for _, code in FIELDS))
+
+
+def high_pins(register: int) -> frozenset[int]:
+    """Return the pins that are high for the value of the status register."""
+    return frozenset(pin for pin, bit in STATUS_BITS.items() if bool(register >> bit & 1) != (pin in INVERTED_STATUS))
 
 
 class Port(Protocol):
@@ -98,7 +106,7 @@ def open_port(path: Path) -> Port:
     if path.parent == Path("/dev") or (path.exists() and not path.is_file()):
         advice = "name the device file of a parallel port, such as /dev/parport0, or a file to record in"
         raise LinkError("pulse-port", Text("{path} is no parallel port", path=path), advice=advice)
-    return RecordingPort(_recording(path))
+    return RecordingPort(recording_file(path))
 
 
 def read_recording(path: Path) -> list[tuple[int, int, int]]:
@@ -110,16 +118,18 @@ def read_recording(path: Path) -> list[tuple[int, int, int]]:
     return list(RECORD.iter_unpack(records[: len(records) // RECORD.size * RECORD.size]))
 
 
-def _recording(path: Path) -> BinaryIO:
-    """Open a file to record in, empty; raises LinkError where it holds something else, which is left as it is."""
+def recording_file(path: Path, begin: bytes = MAGIC) -> BinaryIO:
+    """Open a file to record in, empty; raises LinkError where it holds something else, which is left as it is.
+
+    begin: what each recording of the kind begins with.
+    """
     try:
         target = followed(path)
         target.touch()
         file = target.open("r+b", buffering=1 << 20)
     except OSError as error:
         raise LinkError("pulse-port", Text("{path} cannot be written: {error}", path=path, error=error)) from error
-    begin = file.read(len(MAGIC))
-    if not stat.S_ISREG(os.fstat(file.fileno()).st_mode) or begin not in (b"", MAGIC):
+    if not stat.S_ISREG(os.fstat(file.fileno()).st_mode) or file.read(len(begin)) not in (b"", begin):
         file.close()
         advice = "name a new file, or one that pulses were recorded in"
         raise LinkError(

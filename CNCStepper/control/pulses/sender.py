@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Hands the writes of a port to the process that sends them (`pulse_output.py`) and measures their lateness."""
+"""Hands the writes of a port to the process that sends them (`port_writer.py`) and measures their lateness."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ def send_pulses(
     """
     records = (_records(chunk, ticks_per_s) for chunk in chunks)
     first = list(islice(records, AHEAD))  # what takes long at the begin must not come between two pulses
-    starts = command(sys.executable, "CNCStepper.workers.pulse_output", str(port), *pace.words())
+    starts = command(sys.executable, "CNCStepper.workers.port_writer", str(port), *pace.words())
     with subprocess.Popen(starts, stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=environment()) as worker:
         assert worker.stdin and worker.stdout
         trial = _answer(worker.stdout.readline(), "ready")

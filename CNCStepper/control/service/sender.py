@@ -57,7 +57,7 @@ class Sender:
         kept: PositionTrustFile | None = None,
     ):
         self.job = job
-        self._opener = opener or opener_of(getattr(job, "profile", ""))
+        self._opener = opener or opener_of(job.profile)
         self._timing = timing or Timing()
         self._clock = clock
         self._tell = tell

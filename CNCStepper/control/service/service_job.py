@@ -33,8 +33,7 @@ class ServiceJob(ConnectionSession):
 
         keep_s: for how long the connection stays open afterwards. Raises what `ConnectionClient` ends with.
         """
-        profile = getattr(job, "profile", "")
-        client = ConnectionClient.launch(job.port, job.baud, folder, profile, keep_s)
+        client = ConnectionClient.launch(job.port, job.baud, folder, job.profile, keep_s)
         session = cls(client, tempfile.TemporaryDirectory())
         file = Path(session._folder.name) / "job.zip"
         write_job(file, job)

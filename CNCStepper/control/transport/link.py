@@ -24,6 +24,7 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
+from CNCStepper.control.transport.controller_link import LINE_BAUD, has_no_controller, open_controller
 from CNCStepper.control.transport.output_queue import WireQueue
 from CNCStepper.control.transport.telnet import TelnetPort, socket_url
 from CNCStepper.errors import CNCStepperError, LinkError, MissingPackage, Text
@@ -158,13 +159,16 @@ class Link:
         )
 
 
-def open_link(name: str, baud: int = BAUD) -> Link:
+def open_link(name: str, baud: int = BAUD, machine: str = "") -> Link:
     """Open a port by device name or URL (`socket://host:port`, `telnet://host`, `rfc2217://host:port`, `loop://`).
 
-    Raises LinkError that says what to do when the port is missing, busy, forbidden or silent, and
+    machine: the profile, by name or file, of what is there; where it has no controller of its own, ours is started at
+    that port. Raises LinkError that says what to do when the port is missing, busy, forbidden or silent, and
     MissingPackage without pyserial.
     """
-    serial = _pyserial()
+    if machine and has_no_controller(machine):
+        return Link(open_controller(name, machine), name, LINE_BAUD)
+    serial = load_pyserial()
     is_telnet = name.startswith("telnet://")
     try:
         port = serial.serial_for_url(
@@ -177,7 +181,7 @@ def open_link(name: str, baud: int = BAUD) -> Link:
         )
         port.open()
     except (OSError, ValueError, TypeError, AttributeError) as error:  # a bad URL ends in any of these
-        raise _refusal(name, error) from error
+        raise port_refusal(name, error) from error
     _send_at_once(port)
     link = Link(TelnetPort(port) if is_telnet else port, name, baud)
     link.spares_board = _keep_dtr(port)
@@ -204,13 +208,14 @@ def restart_text(link: Link) -> str:
 
 def port_names() -> list[tuple[str, str]]:
     """Return (device name, description) of the serial ports of this computer."""
-    _pyserial()
+    load_pyserial()
     from serial.tools.list_ports import comports
 
     return [(port.device, port.description or "") for port in sorted(comports())]
 
 
-def _pyserial() -> Any:
+def load_pyserial() -> Any:
+    """Return pyserial; raises MissingPackage without it."""
     try:
         import serial
     except ImportError as error:
@@ -261,7 +266,7 @@ def _keep_dtr(port: Any) -> bool:
     return True
 
 
-def _refusal(name: str, error: Exception) -> CNCStepperError:
+def port_refusal(name: str, error: Exception) -> CNCStepperError:
     """Return what to do about a port that could not be opened."""
     number, text = _error_number(error), str(error)
     if name.startswith(("socket://", "rfc2217://")) and not re.match(r"\w+://[^/:]+:\d+", name):

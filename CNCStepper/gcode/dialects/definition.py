@@ -143,6 +143,7 @@ class Dialect:
     power: str = "speed"  # "speed": M3 with S; "switch": M3 without S is on; "always": on from the program's begin
     plasma: bool = False  # QtPlasmaC chooses cut data by material, pierces and moves Z itself
     spindles: int = 1  # that the word $ may name
+    waits_for_index: bool = False  # each run of G1 begins at the spindle's index, so that thread passes meet
     starts_at_work_zero: bool = False  # where the position is unknown the tool stands at the work zero
 
     def motion_code(self, motion: int) -> Code | None:

@@ -8,7 +8,8 @@ An absent X or Z is no move. In absolute mode the published listing would then d
 stays, and a warning is given. F lasts as long as one run of G01; a new G01 needs it. A motion stays in force until the
 next G or M. The published table has G20 as radius and G70 as mm (both as switched on), the listing the opposite of
 both: `mini-lathe:g20=diameter` and `g70=inch` are its readings. Inches are 25.4 mm. Zeros are set by hand before a
-program, so that the tool starts at the work zero.
+program, so that the tool starts at the work zero. `thread_start=index`: the lathe waits for its encoder before each run
+of G01.
 """
 
 from CNCStepper.gcode.dialects.codes import RS274
@@ -40,6 +41,11 @@ _G70_IS_INCH = {
     "writing": {"units": {"mm": "G71", "inch": "G70"}},
 }
 
+_THREADS = (
+    "the feed does not follow the spindle: write thread passes as G01 at F = pitch * rpm / 60, for a lathe that begins "
+    "each run of G01 at the encoder's index (mini-lathe:thread_start=index)"
+)
+
 MINI_LATHE = Dialect(
     name="mini-lathe",
     title="mini-lathe B",
@@ -56,10 +62,15 @@ MINI_LATHE = Dialect(
         **same_advice(("G2", "G3"), "this lathe moves in straight lines: write the arc as lines"),
         **same_advice(("Y",), "the axes are X (radial) and Z (axial)"),
         **same_advice(("S", "M3", "M4", "M5"), "the spindle's speed is set by hand"),
+        **same_advice(("G33", "G76"), _THREADS),
         **same_advice(("T", "M6"), "the tool is changed by hand: write one program a tool"),
     },
     writing=_WRITING,
-    settings={"g20": {"radius": {}, "diameter": _G20_IS_DIAMETER}, "g70": {"mm": {}, "inch": _G70_IS_INCH}},
+    settings={
+        "g20": {"radius": {}, "diameter": _G20_IS_DIAMETER},
+        "g70": {"mm": {}, "inch": _G70_IS_INCH},
+        "thread_start": {"none": {}, "index": {"waits_for_index": True}},
+    },
     front=("records", "dotless", "feed_per_second"),
     line_limit=0,
     skips_deleted=True,

@@ -28,7 +28,7 @@ class Motion:
     """A planner and the axes behind it.
 
     position_steps: where the axes stand at the begin (0 when left out), one value an axis.
-    record: keep the path that the axes take, for `path()` and `step_path()`.
+    record: keep the path that the axes take, for `path()`, `step_path()` and `segments()`.
     """
 
     def __init__(self, limits: Limits, position_steps: Sequence[int] | None = None, record: bool = False):
@@ -182,11 +182,15 @@ class Motion:
         """Return the same as `path()`, with one row for every moment at which an axis steps."""
         return self._drain(step_table)
 
-    def _drain(self, fold) -> np.ndarray:
+    def segments(self) -> list[np.recarray]:
+        """Return the complete segments since the last call, oldest first; of a `record` only."""
         self._keep_record()
         recorded, self._recorded = self._recorded, []
+        return recorded
+
+    def _drain(self, fold) -> np.ndarray:
         pieces = [np.zeros((0, 1 + self.limits.axes))]
-        for segments in recorded:
+        for segments in self.segments():
             clocks, positions = fold(segments)
             pieces.append(np.column_stack([clocks / TICKS_PER_S, positions]))
         return np.concatenate(pieces)

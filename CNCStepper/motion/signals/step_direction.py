@@ -62,12 +62,11 @@ class Timeline:
         self.ticks_per_s = stream.ticks_per_s
         self.late_ticks = 0  # the worst delay of a pulse so far
         self._stream, self._signals = stream, signals
-        times = (max(signals.pulse_us, signals.gap_us), signals.gap_us, max(signals.direction_setup_us, signals.gap_us))
-        self._times = np.array([self._ticks(time_us) for time_us in times], np.int64)
-        self._enable_lead = max(self._ticks(signals.enable_lead_us), int(self._times[GAP]))
+        self._times = edge_times(signals, self.ticks_per_s)
+        self._enable_lead = enable_lead(signals, self.ticks_per_s)
         self.lead = self._enable_lead + int(self._times[SETUP])
         self._memory = np.zeros(3, np.int64)
-        self._tables = _tables(signals, stream.axes)
+        self._tables = mask_tables(signals, stream.axes)
 
     def __iter__(self) -> Iterator[Edges]:
         yield self._switch(0, ENABLE, True)
@@ -121,9 +120,6 @@ class Timeline:
     def _bit(self, line: str) -> int:
         return 1 << self.lines.index(line)
 
-    def _ticks(self, time_us: float) -> int:
-        return math.ceil(time_us * self.ticks_per_s / US_PER_S)
-
     def _refuse(self) -> None:
         signals = self._signals
         raise MachineRefusal(
@@ -135,7 +131,18 @@ class Timeline:
         )
 
 
-def _tables(signals: Signals, axes: int) -> tuple[np.ndarray, ...]:
+def edge_times(signals: Signals, ticks_per_s: int) -> np.ndarray:
+    """Return the width of a pulse, the gap behind it and the direction's set-up as `write_edges` takes them."""
+    times = (max(signals.pulse_us, signals.gap_us), signals.gap_us, max(signals.direction_setup_us, signals.gap_us))
+    return np.array([math.ceil(time_us * ticks_per_s / US_PER_S) for time_us in times], np.int64)
+
+
+def enable_lead(signals: Signals, ticks_per_s: int) -> int:
+    """Return the ticks from switching the drives on to the first edge."""
+    return math.ceil(max(signals.enable_lead_us, signals.gap_us) * ticks_per_s / US_PER_S)
+
+
+def mask_tables(signals: Signals, axes: int) -> tuple[np.ndarray, ...]:
     """Return for each mask of axes, uint32[256]: step lines; direction lines; those that are on forwards, backwards."""
     tables = np.zeros((4, 256), np.uint32)
     masks = np.arange(256)

@@ -37,7 +37,7 @@ class Travel(PartCheck):
         low, high = extremes(subject.table, subject.toolpath.begins()[:, :3])
         self._parts += 1
         if subject.toolpath.start.zero_known:
-            for axis, (name, profile) in enumerate(subject.machine.own_axes.items()):
+            for axis, name, profile in subject.machine.numbered_axes:
                 bounds = profile.travel_min_mm, profile.travel_max_mm
                 yield from _beyond(subject, name, low[:, axis], high[:, axis], *bounds)
             return
@@ -50,7 +50,7 @@ class Travel(PartCheck):
                 advice="give the work zero to have the travel checked",
                 place_mm=None,
             )
-        for axis, name in enumerate(subject.machine.own_axes):
+        for axis, name, _ in subject.machine.numbered_axes:
             self._extend(subject, axis, name, low[:, axis], high[:, axis])
 
     def _extend(self, subject: CheckContext, axis: int, name: str, low: np.ndarray, high: np.ndarray) -> None:
@@ -104,7 +104,7 @@ def _beyond(subject: CheckContext, name: str, low, high, min_mm: float, max_mm: 
 def rates(subject: CheckContext) -> Iterator[Finding]:
     """Yield each axis that a feed asks to go faster than it can; the controller will slow the move down."""
     fastest = _fastest_mm_min(subject)
-    for axis, (name, profile) in enumerate(subject.machine.own_axes.items()):
+    for axis, name, profile in subject.machine.numbered_axes:
         over = np.flatnonzero(fastest[:, axis] > profile.max_rate_mm_min * (1 + 1e-6))
         if len(over):
             yield subject.finding(

@@ -22,7 +22,7 @@ def motors(subject: CheckContext) -> Iterator[Finding]:
     if not len(subject.toolpath) or not any(axis.motor for axis in subject.machine.axes):
         return
     speeds, accelerations = subject.speeds_mm_s, _accelerations(subject)
-    for axis, (name, profile) in enumerate(subject.machine.own_axes.items()):
+    for axis, name, profile in subject.machine.numbered_axes:
         if profile.motor is not None:
             yield from _lacking(subject, name, profile.motor, speeds[:, axis], accelerations[:, axis])
 

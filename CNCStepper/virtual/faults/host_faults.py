@@ -6,21 +6,24 @@ from __future__ import annotations
 import json
 import os
 import signal
+from collections.abc import Sequence
 from contextlib import suppress
 from pathlib import Path
 
 from CNCStepper.errors import JobError, Place
-from CNCStepper.virtual.faults.plan import Fault, FaultPlan, read_plan
+from CNCStepper.virtual.faults.plan import SERVER_KINDS, Fault, FaultPlan, read_plan
 
 KILL = getattr(signal, "SIGKILL", signal.SIGTERM)  # on Windows SIGTERM ends a process as hard
 
 
-def plan_for_server(path: Path) -> FaultPlan:
-    """Return the plan of a file; raises JobError when it holds what only a test of the sender can do."""
+def plan_for_server(path: Path, kinds: Sequence[str] = SERVER_KINDS) -> FaultPlan:
+    """Return the plan of a file; raises JobError when it holds what this virtual machine cannot do."""
     plan = read_plan(path)
     for fault in plan.fault:
         if fault.kind == "disk":
             raise _refusal(path, "the sender's disk cannot be filled from here", "take the fault 'disk' out")
+        if fault.kind not in kinds:
+            raise _refusal(path, f"this machine has no fault '{fault.kind}'", f"there are {', '.join(kinds)}")
         if fault.kind == "kill" and not fault.pid_file:
             raise _refusal(path, "the fault 'kill' does not say whom", "add pid_file = a session file of the sender")
     return plan

@@ -37,6 +37,7 @@ ERRORS = {
     36: "a word of the block is used by no command",
     37: "G43.1 takes a Z word and no other axis",
     38: "the tool number is too large",
+    39: "there is no digital output of this number",
     40: "a tool change is pending, and no motion but jogs is taken",
     54: "the retract plane lies below the bottom of the hole",
     162: "this setting can only be read: it stands in the configuration file",

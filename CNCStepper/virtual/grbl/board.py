@@ -10,17 +10,20 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Generator
 
+import numpy as np
+
 from CNCStepper.machine.profile import Machine
+from CNCStepper.motion.planner.arc_segments import arc_points
 from CNCStepper.virtual.grbl.alarms_and_errors import ALARM_HARD_LIMIT, ALARM_SOFT_LIMIT
 from CNCStepper.virtual.grbl.firmware import Firmware
-from CNCStepper.virtual.grbl.gcode.block import Parser
-from CNCStepper.virtual.grbl.input_pins import DOOR, InputPins
+from CNCStepper.virtual.grbl.gcode.block import FIRST_PLANE, Block, Parser
+from CNCStepper.virtual.grbl.input_pins import DOOR, PINS, InputPins
 from CNCStepper.virtual.grbl.occasional_fields import OccasionalFields
 from CNCStepper.virtual.grbl.overrides import Overrides
 from CNCStepper.virtual.grbl.planner import Axes
 from CNCStepper.virtual.grbl.probe import Probe
 from CNCStepper.virtual.grbl.serial_buffer import LineReader, RxRing
-from CNCStepper.virtual.grbl.settings import HARD_LIMITS, HOMING, SOFT_LIMITS, Eeprom, Settings
+from CNCStepper.virtual.grbl.settings import ARC_TOLERANCE, HARD_LIMITS, HOMING, SOFT_LIMITS, Eeprom, Settings
 from CNCStepper.virtual.grbl.spindle_control import Spindle
 from CNCStepper.virtual.grbl.states import State, SuspendState
 from CNCStepper.virtual.grbl.tool_change import ToolChange
@@ -33,17 +36,27 @@ LIMIT_ALARMS = (ALARM_HARD_LIMIT, ALARM_SOFT_LIMIT)
 class Board(ABC):
     """The parts of a board and what they do together; see `Grbl` for the parameters. It begins with `forget`."""
 
-    def __init__(self, machine: Machine, homing: bool, probe_height_mm: float | None, firmware: Firmware):
+    pin_names: tuple[str, ...] = tuple(PINS)
+
+    def __init__(
+        self,
+        machine: Machine,
+        homing: bool,
+        probe_height_mm: float | None,
+        firmware: Firmware,
+        axes: Callable[[Settings], Axes],
+    ):
         self.firmware: Firmware = firmware
         self.memory: Eeprom = Eeprom(Settings(machine, homing, firmware), firmware)
         self.ring = RxRing(firmware.receive_bytes)
         self.reader = LineReader(firmware)
-        self.axes = Axes(self.memory.settings)
+        self.axes: Axes = axes(self.memory.settings)
         self.probe = Probe(probe_height_mm)
         self.inputs = InputPins()
         self.program_s = 0.0  # stands still while the machine is held
         self.state = State.ALARM if homing else State.IDLE
-        self.flood = False
+        self.flood = self.mist = False
+        self.outputs: set[int] = set()  # digital outputs that are on
         self._output = bytearray()
 
     def forget(self) -> None:
@@ -132,6 +145,17 @@ class Board(ABC):
         yield from self.wait(self.firmware.planning_s)
         self.axes.line(target_mm, feed_mm_min, rapid)
 
+    def queue_arc(self, block: Block, begin_mm: list[float]) -> Waiting:
+        """Queue an arc from `begin_mm` to the block's target as its chords, one block of the planner each."""
+        modal, begin = block.modal, np.array(begin_mm)
+        centre = (begin + block.centre).astype(np.float32)
+        plane, tolerance_mm = modal.plane - FIRST_PLANE, self.memory.settings[ARC_TOLERANCE]
+        points = arc_points(begin, np.array(block.target), centre, modal.motion, plane, 1, tolerance_mm)
+        # in G93 the firmware multiplies F by the number of chords and then takes it for mm/min
+        feed = block.feed * len(points) if modal.feed_mode == 93 else block.feed
+        for point in points.tolist():
+            yield from self.queue(point, feed)
+
     def wait(self, seconds: float) -> Waiting:
         """Wait while the program's clock runs, so that a hold lengthens the wait."""
         self._wake_s = self.program_s + seconds
@@ -152,7 +176,8 @@ class Board(ABC):
         """Stop the motors without a ramp, switch everything off and forget all moves."""
         self.axes.reset()
         self.spindle.switch(5, 0.0)
-        self.flood = False
+        self.flood = self.mist = False
+        self.outputs.clear()
 
     def sync_position(self) -> None:
         """Let the parser believe what the axes say."""

@@ -23,7 +23,8 @@ class Firmware:
     the spindle's, {0} the modal words. shown_settings: numbers that `$$` lists, all where it is empty. read_only:
     settings stand in a file and cannot be written. named: settings by name, as the line reader leaves it: capitals, no
     `/`. message: what stands before its messages. systems: how many work systems, from G54 on. cycles: it has G73, G81
-    to G83, G98 and G99. tool_state: M6 leads to the state Tool, see `tool_change`.
+    to G83, G98 and G99. tool_state: M6 leads to the state Tool, see `tool_change`. mist: it has M7. digital_outputs:
+    how many M62 to M65 switch, from P0 on.
     """
 
     name: str
@@ -44,6 +45,8 @@ class Firmware:
     systems: int = 6
     cycles: bool = False
     tool_state: bool = False
+    mist: bool = False
+    digital_outputs: int = 0
     planning_s: float = AVR_PLANNING_S
 
 

@@ -30,9 +30,10 @@ from CNCStepper.virtual.grbl.board import MOMENT_S, Board, Waiting
 from CNCStepper.virtual.grbl.firmware import GRBL, Firmware
 from CNCStepper.virtual.grbl.gcode import execute
 from CNCStepper.virtual.grbl.input_pins import LIMITS, PIN_BYTES, PROBE
+from CNCStepper.virtual.grbl.planner import Axes, SimulatedAxes
 from CNCStepper.virtual.grbl.realtime import ACTING, COMMANDS, FIRST_EXTENDED
 from CNCStepper.virtual.grbl.serial_buffer import TOO_LONG
-from CNCStepper.virtual.grbl.settings import HARD_LIMITS, HOMING
+from CNCStepper.virtual.grbl.settings import HARD_LIMITS, HOMING, Settings
 from CNCStepper.virtual.grbl.states import AT_REST, MOVING, State
 
 LOCKED = "[MSG:'$H'|'$X' to unlock]"
@@ -45,6 +46,7 @@ class Grbl(Board):
     `homing` sets $22 and so locks the machine at power-up.
     `probe_height_mm`: machine height of a plate that closes the probe's circuit at and below it.
     After ALARM:1 and ALARM:2 a status report is still answered, as the firmware's documents say.
+    axes: what moves, made from the board's settings.
     starts_up: the supply has just come back; the board hears nothing, and has not said its greeting.
     """
 
@@ -55,8 +57,9 @@ class Grbl(Board):
         homing: bool = False,
         probe_height_mm: float | None = None,
         firmware: Firmware = GRBL,
+        axes: Callable[[Settings], Axes] = SimulatedAxes,
     ):
-        super().__init__(machine, homing, probe_height_mm, firmware)
+        super().__init__(machine, homing, probe_height_mm, firmware, axes)
         self.time_s = 0.0
         self.starts_up = False
         self.on_step: Callable[[Grbl], None] | None = None  # told after each stretch of one pace

@@ -19,7 +19,8 @@ from CNCStepper.virtual.grbl.overrides import (
 from CNCStepper.virtual.grbl.states import State
 
 FIRST_EXTENDED = 0x80  # from here on a byte that is no command is thrown away
-RESET, STATUS, START, HOLD, DOOR, JOG_CANCEL, SPINDLE_STOP, FLOOD = 0x18, 0x3F, 0x7E, 0x21, 0x84, 0x85, 0x9E, 0xA0
+RESET, STATUS, START, HOLD, DOOR, JOG_CANCEL = 0x18, 0x3F, 0x7E, 0x21, 0x84, 0x85
+SPINDLE_STOP, FLOOD, MIST = 0x9E, 0xA0, 0xA1
 TOOL_CHANGED = 0xA3  # of grblHAL
 
 
@@ -85,6 +86,12 @@ def _flood(machine: Board, byte: int) -> None:
         machine.status.overrides_changed()
 
 
+def _mist(machine: Board, byte: int) -> None:
+    if machine.firmware.mist and machine.state in (State.IDLE, State.RUN, State.HOLD, State.JOG):
+        machine.mist = machine.parser.modal.mist = not machine.parser.modal.mist
+        machine.status.overrides_changed()
+
+
 def _tool_changed(machine: Board, byte: int) -> None:
     machine.tool_change.acknowledge(machine.ring)
 
@@ -100,6 +107,7 @@ COMMANDS: dict[int, Command] = {
     JOG_CANCEL: _jog_cancel,
     SPINDLE_STOP: _spindle_stop,
     FLOOD: _flood,
+    MIST: _mist,
     TOOL_CHANGED: _tool_changed,
     **dict.fromkeys(OVERRIDES, _override),
 }

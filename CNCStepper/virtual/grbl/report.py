@@ -52,7 +52,7 @@ def parser_state(parser: Parser, settings: Settings, firmware: Firmware = GRBL) 
         _motion_word(modal),
         f"{_place_name(modal.system)} G{modal.plane} G{modal.units} G{modal.distance} G{modal.feed_mode}",
         *firmware.modes.format(modal).split(),
-        f"M{modal.spindle} {'M8' if modal.flood else 'M9'} T{parser.tool}",
+        f"M{modal.spindle} {_coolant_words(modal)} T{parser.tool}",
         f"F{rate(parser.feed, settings)} S{fixed(parser.rpm, 0)}{firmware.speed_dot}",
     )
     return f"[GC:{' '.join(words)}]"
@@ -64,6 +64,10 @@ def _place_name(place: int) -> str:
 
 def _motion_word(modal: Modal) -> str:
     return f"G38.{modal.motion % 10}" if modal.motion >= PROBE_TOWARD else f"G{modal.motion}"
+
+
+def _coolant_words(modal: Modal) -> str:
+    return " ".join(word for word, on in (("M7", modal.mist), ("M8", modal.flood)) if on) or "M9"
 
 
 def probe_result(position_mm: Iterable[float], found: bool, settings: Settings) -> str:
@@ -94,7 +98,7 @@ def status(machine: Board) -> str:
     """Return the answer to `?`."""
     fields = [machine.state_text(), _position(machine)]
     if machine.memory.settings.reports(REPORTS_BUFFER):
-        fields.append(f"Bf:{machine.axes.room},{machine.ring.free}")
+        fields.append(f"Bf:{machine.axes.free_blocks},{machine.ring.free}")
     speed_mm_min = machine.axes.rate_mm_min if machine.state in BUSY else 0.0
     fields.append(f"FS:{rate(speed_mm_min, machine.memory.settings)},{fixed(machine.spindle.rpm, 0)}")
     pins = machine.pins()
@@ -122,5 +126,5 @@ def _position(machine: Board) -> str:
 
 def _overrides(machine: Board) -> list[str]:
     overrides = machine.overrides
-    outputs = {3: "S", 4: "C"}.get(machine.spindle.direction, "") + ("F" if machine.flood else "")
+    outputs = {3: "S", 4: "C"}.get(machine.spindle.direction, "") + "F" * machine.flood + "M" * machine.mist
     return [f"Ov:{overrides.feed},{overrides.rapid},{overrides.spindle}", *([f"A:{outputs}"] if outputs else [])]

@@ -85,7 +85,7 @@ def toggle_spindle(machine: Board) -> None:
 def switch_off(machine: Board) -> None:
     """Switch the outputs off, as for an open door or sleep."""
     machine.spindle.switch(OFF, 0.0)
-    machine.flood = False
+    machine.flood = machine.mist = False
     machine.suspension.spindle_stopped = False
     machine.status.overrides_changed()
 
@@ -119,8 +119,8 @@ def _switch_on(machine: Board) -> float:
     if modal.spindle != OFF:
         machine.spindle.switch(modal.spindle, machine.parser.rpm)
         wait_s += SPINDLE_RETURNS_S
-    if modal.flood:
-        machine.flood = True
+    if modal.flood or modal.mist:
+        machine.flood, machine.mist = modal.flood, modal.mist
         wait_s += COOLANT_RETURNS_S
     machine.status.overrides_changed()
     return wait_s

@@ -13,10 +13,8 @@ or its client could not follow.
 from __future__ import annotations
 
 import contextlib
-import signal
-import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from math import inf
 from pathlib import Path
 
@@ -28,14 +26,14 @@ from CNCStepper.virtual.grbl.firmware import GRBL, Firmware
 from CNCStepper.virtual.grbl.machine import Grbl
 from CNCStepper.virtual.server.fault_proxy import FaultyLink
 from CNCStepper.virtual.server.path_trace import Trace
-from CNCStepper.virtual.server.ports import Port, PtyPort, TcpPort
+from CNCStepper.virtual.server.ports import Port
 from CNCStepper.virtual.server.serial_line import Link
+from CNCStepper.virtual.server.serving import check_port_choice, open_server_port, stopped_by_signals
 
 SHORTEST_STEP_S, LONGEST_STEP_S = 0.001, 0.01  # of simulated time
 STEP_S = 0.0001  # of real time, within those bounds
 QUIET_WAIT_S = 0.02
 POWER_UP_S = 0.1  # a client that opens a port throws away what came before
-LOOPBACK = ("127.0.0.1", "localhost", "")
 LONGEST_LAG_S = 0.0015  # of real time, made up for at once: less than the 2 ms that a client keeps before a quick line
 NOBODY_CAME_S = 30.0  # after which a server that serves until it is left ends
 
@@ -158,18 +156,20 @@ def serve(
     steps, for a hand at its pins.
     Raises LinkError when the port cannot be opened or a value makes no sense; nothing is left behind.
     """
-    _check(speed, baud, pty, tcp)
+    check_port_choice(speed, pty, tcp)
+    if not 300 <= baud <= 10_000_000:
+        raise LinkError("baud", "the baud rate is out of range", value=str(baud), limit="300 to 10000000")
     with contextlib.ExitStack() as stack:
         _compile(machine)
         board = Grbl(machine, homing=homing, probe_height_mm=probe_height_mm, firmware=firmware)
         each_step = visit(board)
         record = stack.enter_context(contextlib.closing(Trace(trace, board))) if trace else None
-        port: Port = PtyPort(str(pty)) if pty else _tcp_port(str(tcp))
+        port = open_server_port(pty, tcp)
         stack.callback(port.close)
         line = Link(board, baud)
         link = FaultyLink(line, faults, outside=kill_sender, told=told) if faults else line
         server = Server(link, port, speed, record, until_left, each_step, board.power_up if restarts else _nothing)
-        stack.enter_context(_stopped_by_signals(server))
+        stack.enter_context(stopped_by_signals(server.stop))
         if ready:
             ready(port.address)
         server.run()
@@ -186,39 +186,3 @@ def _compile(machine: Machine) -> None:
         board.receive(data)
         for _ in range(10):
             board.advance(0.02)
-
-
-def _check(speed: float, baud: int, pty: object, tcp: object) -> None:
-    if (pty is None) == (tcp is None):
-        raise LinkError("port-choice", "the virtual machine needs one port", advice="give either --pty or --tcp")
-    if not 0 < speed <= 1000:
-        raise LinkError("speed", "the speed is out of range", value=f"{speed:g}", limit="above 0, up to 1000")
-    if not 300 <= baud <= 10_000_000:
-        raise LinkError("baud", "the baud rate is out of range", value=str(baud), limit="300 to 10000000")
-
-
-def _tcp_port(address: str) -> TcpPort:
-    host, _, port = address.rpartition(":")
-    if not port.isdecimal() or int(port) > 65535:
-        raise LinkError("tcp-address", f"'{address}' is not an address", advice="write HOST:PORT, as 127.0.0.1:2300")
-    if host not in LOOPBACK:
-        raise LinkError(
-            "tcp-address",
-            f"the virtual machine asks nobody for a password, so it does not listen on '{host}'",
-            advice=f"give one of: {', '.join(LOOPBACK[:2])}",
-        )
-    return TcpPort(host or "127.0.0.1", int(port))
-
-
-@contextlib.contextmanager
-def _stopped_by_signals(server: Server) -> Iterator[None]:
-    """Let SIGTERM and SIGINT stop the server; signals reach only the main thread."""
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
-    before = {number: signal.signal(number, lambda *_: server.stop()) for number in (signal.SIGTERM, signal.SIGINT)}
-    try:
-        yield
-    finally:
-        for number, handler in before.items():
-            signal.signal(number, handler)

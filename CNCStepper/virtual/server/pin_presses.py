@@ -1,51 +1,66 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A person's hand at the virtual board: presses its input pins as a timeline says, or as somebody types.
+"""A person's hand at a virtual machine: presses its input pins as a timeline says, or as somebody types.
 
 [[press]]        of a TOML file             P            typed: press the probe's pin for 0.3 s
 pin = "P"                                   press P      and keep it pressed
 at_s = 2.5       since the board's power-up     release P
-for_s = 0.3
+for_s = 0.3                                 13           a status pin of a parallel port
 """
 
 from __future__ import annotations
 
 import heapq
 import tomllib
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 from CNCStepper.errors import JobError, Place
-from CNCStepper.virtual.grbl.input_pins import PINS
-from CNCStepper.virtual.grbl.machine import Grbl
 
 TAP_S = 0.3
 LONGEST_S = 1e6
 KEYS = {"pin", "at_s", "for_s"}
-ADVICE = f"write [[press]] with pin (one of {', '.join(PINS)}), at_s and, if not {TAP_S:g}, for_s"
+
+
+class Pressable(Protocol):
+    """A machine with input pins; `pin_names` are all of them, `pins` those that are on, in words."""
+
+    pin_names: tuple[str, ...]
+    time_s: float
+
+    def press(self, pin: str) -> None:
+        """Switch a pin on."""
+
+    def release(self, pin: str) -> None:
+        """Switch a pin off."""
+
+    def pins(self) -> str:
+        """Return the pins that are on."""
 
 
 class PinPresses:
-    """What is still to be pressed and let go at one board, by the board's clock.
+    """What is still to be pressed and let go at one machine, by the machine's clock.
 
     tell: hears what a typed line did, or why it did nothing.
     """
 
-    def __init__(self, board: Grbl, tell: Callable[[str], None] = lambda text: None):
+    def __init__(self, board: Pressable, tell: Callable[[str], None] = lambda text: None):
         self._board = board
         self._tell = tell
         self._due: list[tuple[float, bool, str]] = []  # when, pressed, which pin
 
     def plan(self, path: Path) -> None:
         """Take over the presses of a TOML file; raises JobError naming it where one cannot be."""
-        for pin, at_s, for_s in _presses(path):
+        for pin, at_s, for_s in _presses(path, self._board.pin_names):
             self._press(pin, at_s, for_s)
 
     def on_message(self, line: str) -> None:
         """Do what a typed line says, now."""
         *verb, pin = line.upper().split() or [""]
-        if pin not in tuple(PINS) or verb not in ([], ["PRESS"], ["RELEASE"]):
-            self._tell(f"'{line[:40]}' is no press: type P, press P or release P; pins are {', '.join(PINS)}")
+        names = self._board.pin_names
+        if pin not in names or verb not in ([], ["PRESS"], ["RELEASE"]):
+            shown = f"type {names[0]}, press {names[0]} or release {names[0]}; pins are {', '.join(names)}"
+            self._tell(f"'{line[:40]}' is no press: {shown}")
             return
         (self._board.release if verb == ["RELEASE"] else self._board.press)(pin)
         if not verb:
@@ -63,7 +78,7 @@ class PinPresses:
         heapq.heappush(self._due, (at_s + for_s, False, pin))
 
 
-def _presses(path: Path) -> list[tuple[str, float, float]]:
+def _presses(path: Path, names: Sequence[str]) -> list[tuple[str, float, float]]:
     """Return pin, begin and length of each press of a file."""
     place = Place(str(path))
     try:
@@ -71,17 +86,22 @@ def _presses(path: Path) -> list[tuple[str, float, float]]:
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         raise JobError("toml", f"not a TOML file: {error}", place=place) from error
     if set(content) - {"press"} or not isinstance(content.get("press", []), list):
-        raise JobError("press", "a timeline holds nothing but presses", advice=ADVICE, place=place)
-    return [_read_press(entry, place) for entry in content.get("press", [])]
+        raise JobError("press", "a timeline holds nothing but presses", advice=_advice(names), place=place)
+    return [_read_press(entry, names, place) for entry in content.get("press", [])]
 
 
-def _read_press(entry: Any, place: Place) -> tuple[str, float, float]:
-    if not isinstance(entry, dict) or set(entry) - KEYS or entry.get("pin") not in tuple(PINS):
-        raise JobError("press", "a press of the timeline is none", value=str(entry)[:60], advice=ADVICE, place=place)
-    return entry["pin"], _seconds(entry.get("at_s"), place), _seconds(entry.get("for_s", TAP_S), place)
+def _read_press(entry: Any, names: Sequence[str], place: Place) -> tuple[str, float, float]:
+    if not isinstance(entry, dict) or set(entry) - KEYS or str(entry.get("pin")) not in names:
+        value, advice = str(entry)[:60], _advice(names)
+        raise JobError("press", "a press of the timeline is none", value=value, advice=advice, place=place)
+    return str(entry["pin"]), _seconds(entry.get("at_s"), place), _seconds(entry.get("for_s", TAP_S), place)
+
+
+def _advice(names: Sequence[str]) -> str:
+    return f"write [[press]] with pin (one of {', '.join(names)}), at_s and, if not {TAP_S:g}, for_s"
 
 
 def _seconds(value: Any, place: Place) -> float:
     if isinstance(value, bool) or not isinstance(value, (int, float)) or not 0 <= value < LONGEST_S:
-        raise JobError("press", "a time of a press is none", value=str(value)[:20], advice=ADVICE, place=place)
+        raise JobError("press", "a time of a press is none", value=str(value)[:20], place=place)
     return float(value)

@@ -119,6 +119,12 @@ def open_unless_connected() -> None:
         open_dock()
 
 
+def link_here() -> Link | None:
+    """Return this window's controller, None while the dock was never opened."""
+    found = FreeCADGui.getMainWindow().findChild(QtGui.QDockWidget, NAME)
+    return found.widget().link if found else None
+
+
 def start_here() -> Start | None:
     """Return the start state of the machine that this window's dock is connected to, None where it is not known."""
     found = FreeCADGui.getMainWindow().findChild(QtGui.QDockWidget, NAME)

@@ -10,6 +10,7 @@ from typing import Any
 from CNCStepper.errors import Text
 from CNCStepper.job.deferred_fitting import once
 from CNCStepper.machine.feeds_and_speeds import remarks_on
+from CNCStepper.machine.files.profile_files import own_path
 from CNCStepper.machine.materials import material
 from CNCStepper.machine.processes import MILLING
 from CNCStepper.machine.profile import Machine, load_machine, profile_names
@@ -29,7 +30,7 @@ def machine_named(name: str, obj: Any) -> Machine:
     """Return the machine of a name as a job object would have it; raises JobError where there is none."""
     if name not in profile_names() and obj.Document.FileName:
         name = str(Path(obj.Document.FileName).parent / name)
-    return _machine(name, obj.Dialect, file_stamp(name))
+    return _machine(name, obj.Dialect, file_stamp(str(own_path(name) or name)))
 
 
 @functools.lru_cache(maxsize=16)

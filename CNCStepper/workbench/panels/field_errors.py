@@ -68,7 +68,7 @@ def complaints(model: Any, values: dict[str, Any], shown: Callable[[str, float],
         model.model_validate({key: value for key, value in values.items() if key in model.model_fields})
     except ValidationError as error:
         found = [(_key_at(problem["loc"]), problem) for problem in error.errors() if problem["loc"]]
-        return {key: _sentence(key, problem, shown) for key, problem in reversed(found) if key in keys}
+        return {key: sentence_of(key, problem, shown) for key, problem in reversed(found) if key in keys}
     return {}
 
 
@@ -78,7 +78,8 @@ def _key_at(place: tuple[Any, ...]) -> str:
     return names[0] if len(names) == 1 else f"{names[0]}_{names[-1]}"
 
 
-def _sentence(key: str, problem: Any, shown: Callable[[str, float], str]) -> Refused:
+def sentence_of(key: str, problem: Any, shown: Callable[[str, float], str]) -> Refused:
+    """Return what one of pydantic's errors says of the value of a key; `shown` as for `complaints`."""
     if problem["type"] in LIMITS:
         name, sentence = LIMITS[problem["type"]]
         return Refused(sentence, shown(key, problem["ctx"][name]))

@@ -90,10 +90,10 @@ class MachineField(FileField):
     FILTER = later("Profiles (*.toml)")
 
     def shipped(self) -> list[tuple[Any, str]]:
-        """Return the shipped profiles by their names."""
-        from CNCStepper.machine.profile import load_machine, profile_names
+        """Return the profiles that ship and the user's own, by their names."""
+        from CNCStepper.machine.own_profiles import label_of, profiles
 
-        return [(name, f"{load_machine(name).name} ({name})") for name in profile_names()]
+        return [(profile.name, label_of(profile.name)) for profile in profiles()]
 
     def touched(self) -> None:
         """Take the chosen profile, with a process that it can do."""

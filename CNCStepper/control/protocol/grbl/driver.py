@@ -19,7 +19,7 @@ from dataclasses import dataclass
 
 from CNCStepper.control.protocol.grbl import report as grbl_report
 from CNCStepper.control.protocol.grbl.character_counting import CharacterCounting, Sent
-from CNCStepper.control.protocol.grbl.firmware import GRBL, Firmware, firmware_of_greeting, firmware_of_tag
+from CNCStepper.control.protocol.grbl.firmware import CANNOT, GRBL, Firmware, firmware_of_greeting, firmware_of_tag
 from CNCStepper.control.protocol.grbl.motion_interlock import MotionInterlock
 from CNCStepper.control.protocol.grbl.report import (
     Answer,
@@ -98,6 +98,7 @@ class Grbl:
     until the controller has said whether it reports in mm or in inches.
     overrides: feed, rapid and spindle in percent, as last reported since the controller started.
     outputs: what was on then, as `Status` has it. planner_blocks: moves that it plans ahead.
+    cannot: what it has said that it cannot do ([CANNOT:hold] of `$I`), empty for grbl.
     is_stopping: noise, floods and stray answers raise nothing, since they must not disturb the stopping.
     """
 
@@ -111,6 +112,7 @@ class Grbl:
         self.link = link
         self.clock = clock
         self.firmware: Firmware = GRBL
+        self.cannot: frozenset[str] = frozenset()
         self.counting = CharacterCounting()
         self.planner_blocks = PLANNER_BLOCKS
         self.status: Status | None = None
@@ -314,6 +316,8 @@ class Grbl:
             self._recognise(firmware)
         elif report.tag == "OPT":
             self._take_options(report.text)
+        elif report.tag == CANNOT:
+            self.cannot |= {report.text.strip().lower()}
 
     def _recognise(self, firmware: Firmware) -> None:
         """Take over what answers there; a greeting that grblHAL or FluidNC shares with grbl changes nothing."""

@@ -4,6 +4,7 @@
     Grbl 1.1h ['$' for help]                        grbl
     GrblHAL 1.1f ['$' or '$HELP' for help]          grblHAL    ($I: [FIRMWARE:grblHAL], [NEWOPT:...], [AXS:3:XYZ])
     Grbl 3.7 [FluidNC v3.7.8 (wifi) '$' for help]   FluidNC    ($I: [VER:3.7 FluidNC v3.7.8:])
+    Grbl 1.1h ['$' for help]                        a process of ours ($I: [FIRMWARE:CNCStepper parport], [CANNOT:hold])
 
 A greeting can be set by its owner, and grblHAL can be built to greet as grbl does: so `$I` has the last word.
 """
@@ -21,11 +22,18 @@ from CNCStepper.control.protocol.grbl.alarms_and_errors_fluidnc import (
 )
 from CNCStepper.control.protocol.grbl.alarms_and_errors_grblhal import GRBLHAL_ALARMS, GRBLHAL_ERRORS
 from CNCStepper.errors import Text
+from CNCStepper.machine.controller_family import FAMILIES, OWN
 
 TOOL = "Tool"  # the state in which grblHAL waits for a person at its M6
 TOOL_CHANGED = b"\xa3"  # to grblHAL in that state: nothing else comes, so that it takes jogs and a new zero
 LOOK_UP = "look the number up in the documentation of the controller's version"
 GRBLHAL_TAGS = ("NEWOPT", "AXS")  # of `$I`, which grbl does not have
+OWN_NAME = "cncstepper "  # begins the name of a controller of ours in [FIRMWARE:...]
+CANNOT = "CANNOT"  # of `$I`: what a controller of ours cannot do
+TOO_FAST = Code(
+    "this computer cannot keep the pulse rate of this program",
+    "look at what it says, end other programs, or choose lower speeds",
+)
 
 
 @dataclass(frozen=True)
@@ -35,7 +43,7 @@ class Firmware:
     dialects: the languages of which it reads every line as it is meant, its own first.
     small_receive: its receive buffer may be smaller than grbl's, so what it says of it holds. line_characters: of its
     longest line, without blanks where these do not count. error_names: what it may answer in place of a number.
-    inches_question: how it tells whether it reports in inches, where no setting $13 does.
+    inches_question: how it tells whether it reports in inches, where no setting $13 does. settings: of its language.
     """
 
     key: str
@@ -48,6 +56,12 @@ class Firmware:
     blanks_count: bool = False
     error_names: Mapping[str, int] = field(default_factory=dict)
     inches_question: str = ""
+    settings: str = ""
+
+    @property
+    def language(self) -> str:
+        """Its own language, with settings, in which the path of lines sent is followed."""
+        return f"{self.dialects[0]}:{self.settings}" if self.settings else self.dialects[0]
 
     def error(self, number: int) -> Code:
         """Return what `error:number` means here."""
@@ -91,7 +105,35 @@ FLUIDNC = Firmware(
     error_names=FLUIDNC_ERROR_NAMES,
     inches_question="$/report_inches",
 )
-FIRMWARES = (GRBL, GRBLHAL, FLUIDNC)
+PINS = "outputs=pins"  # M62 to M65 switch them
+OWN_ERRORS = {**GRBL_ERRORS, 90: TOO_FAST}
+PARPORT = Firmware("parport", "the parallel port's controller", OWN_ERRORS, GRBL_ALARMS, ("grbl",), settings=PINS)
+BOARD = Firmware("board", "the USB board's controller", OWN_ERRORS, GRBL_ALARMS, ("grbl",), settings=PINS)
+LATHE = Firmware(
+    "lathe",
+    "the mini-lathe's controller",
+    {**OWN_ERRORS, 20: Code(GRBL_ERRORS[20].meaning, "write the program for the dialect mini-lathe")},
+    GRBL_ALARMS,
+    ("mini-lathe",),
+    line_characters=1000,  # many records
+)
+OWN_FIRMWARES = (PARPORT, BOARD, LATHE)  # processes of this computer, `machine.controller_family`
+PULSE_FIRMWARES = (PARPORT, BOARD)
+BOARD_FIRMWARES = (GRBL, GRBLHAL, FLUIDNC)  # what may answer at a port of which no profile is known
+FIRMWARES = (*BOARD_FIRMWARES, *OWN_FIRMWARES)
+
+
+def language_of(key: str) -> str:
+    """Return the language of the firmware of that key; the key itself where there is none."""
+    return next((firmware.language for firmware in FIRMWARES if firmware.key == key), key)
+
+
+def firmware_of_controller(controller: str) -> Firmware | None:
+    """Return the firmware of a profile's controller; None where it is none that lines are sent to."""
+    controller = controller.partition(":")[0]
+    family = FAMILIES.get(controller, "")
+    key = family if family in OWN else controller
+    return next((firmware for firmware in FIRMWARES if firmware.key == key), None)
 
 
 def firmware_of_greeting(greeting: str) -> Firmware:
@@ -107,4 +149,6 @@ def firmware_of_tag(tag: str, text: str) -> Firmware | None:
         return FLUIDNC
     if tag in GRBLHAL_TAGS or (tag == "FIRMWARE" and text.lower() == "grblhal"):
         return GRBLHAL
+    if tag == "FIRMWARE" and text.lower().startswith(OWN_NAME):
+        return next((own for own in OWN_FIRMWARES if own.key == text.lower().removeprefix(OWN_NAME).strip()), None)
     return None

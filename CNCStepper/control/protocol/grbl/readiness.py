@@ -99,7 +99,7 @@ def expected_settings(machine: Machine) -> dict[int, float]:
     wanted: dict[int, float] = {LASER_MODE: float(machine.spindle.laser)}
     if machine.has_spindle:
         wanted[MAX_RPM] = machine.spindle.max_rpm
-    for number, axis in enumerate(machine.own_axes.values()):
+    for number, _, axis in machine.numbered_axes:
         wanted[STEPS_PER_MM + number] = axis.steps_per_mm
         wanted[MAX_RATE + number] = axis.max_rate_mm_min
         wanted[ACCELERATION + number] = axis.acceleration_mm_s2

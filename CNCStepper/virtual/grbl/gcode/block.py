@@ -14,6 +14,7 @@ FIRST_SYSTEM, LAST_SYSTEM = 54, 59  # G54 to G59; G59.1 to G59.3 count on as 60 
 X, Y, Z = 0, 1, 2
 AXES = "XYZ"
 CENTRES = "IJK"
+FIRST_PLANE = 17
 PLANES = {17: (X, Y, Z), 18: (Z, X, Y), 19: (Y, Z, X)}  # first and second axis of the plane, then the normal
 
 RAPID, FEED, ARC_CW, ARC_CCW, CANCELLED = 0, 1, 2, 3, 80
@@ -52,6 +53,7 @@ class Modal:
     retract: int = 98
     spindle: int = 5
     flood: bool = False
+    mist: bool = False
 
 
 _words_of = attrgetter(*(word.name for word in fields(Modal)))  # ten times quicker than `replace`, block by block
@@ -92,6 +94,7 @@ class Block:
     action: int = 0  # DWELL, SET_DATA ...; 0 is none
     axis_command: AxisCommand = AxisCommand.NONE
     changes_tool: bool = False  # M6
+    switches: bool | None = None  # a digital output, number P: M62 and M64 on, M63 and M65 off
     flow: int | None = None  # 0, 2 or 30 from M0, M2, M30
     groups: set[str] = field(default_factory=set)
     words: dict[str, float] = field(default_factory=dict)

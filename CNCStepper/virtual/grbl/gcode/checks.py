@@ -40,10 +40,11 @@ LARGEST_LINE_NUMBER = 10_000_000
 JOG_GROUPS = {"G distance", "G units", "G action"}
 
 
-def complete(block: Block, parser: Parser, places: dict[int, list[float]]) -> None:
+def complete(block: Block, parser: Parser, places: dict[int, list[float]], outputs: int = 0) -> None:
     """Check a block against the state and fill in its feed, target, centre and radius.
 
-    `places` are the stored work systems and homes. Raises MachineRefusal; the state is not touched.
+    `places` are the stored work systems and homes, `outputs` the number of digital outputs. Raises MachineRefusal; the
+    state is not touched.
     """
     if block.axis_words and block.axis_command is AxisCommand.NONE:
         block.axis_command = AxisCommand.MOTION
@@ -53,6 +54,8 @@ def complete(block: Block, parser: Parser, places: dict[int, list[float]]) -> No
     block.rpm = block.words.get("S", parser.rpm)
     if block.action == DWELL:
         _use(block, "P", missing=28)
+    if block.switches is not None:
+        _check_output(block, outputs)
     _convert(block, AXES)
     if block.axis_command is AxisCommand.TOOL_LENGTH and block.modal.tool_length == 43 and block.axis_words != (Z,):
         raise refused(37)
@@ -61,6 +64,14 @@ def complete(block: Block, parser: Parser, places: dict[int, list[float]]) -> No
     _check_unused(block)
     if block.jog:
         _check_jog(block)
+
+
+def _check_output(block: Block, outputs: int) -> None:
+    number = _use(block, "P", missing=28)
+    if number != int(number):
+        raise refused(23)
+    if number >= outputs:
+        raise refused(39)
 
 
 def _use(block: Block, letter: str, missing: int) -> float:

@@ -8,9 +8,6 @@ from __future__ import annotations
 
 from math import ceil, dist
 
-import numpy as np
-
-from CNCStepper.motion.planner.arc_segments import arc_points
 from CNCStepper.virtual.grbl import report, suspend
 from CNCStepper.virtual.grbl.alarms_and_errors import ALARM_PROBE_NO_CONTACT, ALARM_PROBE_START, refused
 from CNCStepper.virtual.grbl.board import Board, Waiting
@@ -35,7 +32,7 @@ from CNCStepper.virtual.grbl.gcode.block import (
     Modal,
 )
 from CNCStepper.virtual.grbl.gcode.words import f32
-from CNCStepper.virtual.grbl.settings import ARC_TOLERANCE, LASER, SOFT_LIMITS
+from CNCStepper.virtual.grbl.settings import LASER, SOFT_LIMITS
 from CNCStepper.virtual.grbl.spindle_control import OFF
 from CNCStepper.virtual.grbl.states import State
 
@@ -72,20 +69,20 @@ def _finish(machine: Board, block: Block) -> None:
 
 
 PAUSE = 0  # M0
-FIRST_PLANE = 17
 DWELL_STEP_S = 0.05
 
 
 def run(machine: Board, line: str) -> Waiting:
     """Read, check and carry out one line of g-code; raises MachineRefusal, then nothing has changed."""
     block = parser.read_block(line, machine.parser.modal, machine.firmware)
-    checks.complete(block, machine.parser, machine.memory.places)
+    checks.complete(block, machine.parser, machine.memory.places, machine.firmware.digital_outputs)
     if machine.state is State.TOOL and block.axis_command is AxisCommand.MOTION:
         raise refused(40)
     if block.changes_tool and machine.state is not State.CHECK:
         yield from _change_tool(machine)
     yield from _set_spindle(machine, block)
-    yield from _set_flood(machine, block)
+    yield from _set_coolant(machine, block)
+    yield from _switch_output(machine, block)
     if block.action == DWELL and machine.state is not State.CHECK:
         yield from machine.wait_for_stop()
         yield from machine.wait(_dwell_s(block.words["P"]))
@@ -143,12 +140,22 @@ def _set_spindle(machine: Board, block: Block) -> Waiting:
         machine.spindle.switch(block.modal.spindle, block.rpm)
 
 
-def _set_flood(machine: Board, block: Block) -> Waiting:
-    if block.modal.flood != machine.parser.modal.flood and machine.state is not State.CHECK:
+def _set_coolant(machine: Board, block: Block) -> Waiting:
+    now, modal = machine.parser.modal, block.modal
+    if (modal.flood, modal.mist) != (now.flood, now.mist) and machine.state is not State.CHECK:
         yield from machine.wait_for_stop()
-        machine.flood = block.modal.flood
+        machine.flood, machine.mist = modal.flood, modal.mist
         machine.status.overrides_changed()
-    machine.parser.modal.flood = block.modal.flood
+    now.flood, now.mist = modal.flood, modal.mist
+
+
+def _switch_output(machine: Board, block: Block) -> Waiting:
+    """M62 to M65: every move before it has been made when an output is switched."""
+    if block.switches is None or machine.state is State.CHECK:
+        return
+    yield from machine.wait_for_stop()
+    change = machine.outputs.add if block.switches else machine.outputs.discard
+    change(int(block.words["P"]))
 
 
 def _set_offsets(machine: Board, block: Block) -> Waiting:
@@ -199,7 +206,7 @@ def _make_motion(machine: Board, block: Block) -> Waiting:
         feed = _feed_of_line(block, state.position)
         yield from machine.queue(block.target, feed, rapid=block.modal.motion == RAPID)
     elif block.modal.motion in ARCS:
-        yield from _make_arc(machine, block)
+        yield from machine.queue_arc(block, state.position)
     elif block.modal.motion in CYCLES:
         yield from canned_cycles.run(machine, block)
     elif block.modal.motion in PROBES and machine.state is not State.CHECK:
@@ -210,18 +217,6 @@ def _make_motion(machine: Board, block: Block) -> Waiting:
 def _feed_of_line(block: Block, start_mm: list[float]) -> float:
     """Return mm/min; in inverse time (G93) F says how many such moves a minute would hold."""
     return block.feed * dist(start_mm, block.target) if block.modal.feed_mode == 93 else block.feed
-
-
-def _make_arc(machine: Board, block: Block) -> Waiting:
-    """Queue the arc's chords, one block of the planner each."""
-    begin, modal = np.array(machine.parser.position), block.modal
-    centre = (begin + block.centre).astype(np.float32)
-    tolerance_mm = machine.memory.settings[ARC_TOLERANCE]
-    points = arc_points(begin, np.array(block.target), centre, modal.motion, modal.plane - FIRST_PLANE, 1, tolerance_mm)
-    # in G93 the firmware multiplies F by the number of chords and then takes it for mm/min
-    feed = block.feed * len(points) if modal.feed_mode == 93 else block.feed
-    for point in points.tolist():
-        yield from machine.queue(point, feed)
 
 
 def _stop_program(machine: Board, flow: int) -> Waiting:

@@ -26,10 +26,11 @@ GROUP_OF_G = {
     61: "path",
 }
 ONLY_FORMS = {28: (0, 10), 30: (0, 10), 92: (0, 10), 38: (20, 30, 40, 50), 43: (10,), 61: (0,), 90: (0,), 91: (0, 10)}
-GROUP_OF_M = {**dict.fromkeys((0, 1, 2, 30), "flow"), **dict.fromkeys((3, 4, 5), "spindle"), 8: "flood", 9: "flood"}
+GROUP_OF_M = {**dict.fromkeys((0, 1, 2, 30), "flow"), **dict.fromkeys((3, 4, 5), "spindle"), 8: "coolant", 9: "coolant"}
 NOT_NEGATIVE = "FNPTS"
 VALUE_LETTERS = "FIJKLNPRSTXYZ"
-CHANGE_TOOL = 6
+CHANGE_TOOL, MIST = 6, 7
+SWITCH_ON, SWITCH_OFF = (62, 64), (63, 65)  # in time with a move, which is not known here, or at once: at rest both
 CYCLE_GROUPS = {**dict.fromkeys(CYCLES, "motion"), 98: "retract", 99: "retract"}  # where the firmware has cycles
 
 
@@ -101,7 +102,7 @@ def _set_g(block: Block, group: str, number: int, hundredths: int) -> None:
 def _take_m(block: Block, number: int, hundredths: int, firmware: Firmware) -> None:
     if hundredths:
         raise refused(23)
-    group = "tool" if number == CHANGE_TOOL and firmware.tool_state else GROUP_OF_M.get(number)
+    group = _group_of_m(number, firmware)
     if group is None:
         raise refused(20)
     _enter_group(block, "M " + group)
@@ -109,10 +110,23 @@ def _take_m(block: Block, number: int, hundredths: int, firmware: Firmware) -> N
         block.modal.spindle = number
     elif group == "tool":
         block.changes_tool = True
-    elif group == "flood":
-        block.modal.flood = number == 8
+    elif group == "output":
+        block.switches = number in SWITCH_ON
+    elif group == "coolant":
+        block.modal.flood = number == 8 or (block.modal.flood and number == MIST)
+        block.modal.mist = number == MIST or (block.modal.mist and number == 8)
     elif number != 1:  # the optional stop is read and ignored
         block.flow = number
+
+
+def _group_of_m(number: int, firmware: Firmware) -> str | None:
+    if number == CHANGE_TOOL and firmware.tool_state:
+        return "tool"
+    if number == MIST and firmware.mist:
+        return "coolant"
+    if number in (*SWITCH_ON, *SWITCH_OFF) and firmware.digital_outputs:
+        return "output"
+    return GROUP_OF_M.get(number)
 
 
 def _enter_group(block: Block, group: str) -> None:

@@ -8,6 +8,7 @@ import pytest
 from CNCStepper.control.preflight.checks import check_sendable
 from CNCStepper.control.program.certificate import FORMAT, VERSION, Certificate
 from CNCStepper.control.program.send_job import read_job, write_job
+from CNCStepper.control.protocol.grbl.firmware import BOARD_FIRMWARES, OWN_FIRMWARES
 from CNCStepper.control.protocol.grbl.firmware import FIRMWARES as KNOWN
 from CNCStepper.errors import MachineRefusal
 from CNCStepper.gcode.dialects import dialect_names
@@ -63,7 +64,22 @@ def test_what_cannot_be_sent_is_refused_before_a_port_is_opened(dialect, control
 
 def test_languages_of_the_firmwares_are_known_ones():
     assert {name for firmware in KNOWN for name in firmware.dialects} <= set(dialect_names())
-    assert all(firmware.dialects[0] == firmware.key for firmware in KNOWN)
+    assert all(firmware.dialects[0] == firmware.key for firmware in BOARD_FIRMWARES)
+    assert {firmware.key: firmware.dialects for firmware in OWN_FIRMWARES} == {
+        "parport": ("grbl",),
+        "board": ("grbl",),
+        "lathe": ("mini-lathe",),
+    }
+
+
+@pytest.mark.parametrize(
+    ("controller", "dialect"), [("thesis-a", "grbl"), ("usb-board", "grbl"), ("mini-lathe", "mini-lathe")]
+)
+def test_controllers_of_this_computer_take_the_language_of_their_wire_only(controller, dialect):
+    check_sendable(dialect, controller)
+    for other in {"grbl", "mini-lathe", "thesis-a", "iso"} - {dialect}:
+        with pytest.raises(MachineRefusal, match="dialect"):
+            check_sendable(other, controller)
 
 
 def test_job_of_no_known_machine_names_its_language(tmp_path):

@@ -15,6 +15,7 @@ from CNCStepper.control.protocol.grbl.firmware import (
     FLUIDNC,
     GRBL,
     GRBLHAL,
+    LATHE,
     firmware_of_greeting,
     firmware_of_tag,
 )
@@ -35,6 +36,7 @@ NUMBERS = {
         ],
         range(1, 19),
     ),
+    **{own: ([*range(1, 18), *range(20, 39), 90], range(1, 11)) for own in ("parport", "board", "lathe")},
 }  # fmt: skip
 INFO = {
     "grbl": ("[VER:1.1h.20190830:]", "[OPT:V,15,{rx_bytes}]"),
@@ -122,6 +124,8 @@ def test_firmware_is_recognised_by_its_greeting(key):
 def test_firmware_is_recognised_by_what_it_says_of_itself():
     assert firmware_of_tag("VER", "3.7 FluidNC v3.7.8:") is FLUIDNC
     assert firmware_of_tag("FIRMWARE", "grblHAL") is firmware_of_tag("AXS", "3:XYZ") is GRBLHAL
+    assert firmware_of_tag("FIRMWARE", "CNCStepper lathe") is LATHE
+    assert firmware_of_tag("FIRMWARE", "CNCStepper mill") is None
     assert firmware_of_tag("VER", "1.1h.20190830:") is firmware_of_tag("OPT", "V,15,128") is None
 
 
@@ -220,3 +224,12 @@ def test_spindle_speed_and_laser_mode_are_compared_and_refuse(number, value):
 def test_unknown_command_is_to_be_written_in_a_language_of_this_firmware(firmware):
     named = firmware.error(20).advice.partition("the dialect ")[2].split(" or ")
     assert tuple(named) == firmware.dialects
+
+
+@pytest.mark.parametrize("key", ["parport", "board", "lathe"])
+def test_what_a_controller_of_ours_cannot_do_is_learnt_when_it_is_met(key):
+    bench = Bench("grbl")
+    bench.controller.info = (*INFO["grbl"], f"[FIRMWARE:CNCStepper {key}]", "[CANNOT:hold]", "[CANNOT:stop]")
+    assert bench.driver.cannot == frozenset()
+    assert bench.meet().firmware.key == key
+    assert bench.driver.cannot == {"hold", "stop"} and bench.driver.firmware.key == key

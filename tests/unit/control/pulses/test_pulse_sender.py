@@ -104,7 +104,7 @@ def test_a_stall_is_told_though_the_pulses_behind_it_are_not_taken(tmp_path: Pat
 
 def worker(path: Path) -> subprocess.Popen:
     words = [str(path), *SLOW.words()]
-    module = [sys.executable, "-m", "CNCStepper.workers.pulse_output"]
+    module = [sys.executable, "-m", "CNCStepper.workers.port_writer"]
     return subprocess.Popen([*module, *words], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
 
 

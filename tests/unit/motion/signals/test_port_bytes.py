@@ -26,6 +26,12 @@ def test_the_null_pulse_selects_a_motor_that_is_not_there_where_one_is_free(moto
     assert made.hex(" ").upper() == wanted
 
 
+@pytest.mark.parametrize(("text", "wanted"), [(b"AAAADD", "0A 10 09 10 05 10 06 10 05 10 09"), (b"BB", "1A 20 19")])
+def test_a_null_motor_of_the_profile_is_selected_unless_it_is_so_already(text, wanted):
+    made = b"".join(Board("xyz", null_motor=1).bytes_of(letters(text, 3)))
+    assert made.hex(" ").upper() == wanted
+
+
 def test_no_null_pulse_where_the_motor_changes_and_none_after_a_null():
     assert b"".join(Board().bytes_of(letters(b"ABACGG", 3))).hex(" ").upper() == "0A 1A 09 2A 05 19 06 15"
 

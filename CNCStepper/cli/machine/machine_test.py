@@ -1,0 +1,404 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`cncstepper machine-test`: pulses, relays, inputs, motion in air, and what is measured and corrected."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+import click
+
+from CNCStepper.cli.common.options import NumberType
+from CNCStepper.cli.common.path_types import OutputPath
+from CNCStepper.cli.common.verb import Verbs
+from CNCStepper.cli.machine.machine import say_written
+from CNCStepper.cli.machine.service_client import ServiceClient, port_options
+from CNCStepper.errors import CNCStepperError, MachineRefusal
+from CNCStepper.machine.axis_tests import (
+    USUAL_REPEATS,
+    Readings,
+    axis_of,
+    backlash_mm,
+    check_reading,
+    corrected_steps_per_mm,
+    is_within_noise,
+    length_of_pulses_mm,
+    skew_mm_m,
+    squareness_of_diagonals,
+    squareness_of_triangle,
+)
+from CNCStepper.machine.own_profiles import change
+from CNCStepper.machine.profile import AXIS_NAMES, Machine, load_machine
+from CNCStepper.machine.relays import relay_named, relays_of
+
+FEED_MM_MIN = 600.0
+LOOK_S = 60.0
+FIRST_SETTING = 100  # of grbl: the steps per mm of X
+AxisType = click.Choice(AXIS_NAMES, case_sensitive=False)
+LengthType = NumberType(kind="length")
+axis_argument = click.argument("axis", type=AxisType)
+feed_option = click.option("--feed", type=NumberType(kind="feed"), default=FEED_MM_MIN, show_default=True,
+                           help="Speed in mm/min.")  # fmt: skip
+repeats_option = click.option("--repeats", type=click.IntRange(1, 100), default=USUAL_REPEATS, show_default=True)
+yes_option = click.option("--yes", is_flag=True, help="Write the corrected value without asking.")
+
+
+def machine_options(function: Any) -> Any:
+    """Add --machine, --port and --baud."""
+    return port_options(
+        click.option("--machine", "profile", required=True, help="The profile of this machine: a name or a path.")(
+            function
+        )
+    )
+
+
+class Bench:
+    """The machine at a port, with its profile, during a test."""
+
+    def __init__(self, talk: ServiceClient, machine: Machine):
+        self.talk, self.machine = talk, machine
+
+    def send(self, lines: Sequence[str]) -> None:
+        """Send lines one after the other, each when the machine stands; Ctrl-C brakes.
+
+        Raises MachineRefusal with the controller's words where it refuses one.
+        """
+        for line in lines:
+            try:
+                answer = self.talk.type(line)
+            except KeyboardInterrupt:
+                self.talk.client.stop()
+                raise
+            if answer != "ok":
+                raise MachineRefusal("test-line", answer, value=line, advice="nothing more of the test is sent")
+
+    def check_room(self, axis: str, low_mm: float, high_mm: float) -> None:
+        """Raise JobError where an axis would leave its travel; nothing is known of one that was not homed."""
+        from CNCStepper.control.operator.machine_test_lines import check_room
+
+        axis_of(self.machine, axis)
+        status = self.talk.ask_status()
+        check_room(self.machine, status.mpos_mm if status.homed else None, axis, low_mm, high_mm)
+
+
+def on_bench(profile: str, port: str, baud: int, work: Callable[[Bench], None]) -> None:
+    """Connect to the machine at a port and test it."""
+    machine = load_machine(profile)
+    with ServiceClient(port, baud) as talk:
+        work(Bench(talk, machine))
+
+
+@click.group("machine-test", cls=Verbs)
+def command() -> None:
+    """Try a machine out and measure it: pulses, relays, inputs, a square, a circle, travel, backlash, squareness.
+
+    Nothing is cut: take the tool out, or lift it, and keep a hand at the emergency stop. Ctrl-C brakes.
+    """
+
+
+@command.command("pulses")
+@axis_argument
+@click.argument("count", type=click.IntRange(1, 10_000_000))
+@click.option("--back", is_flag=True, help="In the negative direction.")
+@feed_option
+@machine_options
+def pulses(axis: str, count: int, back: bool, feed: float, profile: str, port: str, baud: int) -> None:
+    """Send COUNT pulses to one axis, in one direction."""
+    from CNCStepper.control.operator.machine_test_lines import way
+
+    def work(bench: Bench) -> None:
+        length_mm = length_of_pulses_mm(bench.machine, axis, -count if back else count)
+        bench.check_room(axis, min(length_mm, 0.0), max(length_mm, 0.0))
+        bench.send([way(axis, length_mm, feed)])
+        click.echo(f"{axis.upper()}: {count} pulses {'back' if back else 'forward'}, {abs(length_mm):g} mm")
+
+    on_bench(profile, port, baud, work)
+
+
+@command.command("relays")
+@click.argument("names", nargs=-1)
+@click.option(
+    "--seconds", type=click.FloatRange(0.1, 60.0), default=1.0, show_default=True, help="How long each is on."
+)
+@machine_options
+def relays(names: tuple[str, ...], seconds: float, profile: str, port: str, baud: int) -> None:
+    """Switch the relays of the profile on and off again, one by one; only those that are named where some are."""
+    from CNCStepper.control.operator.machine_test_lines import ASK_MODES, outputs_of, switching
+
+    def work(bench: Bench) -> None:
+        chosen = [relay_named(bench.machine, name) for name in names] or relays_of(bench.machine)
+        for relay in chosen:
+            outputs = outputs_of(_asked(bench.talk, ASK_MODES))
+            try:
+                bench.send(switching(bench.machine, relay.device, True, outputs))
+                click.echo(f"{relay.name}: on")
+                time.sleep(seconds)
+            finally:
+                bench.send(switching(bench.machine, relay.device, False, outputs))
+            click.echo(f"{relay.name}: off")
+        if not chosen:
+            click.echo("the profile has no relay: name them in [[relay]]")
+
+    on_bench(profile, port, baud, work)
+
+
+@command.command("inputs")
+@click.option("--seconds", type=click.FloatRange(0.1, 3600.0), default=LOOK_S, show_default=True)
+@machine_options
+def inputs(seconds: float, profile: str, port: str, baud: int) -> None:
+    """Print which inputs are on, at each change: XYZ limit switches, P probe, D door, H hold, R reset, S start."""
+
+    def work(bench: Bench) -> None:
+        end_s, last = time.monotonic() + seconds, None
+        while time.monotonic() < end_s:
+            pins = bench.talk.ask_status().pins
+            if pins != last:
+                click.echo(f"inputs that are on: {pins or 'none'}")
+                last = pins
+
+    on_bench(profile, port, baud, work)
+
+
+@command.command("square")
+@click.option("--side", type=LengthType, default=50.0, show_default=True, help="In mm.")
+@click.option("--height", type=NumberType(kind="length"), default=None, help="Lift Z by so many mm for it.")
+@feed_option
+@machine_options
+def square(side: float, height: float | None, feed: float, profile: str, port: str, baud: int) -> None:
+    """Drive a square in air, from here along X and Y in their positive directions, and back to here."""
+    from CNCStepper.control.operator.machine_test_lines import square as lines
+
+    def work(bench: Bench) -> None:
+        bench.check_room("x", 0.0, side)
+        bench.check_room("y", 0.0, side)
+        _in_air(bench, height, feed, lambda: bench.send(lines(side, feed)))
+        click.echo(f"square of {side:g} mm at {feed:g} mm/min: done")
+
+    on_bench(profile, port, baud, work)
+
+
+@command.command("circle")
+@click.option("--diameter", type=LengthType, default=50.0, show_default=True, help="In mm.")
+@click.option("--height", type=NumberType(kind="length"), default=None, help="Lift Z by so many mm for it.")
+@feed_option
+@machine_options
+def circle(diameter: float, height: float | None, feed: float, profile: str, port: str, baud: int) -> None:
+    """Drive a circle in air, clockwise, from here; its centre lies on X in the positive direction."""
+    from CNCStepper.control.operator.machine_test_lines import ASK_MODES, check_no_power, modes_back
+    from CNCStepper.control.operator.machine_test_lines import circle as line
+
+    def work(bench: Bench) -> None:
+        bench.check_room("x", 0.0, diameter)
+        bench.check_room("y", -diameter / 2, diameter / 2)
+        modes = _asked(bench.talk, ASK_MODES)
+        check_no_power(modes)
+        back = modes_back(modes)
+        _in_air(bench, height, feed, lambda: _with_modes(bench, line(diameter, feed), back))
+        click.echo(f"circle of {diameter:g} mm at {feed:g} mm/min: done")
+
+    on_bench(profile, port, baud, work)
+
+
+@command.command("travel")
+@axis_argument
+@click.option("--length", type=LengthType, default=100.0, show_default=True, help="That is commanded, in mm.")
+@click.option("--back", is_flag=True, help="In the negative direction.")
+@repeats_option
+@click.option("--plot", type=OutputPath(""), help="Draw the readings into this file: .png, .svg or .pdf.")
+@feed_option
+@yes_option
+@machine_options
+def travel(
+    axis: str, length: float, back: bool, repeats: int, plot: Path | None, feed: float, yes: bool,
+    profile: str, port: str, baud: int,
+) -> None:  # fmt: skip
+    """Command a length, ask for the measured one, repeat, and correct the axis' steps_per_mm.
+
+    Each start is reached in the sense of the length, so that backlash does not count. Prints mean and standard
+    deviation, and proposes the corrected value, which is written into the profile if you say so. A controller of grbl's
+    family has steps per mm of its own ($100 to $102): it is offered the same value.
+    """
+    from CNCStepper.control.operator.machine_test_lines import arrivals
+
+    def work(bench: Bench) -> None:
+        signed = -length if back else length
+        play_mm = axis_of(bench.machine, axis).backlash_mm
+        start, along, home = arrivals(axis, signed, play_mm, feed)
+        bench.check_room(axis, min(signed, 0.0) - play_mm - 2.0, max(signed, 0.0) + play_mm + 2.0)
+        measured = []
+        for number in range(1, repeats + 1):
+            bench.send(start)
+            click.pause(f"{number} of {repeats}: set the scale to zero, then press a key")
+            bench.send(along)
+            measured.append(_asked_length(f"{number} of {repeats}: measured length in mm", length))
+            bench.send(home)
+        readings = Readings(tuple(measured))
+        _say_travel(axis, length, readings, plot)
+        _correct_steps(bench, profile, axis, length, readings, yes)
+
+    on_bench(profile, port, baud, work)
+
+
+@command.command("backlash")
+@axis_argument
+@click.option("--distance", type=LengthType, default=5.0, show_default=True, help="From which it comes, in mm.")
+@click.option("--repeats", type=click.IntRange(1, 100), default=3, show_default=True)
+@feed_option
+@yes_option
+@machine_options
+def backlash(
+    axis: str, distance: float, repeats: int, feed: float, yes: bool, profile: str, port: str, baud: int
+) -> None:
+    """Come to one place from both sides, ask what a dial shows there, and propose the axis' backlash_mm.
+
+    Set the dial so that it counts up in the axis' positive direction.
+    """
+    from CNCStepper.control.operator.machine_test_lines import both_sides
+
+    def work(bench: Bench) -> None:
+        bench.check_room(axis, -distance, distance)
+        below, above = both_sides(axis, distance, feed)
+        shown: dict[str, list[float]] = {"below": [], "above": []}
+        for number in range(1, repeats + 1):
+            for side, lines in (("below", below), ("above", above)):
+                bench.send(lines)
+                shown[side].append(click.prompt(f"{number} of {repeats}: the dial, come from {side}, in mm",
+                                                type=NumberType()))  # fmt: skip
+        from_below, from_above = Readings(tuple(shown["below"])), Readings(tuple(shown["above"]))
+        play_mm = backlash_mm(from_below, from_above)
+        was_mm = axis_of(bench.machine, axis).backlash_mm
+        click.echo(f"{axis.upper()}: backlash {play_mm:.4f} mm (profile: {was_mm:g} mm), standard deviations "
+                   f"{from_below.deviation_mm:.4f} and {from_above.deviation_mm:.4f} mm")  # fmt: skip
+        _offer(profile, ("axis", axis, "backlash_mm"), round(play_mm, 4), yes)
+
+    on_bench(profile, port, baud, work)
+
+
+@command.command("squareness")
+@click.option("--x", "side_x", type=LengthType, default=300.0, show_default=True, help="Side along X, in mm.")
+@click.option("--y", "side_y", type=LengthType, default=400.0, show_default=True, help="Side along Y, in mm.")
+@click.option("--diagonals", is_flag=True, help="Measure both diagonals of the rectangle, not only one (3-4-5).")
+@feed_option
+@machine_options
+def squareness(side_x: float, side_y: float, diagonals: bool, feed: float, profile: str, port: str, baud: int) -> None:
+    """Drive to the corners of a rectangle, ask for its diagonals, and print the angle between X and Y.
+
+    At each corner mark the tool's place on the table. With steps_per_mm right, one distance is enough: that of the ends
+    of both sides (3-4-5); two diagonals need no right steps_per_mm.
+    """
+    from CNCStepper.control.operator.machine_test_lines import way
+
+    def work(bench: Bench) -> None:
+        bench.check_room("x", 0.0, side_x)
+        bench.check_room("y", 0.0, side_y)
+        corners = {"lower left": [], "lower right": [way("x", side_x, feed)], "upper right": [way("y", side_y, feed)],
+                   "upper left": [way("x", -side_x, feed)]}  # fmt: skip
+        for corner, lines in corners.items():
+            bench.send(lines)
+            click.pause(f"mark the {corner} corner, then press a key")
+        bench.send([way("y", -side_y, feed)])
+        _say_squareness(side_x, side_y, diagonals)
+
+    on_bench(profile, port, baud, work)
+
+
+# --- inside --------------------------------------------------------------------------------------
+
+
+def _in_air(bench: Bench, height_mm: float | None, feed: float, drive: Callable[[], None]) -> None:
+    """Lift the tool, drive, and bring it down again; where driving fails it stays up."""
+    from CNCStepper.control.operator.machine_test_lines import way
+
+    if height_mm:
+        bench.check_room("z", 0.0, height_mm)
+        bench.send([way("z", height_mm, feed)])
+    drive()
+    if height_mm:
+        bench.send([way("z", -height_mm, feed)])
+
+
+def _with_modes(bench: Bench, line: str, back: str) -> None:
+    try:
+        bench.send([line])
+    finally:
+        bench.send([back])
+
+
+def _asked(talk: ServiceClient, line: str) -> str:
+    """Return the controller's words to a question."""
+    words: list[str] = []
+    talk.client.type(line)
+
+    def is_answer(event: dict[str, Any]) -> bool:
+        if event["event"] == "console":
+            words.append(event["text"])
+        return event["event"] == "answer"
+
+    talk.until(is_answer)
+    return next((text for text in words if text.startswith("[")), "")
+
+
+def _asked_length(question: str, commanded_mm: float) -> float:
+    """Ask until a length is given that can be the commanded one."""
+    while True:
+        measured_mm = float(click.prompt(question, type=LengthType))
+        try:
+            check_reading(measured_mm, commanded_mm)
+        except CNCStepperError as error:
+            click.echo(str(error), err=True)
+        else:
+            return measured_mm
+
+
+def _say_travel(axis: str, length_mm: float, readings: Readings, plot: Path | None) -> None:
+    click.echo(
+        f"{axis.upper()}: commanded {length_mm:g} mm, {len(readings.values_mm)} readings: mean "
+        f"{readings.mean_mm:.4f} mm, standard deviation {readings.deviation_mm:.4f} mm, of the mean "
+        f"{readings.mean_deviation_mm:.4f} mm, range {readings.range_mm:.4f} mm"
+    )
+    if plot:
+        from CNCStepper.simulation.views.readings_plot import save_readings
+
+        title = f"{axis.upper()}, {len(readings.values_mm)} readings of {length_mm:g} mm"
+        save_readings(plot, title, length_mm, readings.values_mm, readings.mean_mm, readings.deviation_mm)
+        click.echo(f"{plot}: the readings")
+
+
+def _correct_steps(bench: Bench, profile: str, axis: str, length_mm: float, readings: Readings, yes: bool) -> None:
+    steps = axis_of(bench.machine, axis).steps_per_mm
+    if is_within_noise(length_mm, readings):
+        click.echo(f"{axis.upper()}: the commanded length is the measured one within the readings' scatter: "
+                   f"steps_per_mm {steps:g} stays")  # fmt: skip
+        return
+    new = round(corrected_steps_per_mm(steps, length_mm, readings), 4)
+    click.echo(f"{axis.upper()}: steps_per_mm {steps:g} becomes {new:g}")
+    if not _offer(profile, ("axis", axis, "steps_per_mm"), new, yes):
+        return
+    setting = f"${FIRST_SETTING + AXIS_NAMES.index(axis)}={new:.4f}"
+    if yes or click.confirm(f"write {setting} to the controller too? its position is unknown afterwards"):
+        bench.send([setting])
+        click.echo(f"{setting}: written; home the machine, or set its zero")
+
+
+def _offer(profile: str, path: tuple[str, ...], value: float, yes: bool) -> bool:
+    """Write a corrected value into the profile if that is wanted; return whether it was."""
+    if not yes and not click.confirm(f"write {'.'.join(path)}={value:g} into {profile}?"):
+        return False
+    say_written(change(profile, {path: value}))
+    return True
+
+
+def _say_squareness(side_x: float, side_y: float, diagonals: bool) -> None:
+    if diagonals:
+        rising = click.prompt("lower left to upper right in mm", type=LengthType)
+        falling = click.prompt("lower right to upper left in mm", type=LengthType)
+        deviation_deg = squareness_of_diagonals(side_x, side_y, rising, falling)
+    else:
+        deviation_deg = squareness_of_triangle(
+            side_x, side_y, click.prompt("lower right to upper left in mm", type=LengthType)
+        )
+    click.echo(f"the angle between X and Y is {90.0 + deviation_deg:.4f}°: {deviation_deg:+.4f}°, "
+               f"{abs(skew_mm_m(deviation_deg)):.3f} mm over a metre")  # fmt: skip
+    click.echo("no value of the profile takes that up: turn the gantry until it is 90°")

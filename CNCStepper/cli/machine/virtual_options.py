@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Options that several virtual machines have, and the hand at their input pins."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from CNCStepper.cli.common.path_types import InputPath, OutputPath
+
+if TYPE_CHECKING:
+    from CNCStepper.virtual.server.pin_presses import Pressable
+
+MARGIN = 1.5
+
+
+def server_options(columns: str) -> Callable[[Any], Any]:
+    """Return the decorator that adds what all three have; columns: of the trace."""
+
+    def add(function: Any) -> Any:
+        for option in (
+            click.option(
+                "--faults",
+                type=InputPath(exists=False),
+                help="Make the faults that this TOML or JSON file lists, and report each; see "
+                "docs/user-guide/sending/faults.md.",
+            ),
+            click.option(
+                "--until-left",
+                is_flag=True,
+                help="End when its client has left and it rests, or when none has come within 30 s.",
+            ),
+            click.option("--trace", type=OutputPath("path"), help=f"Save the path of the axes: {columns}."),
+            click.option("--record", type=OutputPath(""), help="Save the bytes as they come."),
+            click.option(
+                "--tcp", metavar="HOST:PORT", help="Listen there, for example 127.0.0.1:2217; port 0 picks a free one."
+            ),
+            click.option(
+                "--pty", type=OutputPath(""), help="Make this path a link to a pseudo-terminal (not on Windows)."
+            ),
+        ):
+            function = option(function)
+        return function
+
+    return add
+
+
+def motor_options(function: Any) -> Any:
+    """Add what says how quick pulses the motors follow."""
+    for option in (
+        click.option(
+            "--start-stop",
+            type=click.FloatRange(min=0, max=1_000_000),
+            default=0.0,
+            help="With --motors real: the least pulses/s to which its motors can jump from rest.",
+        ),
+        click.option(
+            "--margin",
+            type=click.FloatRange(min=0.1, max=100),
+            default=MARGIN,
+            show_default=True,
+            help="With --motors real: how many times the profile's acceleration and rate its motors can follow.",
+        ),
+        click.option(
+            "--motors",
+            type=click.Choice(["ideal", "real"]),
+            default="ideal",
+            show_default=True,
+            help="Motors that follow every pulse, or lose steps where pulses come too fast, as real ones do.",
+        ),
+    ):
+        function = option(function)
+    return function
+
+
+def hand_at(machine: Pressable, press: Path | None, typed: bool) -> Callable[[], None]:
+    """Return what lets a hand press the pins of a machine, called again and again.
+
+    press: a TOML file of presses; raises JobError where one cannot be. typed: whether lines are read from here.
+    """
+    from CNCStepper.cli.common.terminal_input import TerminalInput
+    from CNCStepper.virtual.server.pin_presses import PinPresses
+
+    hand = PinPresses(machine, tell=click.echo)
+    if press:
+        hand.plan(press)
+    if not typed:
+        return hand.turn
+    lines = TerminalInput(hand.on_message)
+
+    def poll_pin_presses() -> None:
+        lines.wait(0.0)
+        hand.turn()
+
+    return poll_pin_presses

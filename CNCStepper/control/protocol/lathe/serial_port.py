@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The mini-lathe's port: 9600 baud, eight data bits, even parity, one stop bit; nothing ever comes back.
+
+a serial device             8E1
+socket://…, a pseudo-       8N1, and `note` says so: sockets have no parity, and Linux refuses it to
+terminal, loop://           pseudo-terminals
+record:FILE                 a file of t_s,byte for each byte that is sent
+"""
+
+from __future__ import annotations
+
+import csv
+import os
+import time
+from collections.abc import Callable
+from contextlib import suppress
+from pathlib import Path
+from typing import IO, Any, Protocol
+
+from CNCStepper.control.transport.link import load_pyserial, port_refusal
+from CNCStepper.errors import LinkError, Text
+from CNCStepper.safe_text import printable
+
+BAUD = 9600
+BITS = 11  # of a byte on the line: start, eight data bits, parity, stop
+BYTE_S = BITS / BAUD
+WRITE_LIMIT_S = 1.0
+READ_BYTES = 256
+RECORD = "record:"
+PSEUDO_TERMINALS = "/dev/pts/"
+NO_PARITY = "the port is opened 8N1: neither a socket nor a pseudo-terminal has parity (the lathe itself wants 8E1)"
+
+
+class LathePort(Protocol):
+    """Where the lathe's bytes go; note: what a person should know of the port, or ""."""
+
+    note: str
+
+    def write(self, data: bytes) -> None:
+        """Send all of `data`; raises LinkError where the port is gone."""
+
+    def check(self) -> None:
+        """Raise LinkError where the port is gone."""
+
+    def close(self) -> None:
+        """Give the port back."""
+
+
+class SerialPort:
+    """A port of pyserial, opened with timeout 0."""
+
+    def __init__(self, port: Any, name: str, note: str = ""):
+        self.note = note
+        self._port, self._name = port, name
+
+    def write(self, data: bytes) -> None:
+        """Send all of `data`; raises LinkError where the port is gone."""
+        try:
+            self._port.write(data)
+        except (OSError, ValueError) as error:
+            raise _lost(self._name, error) from error
+
+    def check(self) -> None:
+        """Raise LinkError where the port is gone; what comes in is thrown away, since the lathe says nothing."""
+        try:
+            self._port.read(READ_BYTES)
+        except (OSError, ValueError) as error:
+            raise _lost(self._name, error) from error
+
+    def close(self) -> None:
+        """Send what waits, and give the port back."""
+        with suppress(OSError, ValueError):
+            self._port.flush()
+        with suppress(OSError, ValueError):
+            self._port.close()
+
+
+class RecordingPort:
+    """A file that gets a row t_s,byte for each byte, byte in hexadecimal; t_s from the opening."""
+
+    note = ""
+
+    def __init__(self, file: IO[str], clock: Callable[[], float] = time.monotonic):
+        self._file, self._clock, self._begin_s = file, clock, clock()
+        self._rows = csv.writer(file, lineterminator="\n")
+        self._rows.writerow(("t_s", "byte"))
+
+    def write(self, data: bytes) -> None:
+        """Note each byte."""
+        now_s = self._clock() - self._begin_s
+        self._rows.writerows((f"{now_s:.6f}", f"{byte:02X}") for byte in data)
+        self._file.flush()
+
+    def check(self) -> None:
+        """Do nothing: a file does not go away."""
+
+    def close(self) -> None:
+        """Close the file."""
+        self._file.close()
+
+
+def open_port(name: str) -> LathePort:
+    """Open a serial device, URL of pyserial, pseudo-terminal or `record:FILE`.
+
+    Raises LinkError that says what to do where it cannot be had, MissingPackage without pyserial.
+    """
+    if name.startswith(RECORD):
+        return _recording(Path(name.removeprefix(RECORD)))
+    serial = load_pyserial()
+    has_parity = "://" not in name and not os.path.realpath(name).startswith(PSEUDO_TERMINALS)
+    try:
+        port = serial.serial_for_url(
+            name,
+            baudrate=BAUD,
+            bytesize=serial.EIGHTBITS,
+            parity=serial.PARITY_EVEN if has_parity else serial.PARITY_NONE,
+            stopbits=serial.STOPBITS_ONE,
+            timeout=0,
+            write_timeout=WRITE_LIMIT_S,
+            exclusive=True,
+        )
+    except (OSError, ValueError, TypeError, AttributeError) as error:  # a bad URL ends in any of these
+        raise port_refusal(name, error) from error
+    return SerialPort(port, name, "" if has_parity else NO_PARITY)
+
+
+def _recording(path: Path) -> RecordingPort:
+    try:
+        return RecordingPort(path.open("x", encoding="ascii", newline=""))
+    except OSError as error:
+        raise LinkError(
+            "recording",
+            Text("{path} cannot be recorded in: {error}", path=path, error=error),
+            advice="name a file that is not there yet, in a folder that you may write in",
+        ) from error
+
+
+def _lost(name: str, error: Exception) -> LinkError:
+    return LinkError(
+        "link-lost",
+        Text("the link to {name} broke: {error}", name=name, error=printable(str(error))),
+        advice="a move that the lathe has begun goes on: switch it off, then set its zero again",
+    )

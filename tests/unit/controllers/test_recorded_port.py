@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The whole way in real time: sender's link, controller's process, player's process, and a port that is recorded."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+
+from CNCStepper.control.transport.link import Link, open_link
+from helpers.controllers.recorded_port import pulses_of
+from helpers.controllers.thesis_programs import line_pulses, moves_of
+
+STEPS_PER_MM, FEED = 10, 24_000
+PROFILE = f"""
+name = "Quick table"
+controller = "thesis-a"
+interpolation = "{{}}"
+processes = ["hot-wire"]
+feed_mm_min = {FEED}
+rapid_mm_min = {FEED}
+tool_change = "split"
+tool_length = "none"
+[planner]
+junction_deviation_mm = 0.02
+arc_tolerance_mm = 0.002
+[signals]
+motors = ["x", "y"]
+""" + "".join(
+    f"""
+[axis.{axis}]
+steps_per_mm = {STEPS_PER_MM}
+max_rate_mm_min = {FEED}
+acceleration_mm_s2 = 4000
+travel_min_mm = -500
+travel_max_mm = 500
+"""
+    for axis in "xy"
+)
+LIMIT_S = 60.0
+ALL_OFF = (0, 0b1011)  # data and control: the port itself inverts pins 1, 14 and 17
+
+
+@pytest.fixture
+def recording(tmp_path: Path) -> Path:
+    return tmp_path / "port.csv"
+
+
+@pytest.fixture(params=["planner", "dda"])
+def link(request: pytest.FixtureRequest, tmp_path: Path, recording: Path) -> Iterator[Link]:
+    profile = tmp_path / "quick.toml"
+    profile.write_text(PROFILE.format(request.param), "utf-8")
+    opened = open_link(f"record:{recording}", machine=str(profile))
+    until(opened, b"help]\r\n")
+    yield opened
+    opened.close()
+
+
+def until(link: Link, end: bytes) -> bytes:
+    said, end_s = b"", time.monotonic() + LIMIT_S
+    while end not in said:
+        assert time.monotonic() < end_s and b"error" not in said, said
+        said += link.read(0.1)
+    return said
+
+
+def send(link: Link, *lines: str) -> None:
+    """Send lines one after another, and wait until the machine is idle."""
+    for line in lines:
+        link.write(line.encode("ascii") + b"\n")
+        until(link, b"ok\r\n")
+    while b"<Idle" not in status(link):
+        time.sleep(0.01)
+
+
+def status(link: Link) -> bytes:
+    link.write(b"?")
+    return until(link, b">\r\n")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("link", ["dda"], indirect=True)
+def test_a_thesis_program_comes_out_of_the_port_pulse_for_pulse(link: Link, recording: Path) -> None:
+    moves = moves_of(2)
+    send(link, f"G21G90G94F{FEED}", *(move.words() for move in moves))
+    link.close()
+    pulses = pulses_of(recording)
+    first = 0
+    for move in moves:
+        end = tuple(round(way * STEPS_PER_MM) for way in move.end)
+        count = next(n for n in range(1, len(pulses) - first + 1) if pulses[first + n - 1][3] == end)
+        cut = pulses[first : first + count]
+        if move.centre is None:
+            way = tuple(round((b - a) * STEPS_PER_MM) for a, b in zip(move.begin, move.end, strict=True))
+            assert [pulse[1:3] for pulse in cut] == line_pulses(way)
+        assert max(move.distance((x / STEPS_PER_MM, y / STEPS_PER_MM)) for *_, (x, y) in cut) <= 1 / STEPS_PER_MM
+        first += count
+    assert first == len(pulses)
+
+
+def test_a_hold_brakes_and_no_pulse_is_lost(link: Link, recording: Path) -> None:
+    link.write(f"G21G90G94G1X300Y100F{FEED}\n".encode())
+    until(link, b"ok\r\n")
+    time.sleep(0.4)
+    link.write(b"!")
+    while b"Hold:0" not in (said := status(link)):
+        time.sleep(0.002)
+    place = [float(value) for value in said.split(b"MPos:")[1].split(b"|")[0].split(b",")]
+    time.sleep(0.3)
+    link.write(b"~")
+    send(link, "G4P0")
+    link.close()
+    pulses = pulses_of(recording)
+    assert pulses[-1][3] == (3000, 1000)
+    stood = max(range(1, len(pulses)), key=lambda row: pulses[row][0] - pulses[row - 1][0])
+    assert [steps / STEPS_PER_MM for steps in pulses[stood - 1][3]] == pytest.approx(place[:2], abs=1e-6)
+    speed_steps_s = [1 / (after[0] - before[0]) for before, after in pairwise(pulses[:stood])]
+    assert max(speed_steps_s[-5:]) < 0.35 * max(speed_steps_s), "it was slow before it stood"
+
+
+def test_relays_leave_the_port_as_it_was(link: Link, recording: Path) -> None:
+    send(link, "M8", "G4P0.1", "M3S1", "G4P0.1", "M9", "G4P0.1", "M5")
+    link.close()
+    rows = recording.read_text("utf-8").splitlines()[1:]
+    registers = [tuple(map(int, row.split(",")[1:])) for row in rows]
+    assert len(set(registers)) >= 4 and registers[-1] == ALL_OFF
