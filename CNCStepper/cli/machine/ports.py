@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import click
 
 from CNCStepper.cli.common.verb import Verb
-from CNCStepper.cli.machine.service_client import profile_option
+from CNCStepper.cli.machine.service_client import driven_profile, profile_option
 from CNCStepper.errors import CNCStepperError
 
 if TYPE_CHECKING:
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 @click.option("--baud", type=click.IntRange(min=300), default=115200, show_default=True)
 @profile_option
 @click.pass_context
-def command(context: click.Context, asked: tuple[str, ...], baud: int, profile: str) -> None:
+def command(context: click.Context, asked: tuple[str, ...], baud: int, machine: str) -> None:
     """List the serial ports of this computer, or say what answers at each port given with --ask.
 
     A controller is asked with `?`, `$I`, `$$`, `$#` and `$G`, which change nothing; but many boards restart when their
@@ -32,7 +32,7 @@ def command(context: click.Context, asked: tuple[str, ...], baud: int, profile: 
     if not asked:
         _list_ports()
         return
-    answers = [_ask(port, baud, profile) for port in asked]
+    answers = [_ask(port, baud, driven_profile(machine)) for port in asked]
     context.exit(0 if all(answers) else 1)
 
 

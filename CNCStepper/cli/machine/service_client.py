@@ -32,51 +32,61 @@ END_LIMIT_S = 5.0  # for a service of our own to let go of the port
 Event = dict[str, Any]
 
 
-def profile_option(function: Any) -> Any:
-    """Add --machine, which the function gets as `profile`: a name or an absolute path, "" for what has a firmware."""
-    text = "The profile, by name or TOML file, of a machine that this computer itself controls."
-    option = click.option("--machine", "profile", type=Named("PROFILE", driven_profile), default="", help=text)
-    return option(function)
-
-
-def driven_profile(name: str) -> str:
-    """Return the profile's name, or absolute path, "" where its controller has a firmware of its own.
-
-    Raises JobError where there is no such profile.
-    """
-    from CNCStepper.machine.controller_family import family_of
+def named_machine(name: str) -> str:
+    """Return a profile's name, or the absolute path of its file; raises JobError where there is no such profile."""
     from CNCStepper.machine.profile import load_machine, profile_names
 
-    if not name or family_of(load_machine(name)) == "grbl":
+    if not name:
         return ""
+    load_machine(name)
     return name if name in profile_names() else str(Path(name).resolve())
 
 
-def port_options(function: Any) -> Any:
+def driven_profile(machine: str) -> str:
+    """Return a profile's name or path where this computer itself is its controller, else ""."""
+    from CNCStepper.machine.controller_family import family_of
+    from CNCStepper.machine.profile import load_machine
+
+    return machine if machine and family_of(load_machine(machine)) != "grbl" else ""
+
+
+def profile_option(function: Any, is_required: bool = False) -> Any:
+    """Add --machine, which the function gets as `machine`: a name or an absolute path, "" where none is given."""
+    reader = Named("PROFILE", named_machine)
+    text = "The machine's profile, by name or TOML file; needed where this computer itself is the controller."
+    default: dict[str, Any] = {"required": True} if is_required else {"default": ""}
+    return click.option("--machine", type=reader, help=text, **default)(function)
+
+
+@dataclass(frozen=True)
+class ServicePort:
+    """Where a machine is. machine: its profile, by name or absolute path, "" where none is given.
+
+    keep_min: how many minutes its connection stays open after the verb.
+    """
+
+    name: str
+    baud: int = 115200
+    machine: str = ""
+    keep_min: float = 0.0
+
+
+def port_options(function: Any, needs_machine: bool = False) -> Any:
     """Add --port, --baud, --machine and --keep-open; the function gets them as one `ServicePort`, `at`."""
 
     @wraps(function)
-    def command(*arguments: Any, port: str, baud: int, profile: str, keep_min: float, **more: Any) -> Any:
-        return function(*arguments, at=ServicePort(port, baud, profile, keep_min), **more)
+    def command(*arguments: Any, port: str, baud: int, machine: str, keep_min: float, **more: Any) -> Any:
+        return function(*arguments, at=ServicePort(port, baud, machine, keep_min), **more)
 
     port = click.option(
         "--port",
         required=True,
         help="A serial port (COM3, /dev/ttyUSB0; `cncstepper ports` lists them) or a URL (socket://127.0.0.1:2217, "
-        "telnet://fluidnc.local, rfc2217://host:port).",
+        "telnet://fluidnc.local, rfc2217://host:port); of a machine that this computer controls also /dev/parport0 or "
+        "record:FILE.",
     )
     baud = click.option("--baud", type=click.IntRange(min=300), default=115200, show_default=True)
-    return port(baud(profile_option(keep_option(command))))
-
-
-@dataclass(frozen=True)
-class ServicePort:
-    """Where a machine is. profile: as `driven_profile` returns it. keep_min: how long its connection stays open."""
-
-    name: str
-    baud: int = 115200
-    profile: str = ""
-    keep_min: float = 0.0
+    return port(baud(profile_option(keep_option(command), needs_machine)))
 
 
 class ServiceClient:
@@ -87,7 +97,7 @@ class ServiceClient:
 
         self._at = at
         self.client: ConnectionClient = ConnectionClient.launch(
-            at.name, at.baud, machine=at.profile, keep_s=60.0 * at.keep_min
+            at.name, at.baud, machine=driven_profile(at.machine), keep_s=60.0 * at.keep_min
         )
 
     def __enter__(self) -> ServiceClient:

@@ -221,5 +221,3 @@ def test_home_first_is_done_by_the_service(tmp_path):
             assert "machine X-5.000 Y-6.000 Z-5.000" in done("jog", "Y-1", "--port", port).stdout
         finally:
             process.kill()
-
-
