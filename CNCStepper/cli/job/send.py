@@ -17,6 +17,7 @@ import click
 
 from CNCStepper.cli.common.chart_options import ChartOptions, chart_options
 from CNCStepper.cli.common.findings_output import show_findings
+from CNCStepper.cli.common.keep_open import keep_option
 from CNCStepper.cli.common.options import FilePath, program_argument, read_program
 from CNCStepper.cli.common.program_options import ProgramOptions, program_options
 from CNCStepper.cli.common.verb import Verb
@@ -98,6 +99,7 @@ class ProgramFile:
 @click.option(
     "--allow-differences", is_flag=True, help="Send though the controller's settings or offsets are not those wanted."
 )
+@keep_option
 @click.option("--unchecked", is_flag=True, help="Send without a certificate and without a check.")
 @click.option("--despite-certificate", is_flag=True, help="Send though the certificate does not fit, or has errors.")
 def command(
@@ -110,6 +112,7 @@ def command(
     by_line: bool,
     resume_pauses: bool,
     allow_differences: bool,
+    keep_min: float,
     unchecked: bool,
     despite_certificate: bool,
     given: ProgramOptions,
@@ -154,7 +157,7 @@ def command(
         job = driven_by(job, job.retrace.get("machine") or {}, typed_machine())
     job = replace(with_rate(job) if job.profile else job, port=port, baud=baud, allow_differences=allow_differences)
     job = replace(job, by_line=by_line, home_first=home_first)
-    conclude(watch(confirmed(job, zero_confirmed), resume_pauses))
+    conclude(watch(confirmed(job, zero_confirmed), resume_pauses, keep_min))
 
 
 def _letters(program: Path, given: ProgramOptions, certificate: Path | None) -> SendJob:
