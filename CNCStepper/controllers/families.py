@@ -7,6 +7,7 @@ from collections.abc import Callable
 from typing import Protocol
 
 from CNCStepper.control.pulses.pulse_output import PulseOutput
+from CNCStepper.controllers.lathe.board import open_lathe
 from CNCStepper.controllers.pulse_axes import load_kernels
 from CNCStepper.controllers.pulse_board import PulseBoard
 from CNCStepper.errors import MachineRefusal, Text
@@ -51,7 +52,11 @@ def _pulses(machine: Machine, port: str) -> ServedBoard:
         raise
 
 
-FACTORIES: dict[str, Callable[[Machine, str], ServedBoard]] = {"parport": _pulses, "board": _pulses}
+FACTORIES: dict[str, Callable[[Machine, str], ServedBoard]] = {
+    "parport": _pulses,
+    "board": _pulses,
+    "lathe": open_lathe,
+}
 
 
 def open_board(machine: Machine, port: str) -> ServedBoard:

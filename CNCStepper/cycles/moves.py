@@ -27,7 +27,7 @@ class Track:
     """Curves that are run along one after the other, as columns of a table: made once, for all levels.
 
     kind: uint8[n], xy: float64[n, 2], centre: float64[n, 3], as those of a Chunk. rows: how many there are up to the
-    end of each curve. Lines of no length are left out.
+    end of each curve. moves: which segments they are; lines of no length are left out.
     """
 
     def __init__(self, curves: Sequence[Curve]):
@@ -37,6 +37,7 @@ class Track:
         )
         moves = (whole.bulge != 0.0) | (whole.xy[1:] != whole.xy[:-1]).any(axis=1)
         bulge = whole.bulge[moves]
+        self.moves = moves
         self.kind = np.where(bulge > 0.0, ARC_CCW, np.where(bulge < 0.0, ARC_CW, LINE)).astype(np.uint8)
         self.xy = whole.xy[1:][moves]
         self.centre = np.zeros((len(bulge), 3))

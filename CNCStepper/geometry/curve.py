@@ -17,7 +17,8 @@ r"""Curve: an open or closed chain of lines and arcs in the plane, exact, in two
                 radii_mm · centres · begin_directions · end_directions · segments (all as columns of complex numbers)
     places      at_length(s) -> points, directions · points(tolerance) · nearest(points) -> distances, lengths ·
                 distances_mm(points) · winding(points)
-    pieces      reversed · started_at(vertex) · started_at_length(s) · part(s, t) · split(lengths) · without_short
+    pieces      reversed · started_at(vertex) · started_at_length(s) · part(s, t) · split(lengths) ·
+                divided_at(lengths) · without_short
     transforms  moved · rotated · scaled · mirrored_x · transformed(2 x 3 matrix)
     makers      from_points · circle · straight · joined (pieces in order); chain_joining.py joins loose ones
 
@@ -176,6 +177,10 @@ class Curve(Columns):
         apart = (np.diff(place_mm, prepend=0.0) > COINCIDENT_MM) & (place_mm < before_mm[-1] - COINCIDENT_MM)
         bounds = [0, *vertices[apart].tolist(), len(cut)]
         return [cut._vertices(first, last) for first, last in itertools.pairwise(bounds)]
+
+    def divided_at(self, lengths_mm: np.ndarray) -> Curve:
+        """Return the same curve with a vertex at each place, float64[k], a length from the start, in any order."""
+        return self._cut(np.sort(lengths_mm))[0]
 
     def without_short(self, shortest_mm: float = COINCIDENT_MM) -> Curve:
         """Return the curve without segments up to `shortest_mm` long; its neighbours meet where they ended.

@@ -21,10 +21,10 @@ from CNCStepper.control.protocol.grbl.readiness import expected_settings
 from CNCStepper.errors import JobError
 from CNCStepper.gcode.interpreter.functions.coordinate_offsets import HOMES
 from CNCStepper.gcode.wire.backlash_compensation import backlash_of
-from CNCStepper.gcode.wire.encoder import prepare
 from CNCStepper.gcode.wire.wire_text import WireText
 from CNCStepper.job.proof_inputs import Given
 from CNCStepper.job.start_state_file import start_from
+from CNCStepper.job.wire_round_trip import translated_to, wire_of
 from CNCStepper.machine.backlash import Backlash
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tools.tool import Tool
@@ -111,11 +111,11 @@ def certificate_of(proof: Proven) -> Certificate:
             "format": FORMAT,
             "version": VERSION,
             "made_by": f"CNCStepper {__version__}",
-            "program": {"file": report["program"], "sha256": proof.program_sha256},
+            "program": {"file": report["program"], "sha256": proof.program_sha256, **_language(given)},
             "wire": {
                 "sha256": proof.wire.sha256,
                 "lines": len(proof.wire.lines),
-                "dialect": given.dialect,
+                "dialect": given.machine.wire_language(given.dialect),
                 "play": _play(given),
             },
             "start": {"sha256": proof.start.sha256(), "state": _start(proof.start)},
@@ -139,6 +139,11 @@ def certificate_of(proof: Proven) -> Certificate:
     )
 
 
+def _language(given: Given) -> dict[str, str]:
+    """Return the program's language where what is sent is in another one."""
+    return {"dialect": given.dialect} if translated_to(given.machine, given.dialect) is not None else {}
+
+
 def _play(given: Given) -> dict[str, Any] | None:
     """Return the play of the axes that the wire text takes up; None where it takes up none."""
     play = backlash_of(given.machine, given.dialect)
@@ -151,13 +156,18 @@ def proven_wire(certificate: Certificate, text: str, dialect: str, file: str, st
     start: None is the one of the proof. Raises ProgramError as `prepare` does,
     JobError where the certificate's play or start is none.
     """
-    play = _part_of(certificate, _play_in)
-    return prepare(text, dialect, file, start or (proven_start(certificate) if play else None), play)
+    play, machine = _part_of(certificate, _play_in), _part_of(certificate, _machine_in)
+    return wire_of(text, machine, dialect, file, start or (proven_start(certificate) if play else None), play)
 
 
 def proven_start(certificate: Certificate) -> Start:
     """Return the start state of a certificate's proof; raises JobError where it holds none that can be."""
     return _part_of(certificate, lambda content: start_from(content["start"]["state"]))
+
+
+def _machine_in(content: Mapping[str, Any]) -> Machine | None:
+    told = content["send"].get("retrace", {}).get("machine")
+    return Machine.model_validate(told) if told else None
 
 
 def _play_in(content: Mapping[str, Any]) -> Backlash | None:
@@ -200,7 +210,7 @@ def send_job(
         expected=expected_settings(machine) if machine else {},
         work_offsets_mm=(_offsets(known) if known else {}) | (_places(start, wire.lines) if start else {}),
         work_system=known.work_system if known else "",
-        dialect=machine.language(dialect) if machine else dialect,
+        dialect=machine.wire_language(dialect) if machine else dialect,
         machine=machine.name if machine else "",
         retrace=_path_retract(machine, start or Start(), dialect) if machine else {},
         plan=plan,
@@ -211,7 +221,7 @@ def send_job(
 def _path_retract(machine: Machine, start: Start, dialect: str) -> dict[str, Any]:
     """Return what a way back along the cut is proven with, as plain data."""
     profile = machine.model_dump(mode="json")
-    return {"machine": profile, "start": _start(start), "dialect": machine.language(dialect)}
+    return {"machine": profile, "start": _start(start), "dialect": machine.wire_language(dialect)}
 
 
 def _offsets(start: Start) -> dict[str, tuple[float, ...]]:

@@ -3,7 +3,7 @@
 
     job.json  machine.json  program.nc        what is asked; the machine is that of machine.json
     part.npz                                  what is left of the stock, as soon as it is cut: a first picture
-    result.json  moves.npz  lines.npz  tools.npz  send.zip     what is answered then; or error.json, why not
+    result.json  moves.npz  lines.npz  fallen.npz  tools.npz  send.zip     what is answered then; or error.json, why not
     tiles.bin  part.stl                       what `simulation_timeline` answers afterwards
 
 send.zip is the program's certificate. Reading an answer takes numpy only, so that a window does it at once.
@@ -22,6 +22,7 @@ from CNCStepper import text_json
 from CNCStepper.control.session.status import error_from_json, error_to_json
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.simulation.finding import Finding, refused
+from CNCStepper.simulation.meshes.fallen_faces import FallenFaces
 from CNCStepper.simulation.tip_track import TipTrack
 from CNCStepper.simulation.views.path_lines import Lines
 
@@ -34,7 +35,7 @@ if TYPE_CHECKING:
 
 PROGRAM, JOB, MACHINE = "program.nc", "job.json", "machine.json"
 RESULT, MOVES, LINES = "result.json", "moves.npz", "lines.npz"
-PART, TOOLS = "part.npz", "tools.npz"
+PART, TOOLS, FALLEN = "part.npz", "tools.npz", "fallen.npz"
 SEND, ERROR = "send.zip", "error.json"
 TILES, MESH = "tiles.bin", "part.stl"
 LINE_COLUMNS = ("rapid_points", "rapid_counts", "feed_points", "feed_counts")
@@ -62,7 +63,7 @@ class Part:
 class Answer:
     """What a proof answered: report as in `Proof`, the moves in time and as lines, the part that is left.
 
-    tools: the outlines of cutter and shank by number, as `tool_outline.outlines_mm`.
+    tools: the outlines of cutter and shank by number, as `tool_outline.outlines_mm`. fallen: what it cuts free.
     """
 
     findings: list[Finding]
@@ -71,6 +72,7 @@ class Answer:
     rapids: Lines
     feeds: Lines
     part: Part
+    fallen: FallenFaces
     tools: dict[int, tuple[np.ndarray, np.ndarray]]
     send_file: Path
 
@@ -129,6 +131,7 @@ def write_part(folder: Path, part: HeightMap) -> None:
 
 def write_answer(folder: Path, proof: Proof, job: Job, certificate: Certificate) -> None:
     """Write the answer except for the part; the result comes last and marks it complete."""
+    from CNCStepper.simulation.meshes.fallen_faces import fallen_faces
     from CNCStepper.simulation.meshes.tool_outline import outlines_mm
     from CNCStepper.simulation.views.path_lines import lines_in_space
 
@@ -137,7 +140,9 @@ def write_answer(folder: Path, proof: Proof, job: Job, certificate: Certificate)
     columns = (rapids.points, rapids.counts, feeds.points, feeds.counts)
     named: dict[str, Any] = dict(zip(LINE_COLUMNS, columns, strict=True))
     np.savez(folder / LINES, **named)
-    height_mm = job.stock.stock().size_mm[2]
+    stock = job.stock.stock()
+    fallen_faces(proof.pieces, stock.top_mm).save(folder / FALLEN)
+    height_mm = stock.size_mm[2]
     outlines = {str(tool.number): outlines_mm(tool, height_mm) for tool in job.tool}
     named = {f"{number}-{place}": both[place] for number, both in outlines.items() for place in (0, 1)}
     np.savez(folder / TOOLS, **named)
@@ -175,4 +180,5 @@ def read_answer(folder: Path) -> Answer:
         tools = {number: (arrays[f"{number}-0"], arrays[f"{number}-1"]) for number in numbers}
     moves = TipTrack.load(folder / MOVES)
     rapids, feeds = Lines(*columns[:2]), Lines(*columns[2:])
-    return Answer(findings, report, moves, rapids, feeds, read_part(folder), tools, folder / SEND)
+    fallen = FallenFaces.load(folder / FALLEN)
+    return Answer(findings, report, moves, rapids, feeds, read_part(folder), fallen, tools, folder / SEND)

@@ -16,18 +16,20 @@ from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from itertools import repeat
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, Unpack
 
 import numpy as np
 
 from CNCStepper.gcode.interpreter.program_file import text_pieces
 from CNCStepper.gcode.wire.backlash_compensation import backlash_of
-from CNCStepper.gcode.wire.wire_file import wire_of_file
+from CNCStepper.gcode.wire.translation import TranslatedFile
+from CNCStepper.gcode.wire.wire_file import WireFile, WireOptions, wire_of_file
 from CNCStepper.gcode.wire.wire_text import WireText
 from CNCStepper.input_file import Unchanged
 from CNCStepper.job.findings import FirstLines
 from CNCStepper.job.planned_times import Milestones
 from CNCStepper.job.proof_inputs import Given
+from CNCStepper.job.wire_round_trip import translated_to
 from CNCStepper.machine.cut_data import CutData
 from CNCStepper.machine.processes import MILLING, Process
 from CNCStepper.machine.profile import Machine
@@ -155,7 +157,7 @@ class _FileProof:
         self._unchanged = Unchanged(path)
         self._stock, self._tools, self._folder = given.stock, given.tools, sent
         self._play = backlash_of(self._machine, given.dialect)
-        self._wire = wire_of_file(path, start, given.dialect, self._play, sink=self._keep, progress=share, name=name)
+        self._wire = self._reading(path, start, sink=self._keep, progress=share, name=name)
         self._kept: StoredCuts | None = None
         self._part: HeightMap | None = None
         self._judged: JudgedPath | None = None
@@ -184,6 +186,13 @@ class _FileProof:
         self._stops: tuple[list[Event], list[Event]] = [], []  # at which the motion stops, of each pass through it
         self._rows = 0  # read so far
         self._whole_s = 0.0
+
+    def _reading(self, path: Path, start: Start | None, **options: Unpack[WireOptions]) -> WireFile | TranslatedFile:
+        """Return the reading of the file through what is sent of it."""
+        dialect = self._given.dialect
+        if (target := translated_to(self._machine, dialect)) is not None:
+            return TranslatedFile(path, start, dialect, target, **options)
+        return wire_of_file(path, start, dialect, self._play, **options)
 
     def run(self) -> FileProof:
         """Read the file and prove it."""

@@ -10,7 +10,9 @@ from CNCStepper.gcode.dialects import Dialect
 from CNCStepper.gcode.wire.backlash_compensation import backlash_of
 from CNCStepper.gcode.wire.encoder import prepare
 from CNCStepper.gcode.wire.read_back import read_back
+from CNCStepper.gcode.wire.translation import translate
 from CNCStepper.gcode.wire.wire_text import WireText
+from CNCStepper.machine.backlash import Backlash
 from CNCStepper.machine.profile import Machine
 from CNCStepper.motion.planner.backlash import tool_moves
 from CNCStepper.state import Start
@@ -25,6 +27,23 @@ class WireRoundTrip(NamedTuple):
     toolpath: Toolpath
 
 
+def translated_to(machine: Machine | None, dialect: str | Dialect) -> str | None:
+    """Return the language into which a program is translated for a machine's controller; None where it is sent as it
+    is."""
+    name = dialect if isinstance(dialect, str) else dialect.name
+    target = machine.wire_language(name) if machine else name
+    return None if target.partition(":")[0] == name.partition(":")[0] else target
+
+
+def wire_of(
+    text: str, machine: Machine | None, dialect: str, file: str, start: Start | None, play: Backlash | None = None
+) -> WireText:
+    """Return what is sent of a program on a machine, with this play taken up; raises ProgramError as `prepare` does."""
+    if (target := translated_to(machine, dialect)) is not None:
+        return translate(text, dialect, target, file, start).wire
+    return prepare(text, dialect, file, start, play)
+
+
 def wire_round_trip(
     text: str,
     machine: Machine | None,
@@ -37,6 +56,9 @@ def wire_round_trip(
 
     share: called with the share that is read, from 0 to 1. Raises ProgramError for a text that cannot be read or sent.
     """
+    if (target := translated_to(machine, dialect)) is not None:
+        wire, path = translate(text, dialect, target, file, start, share)
+        return WireRoundTrip(wire, path, path)
     play = backlash_of(machine, dialect)
     wire = prepare(text, dialect, file, start, play)
     motors = read_back(wire, text, start, dialect, file, share)

@@ -13,10 +13,7 @@ The sender's process reads this table too, so that no package is imported here.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Literal
-
-if TYPE_CHECKING:
-    from CNCStepper.machine.profile import Machine
+from typing import Literal, Protocol
 
 Family = Literal["grbl", "parport", "board", "lathe", ""]
 FAMILIES: dict[str, Family] = {
@@ -29,13 +26,23 @@ FAMILIES: dict[str, Family] = {
 }
 OWN: tuple[Family, ...] = ("parport", "board", "lathe")  # a process on this computer is their controller
 PULSES: tuple[Family, ...] = ("parport", "board")  # of these, those whose single pulses it makes
+WIRE_LANGUAGE = "grbl"  # of lines to a controller of ours that makes pulses
+LANGUAGES = {"usb-board": WIRE_LANGUAGE}  # of programs, where the controller's name is that of no dialect
 
 
-def family_of(machine: Machine | None) -> Family:
+class Driven(Protocol):
+    """A machine profile, as far as it says what drives it."""
+
+    @property
+    def controller(self) -> str:
+        """The name of its controller, perhaps with settings of its language: "mini-lathe:thread_start=index"."""
+
+
+def family_of(machine: Driven | None) -> Family:
     """Return the family of a profile's controller; "" where nothing drives it, or where there is no profile."""
-    return FAMILIES.get(machine.controller, "") if machine else ""
+    return FAMILIES.get(machine.controller.partition(":")[0], "") if machine else ""
 
 
-def wire_language(machine: Machine | None) -> str:
-    """Return the language in which its lines are sent where that is not the program's own, else ""."""
-    return "grbl" if family_of(machine) in PULSES else ""
+def makes_pulses(machine: Driven | None) -> bool:
+    """Return whether this computer makes the machine's pulses: backlash is taken up there, and outputs are its pins."""
+    return family_of(machine) in PULSES

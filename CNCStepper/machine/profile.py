@@ -16,6 +16,7 @@ from pydantic import BaseModel, ConfigDict, Field, StrictBool, ValidationError, 
 from CNCStepper.errors import JobError, Text
 from CNCStepper.input_file import is_there
 from CNCStepper.machine.axis_drive import Drive
+from CNCStepper.machine.controller_family import LANGUAGES, WIRE_LANGUAGE, family_of, makes_pulses
 from CNCStepper.machine.files.profile_files import own_names, own_path, shipped_file, shipped_names
 from CNCStepper.machine.files.readers import read_json, read_toml
 from CNCStepper.machine.files.validation_errors import refusal_of
@@ -39,7 +40,6 @@ from CNCStepper.safe_text import printable
 
 AXIS_NAMES = ("x", "y", "z")
 WITHOUT_FEED_WORDS = ("thesis-a",)  # languages in which the speeds of cuts and rapids are settings of the machine
-LATHES = ("mini-lathe",)  # controllers of machines without Y: X is the radius, Z lies along the spindle
 CALIBRATED = 0.02  # steps_per_mm, as measured, may differ from what the drive gives by this share
 Model = TypeVar("Model", bound=BaseModel)
 Interpolation = Literal["planner", "dda", "published"]
@@ -273,6 +273,8 @@ class Machine(_Checked):
     def _inputs_are_apart(self) -> Machine:
         check_apart(self.input)
         check_relays(self.relay)
+        if family_of(self) != "parport" and any(entry.is_own for entry in self.input):
+            raise ValueError("a pin with a number has a port: the device file of its parallel port")
         return self
 
     @model_validator(mode="after")
@@ -344,7 +346,7 @@ class Machine(_Checked):
     @property
     def is_lathe(self) -> bool:
         """Whether it turns: X is the radius and there is no Y."""
-        return self.controller.partition(":")[0] in LATHES
+        return family_of(self) == "lathe"
 
     @property
     def has_z(self) -> bool:
@@ -384,12 +386,17 @@ class Machine(_Checked):
             )
         return process
 
+    def wire_language(self, dialect: str = "") -> str:
+        """Return the language of the lines that are sent of a program in a dialect: its own, or that of our pulses."""
+        base = (dialect or LANGUAGES.get(self.controller, self.controller)).partition(":")[0]
+        return self.language(WIRE_LANGUAGE if makes_pulses(self) and base != WIRE_LANGUAGE else dialect)
+
     def language(self, dialect: str = "", feed_mm_min: float = 0.0) -> str:
         """Return the dialect, the controller's where none is given, with settings for what this machine lacks.
 
         feed_mm_min: what a program without F takes; 0 is the profile's feed_mm_min, where it has one.
         """
-        base, _, own = (dialect or self.controller).partition(":")
+        base, _, own = (dialect or LANGUAGES.get(self.controller, self.controller)).partition(":")
         settings = [setting for setting in own.split(",") if setting]
         told = {setting.partition("=")[0] for setting in settings}
         feed_mm_min = feed_mm_min or self.feed_mm_min or 0.0
@@ -397,6 +404,7 @@ class Machine(_Checked):
             "z": "" if self.has_z else "none",
             "spindle": self._spindle_setting(base),
             "feed": f"{feed_mm_min:.10g}" if feed_mm_min else "",
+            "outputs": "pins" if base == WIRE_LANGUAGE and makes_pulses(self) else "",
         }
         settings += [f"{key}={value}" for key, value in lacks.items() if value and key not in told]
         return base + ":" * bool(settings) + ",".join(settings)

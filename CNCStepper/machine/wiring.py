@@ -129,6 +129,7 @@ _SWITCHING = re.compile(r"M(?:[345789]|6[234578])(?:[SPQE]\d+(?:\.\d+)?)*")
 
 SENDERS_PINS = "ABC"  # by which a controller of ours reports its pins for acts that only the sender can do
 SENDERS_ACTS = ("back", "switch")
+BOARDS_ACTS = ("limit", "door")  # that only the controller itself can do
 
 Act = Literal["start", "pause", "back", "stop", "flood", "mist", "spindle_stop", "switch", "limit", "door"]
 
@@ -168,7 +169,7 @@ class Input(BaseModel, extra="forbid", frozen=True):
             )
         if isinstance(self.pin, str) and self.port:
             raise ValueError("only a pin with a number has a port: the device file of its parallel port")
-        if self.act in ("limit", "door") and not self.is_own:
+        if self.act in BOARDS_ACTS and not self.is_own:
             raise ValueError("a limit or door is on a pin with a number, without port: on the machine's own")
         return self
 

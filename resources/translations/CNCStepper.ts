@@ -7234,6 +7234,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Trial {0} pulses/s late mean {1} us worst {2} us</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Water jet</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7438,6 +7442,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a limit or door is on a pin with a number, without port: on the machine's own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a limit switch is pressed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7607,6 +7615,10 @@
         </message>
         <message>
             <source>a pin in the configuration is wrong</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a pin with a number has a port: the device file of its parallel port</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8614,6 +8626,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>connect to its port without a machine profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>constant surface speed became a speed a move</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8943,6 +8959,10 @@
         </message>
         <message>
             <source>draw the hole wider, spot it for drilling (spot_below_mm), or cut with a narrower kerf</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>drive a laser by a controller with grbl's laser mode</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9667,6 +9687,10 @@
         </message>
         <message>
             <source>it would forget the settings: write the settings that are to change one by one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>its controller's process has ended ({status})</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10914,6 +10938,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>only a pin with a number has a port: the device file of its parallel port</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>only arcs of G17 can be turned about Z</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11343,6 +11371,10 @@
         </message>
         <message>
             <source>see that it is a folder, that it is yours, and that you may write there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>see what it printed, and report it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12059,6 +12091,10 @@
         </message>
         <message>
             <source>the controller is starting</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller of {machine} ended at its start</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13298,6 +13334,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the pulses have ended</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the pulses were stopped before they were all sent</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13926,6 +13966,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>there is no relay {0}; there are {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there is no room for a helix or ramp, and the tool does not cut over its centre</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13987,6 +14031,10 @@
         </message>
         <message>
             <source>this comment would run Python on the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this computer cannot keep the rate</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15495,6 +15543,14 @@
         </message>
         <message>
             <source>{machine} does not cut by {process}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{machine} has a controller of its own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{machine} has a laser, whose beam would not be in time with its moves</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -7234,6 +7234,10 @@
             <translation>T seleciona um extrusor: faça uma pausa com M0 onde a ferramenta deve ser trocada</translation>
         </message>
         <message>
+            <source>Trial {0} pulses/s late mean {1} us worst {2} us</source>
+            <translation>Ensaio {0} pulsos/s atraso médio {1} us pior {2} us</translation>
+        </message>
+        <message>
             <source>Water jet</source>
             <translation>Jato de água</translation>
         </message>
@@ -7438,6 +7442,10 @@
             <translation>uma entrada ou um corte atravessa uma peça</translation>
         </message>
         <message>
+            <source>a limit or door is on a pin with a number, without port: on the machine's own</source>
+            <translation>um fim de curso ou porta de segurança fica num pino com número e sem porta: na porta da própria máquina</translation>
+        </message>
+        <message>
             <source>a limit switch is pressed</source>
             <translation>um fim de curso está acionado</translation>
         </message>
@@ -7608,6 +7616,10 @@
         <message>
             <source>a pin in the configuration is wrong</source>
             <translation>um pino da configuração está errado</translation>
+        </message>
+        <message>
+            <source>a pin with a number has a port: the device file of its parallel port</source>
+            <translation>um pino com número tem uma porta: o arquivo de dispositivo da sua porta paralela</translation>
         </message>
         <message>
             <source>a pin with a number, and only that, has a port: the device file of its parallel port</source>
@@ -8614,6 +8626,10 @@
             <translation>conecte de novo</translation>
         </message>
         <message>
+            <source>connect to its port without a machine profile</source>
+            <translation>conecte à porta dele sem perfil de máquina</translation>
+        </message>
+        <message>
             <source>constant surface speed became a speed a move</source>
             <translation>a velocidade de corte constante virou uma rotação por movimento</translation>
         </message>
@@ -8944,6 +8960,10 @@
         <message>
             <source>draw the hole wider, spot it for drilling (spot_below_mm), or cut with a narrower kerf</source>
             <translation>desenhe o furo mais largo, marque-o para furar (spot_below_mm), ou use um corte mais estreito</translation>
+        </message>
+        <message>
+            <source>drive a laser by a controller with grbl's laser mode</source>
+            <translation>acione o laser por um controlador com o modo laser do grbl</translation>
         </message>
         <message>
             <source>drop it</source>
@@ -9668,6 +9688,10 @@
         <message>
             <source>it would forget the settings: write the settings that are to change one by one</source>
             <translation>ele esqueceria as configurações: escreva uma a uma as que devem mudar</translation>
+        </message>
+        <message>
+            <source>its controller's process has ended ({status})</source>
+            <translation>o processo do controlador terminou ({status})</translation>
         </message>
         <message>
             <source>its directory is too large</source>
@@ -10914,6 +10938,10 @@
             <translation>só uma faca de arrasto tem deslocamento da lâmina</translation>
         </message>
         <message>
+            <source>only a pin with a number has a port: the device file of its parallel port</source>
+            <translation>só um pino com número tem uma porta: o arquivo de dispositivo da sua porta paralela</translation>
+        </message>
+        <message>
             <source>only arcs of G17 can be turned about Z</source>
             <translation>só arcos de G17 podem ser girados em torno de Z</translation>
         </message>
@@ -11344,6 +11372,10 @@
         <message>
             <source>see that it is a folder, that it is yours, and that you may write there</source>
             <translation>verifique que é uma pasta, que é sua e que você pode escrever nela</translation>
+        </message>
+        <message>
+            <source>see what it printed, and report it</source>
+            <translation>veja o que ele imprimiu e relate</translation>
         </message>
         <message>
             <source>see whether it is whole</source>
@@ -12060,6 +12092,10 @@
         <message>
             <source>the controller is starting</source>
             <translation>o controlador está iniciando</translation>
+        </message>
+        <message>
+            <source>the controller of {machine} ended at its start</source>
+            <translation>o controlador de {machine} terminou ao iniciar</translation>
         </message>
         <message>
             <source>the controller raised an alarm</source>
@@ -13298,6 +13334,10 @@
             <translation>a verificação encontrou {errors} erro(s) no programa, o primeiro: {text}</translation>
         </message>
         <message>
+            <source>the pulses have ended</source>
+            <translation>os pulsos terminaram</translation>
+        </message>
+        <message>
             <source>the pulses were stopped before they were all sent</source>
             <translation>os pulsos foram interrompidos antes de serem todos enviados</translation>
         </message>
@@ -13926,6 +13966,10 @@
             <translation>não existe o processo '{name}'</translation>
         </message>
         <message>
+            <source>there is no relay {0}; there are {1}</source>
+            <translation>não há relé {0}; há {1}</translation>
+        </message>
+        <message>
             <source>there is no room for a helix or ramp, and the tool does not cut over its centre</source>
             <translation>não há espaço para hélice ou rampa, e a ferramenta não corta sobre o centro</translation>
         </message>
@@ -13988,6 +14032,10 @@
         <message>
             <source>this comment would run Python on the machine</source>
             <translation>este comentário executaria Python na máquina</translation>
+        </message>
+        <message>
+            <source>this computer cannot keep the rate</source>
+            <translation>este computador não sustenta a taxa</translation>
         </message>
         <message>
             <source>this computer cannot keep the rate of the program's pulses</source>
@@ -15496,6 +15544,14 @@
         <message>
             <source>{machine} does not cut by {process}</source>
             <translation>{machine} não corta com {process}</translation>
+        </message>
+        <message>
+            <source>{machine} has a controller of its own</source>
+            <translation>{machine} tem um controlador próprio</translation>
+        </message>
+        <message>
+            <source>{machine} has a laser, whose beam would not be in time with its moves</source>
+            <translation>{machine} tem um laser, cujo feixe não acompanharia os movimentos</translation>
         </message>
         <message>
             <source>{match} is no number</source>

@@ -323,10 +323,11 @@ def _findings(wanted: _Wanted, machine: Machine, toolpath: Toolpath, motors: Too
 def _uncertified(wanted: _Wanted, dialect: str) -> SendJob:
     """Return the job of a program that no certificate covers, which somebody wants sent all the same."""
     from CNCStepper.gcode.wire.backlash_compensation import backlash_of
-    from CNCStepper.gcode.wire.encoder import prepare
     from CNCStepper.job.certify import send_job
+    from CNCStepper.job.wire_round_trip import wire_of
 
-    wire = prepare(wanted.program.text, dialect, wanted.file, wanted.start, backlash_of(wanted.machine, dialect))
+    play = backlash_of(wanted.machine, dialect)
+    wire = wire_of(wanted.program.text, wanted.machine, dialect, wanted.file, wanted.start, play)
     return send_job(wire, wanted.machine, wanted.file, wanted.start, dialect)
 
 

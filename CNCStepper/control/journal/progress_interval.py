@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from CNCStepper.control.journal.replay import JobReplay
+from CNCStepper.control.protocol.grbl.firmware import language_of
 from CNCStepper.control.protocol.grbl.report import Vector
 from CNCStepper.control.stream.path_watch import ROUNDING_MM, STEP_MM, STEPS, held_modes, start_from
 from CNCStepper.control.stream.planned_path import PlannedPath
@@ -77,7 +78,8 @@ def _path_from(story: JobReplay, lines: Sequence[str]) -> PlannedPath:
     start = start_from(offsets_mm, modes, tuple(story.header["mpos_mm"]))
     if story.zero:  # a job goes on with a new zero at the same place of the work
         start = replace(start, position_mm=_moved(start, story.header["offsets_mm"].get(start.work_system)))
-    path = PlannedPath(lines, start, held_modes(offsets_mm, modes), dialect=story.header.get("controller", "grbl"))
+    language = language_of(story.header.get("controller", "grbl"))
+    path = PlannedPath(lines, start, held_modes(offsets_mm, modes), dialect=language)
     for count in range(0, story.finished, PIECE_LINES):
         done = min(count + PIECE_LINES, story.finished)
         path.read(done)

@@ -32,13 +32,21 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from itertools import filterfalse
 
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.program.wire_line import is_move
+from CNCStepper.control.protocol.grbl import connect
+from CNCStepper.control.protocol.grbl.capabilities import reason
 from CNCStepper.control.protocol.grbl.connect import ControllerInfo, check_units, offsets_of
 from CNCStepper.control.protocol.grbl.driver import Grbl
-from CNCStepper.control.protocol.grbl.firmware import BOARD_FIRMWARES, Firmware, firmware_of_controller
+from CNCStepper.control.protocol.grbl.firmware import (
+    BOARD_FIRMWARES,
+    PULSE_FIRMWARES,
+    Firmware,
+    firmware_of_controller,
+)
 from CNCStepper.control.protocol.grbl.motion_interlock import UNKNOWN
 from CNCStepper.control.protocol.grbl.readiness import (
     OFFSET_TOLERANCE_MM,
@@ -48,6 +56,7 @@ from CNCStepper.control.protocol.grbl.readiness import (
     offset_differences,
 )
 from CNCStepper.control.protocol.grbl.report import Vector
+from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.errors import MachineRefusal, Text
 from CNCStepper.gcode.syntax.words import scanned_codes
 from CNCStepper.state import WORK_SYSTEMS
@@ -308,6 +317,8 @@ def check_found(job: SendJob, driver: Grbl, found: ControllerInfo, tell: Callabl
     check_units(driver)
     check_restart_height(job, driver, found, tell)
     job.check_lengths(found.firmware, driver.window)
+    for word in sorted(driver.cannot):
+        tell("warning", reason(word))
     if found.greeted:
         check_zero_here(job.lines, driver, found)
     for number in sorted(set(job.expected) - set(found.settings)):
@@ -321,3 +332,16 @@ def check_found(job: SendJob, driver: Grbl, found: ControllerInfo, tell: Callabl
         check_settings(found.settings, job.expected)
         check_offsets(moved)
         check_modes(modes)
+
+
+TRIAL_S = 3.0  # of the pulses that no machine gets
+
+
+def try_rate(job: SendJob, driver: Grbl, timing: Timing) -> None:
+    """Let a controller that makes the pulses on this computer try the job's fastest rate at rest (`$T=RATE`).
+
+    Raises MachineRefusal where it cannot keep it.
+    """
+    if job.pulses_per_s and driver.firmware in PULSE_FIRMWARES:
+        patient = replace(timing, answer_s=timing.answer_s + TRIAL_S)
+        connect.ask(driver, f"$T={job.pulses_per_s:.0f}", patient)

@@ -47,6 +47,7 @@ class SendJob:
     made_with: the options of the command line that made it, for the journal; empty: not known
     (`cli.common.reproduce_options`).
     profile: name or path of the profile whose controller is a process of this computer; empty: the port has its own.
+    pulses_per_s: its fastest rate of pulses, which such a controller tries before the first line; 0: nothing is tried.
     """
 
     port: str
@@ -73,6 +74,7 @@ class SendJob:
     lift: Mapping[str, Any] = field(default_factory=dict)
     made_with: Mapping[str, Any] = field(default_factory=dict)
     profile: str = ""
+    pulses_per_s: float = 0.0
 
     def __post_init__(self) -> None:
         if len(self.file_lines) not in (0, len(self.lines)):

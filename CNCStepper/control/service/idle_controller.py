@@ -12,6 +12,7 @@ from CNCStepper.control.operator.console import MOVING_KINDS, UNLOCK, Console, k
 from CNCStepper.control.operator.homing import HOME, check_took
 from CNCStepper.control.operator.jog import Jogger, JogMove, check_in_time
 from CNCStepper.control.protocol.grbl import connect
+from CNCStepper.control.protocol.grbl.capabilities import check_can
 from CNCStepper.control.protocol.grbl.driver import HOLD, RESUME, Answered, Grbl, Received
 from CNCStepper.control.protocol.grbl.firmware import TOOL_CHANGED
 from CNCStepper.control.protocol.grbl.readiness import check_state
@@ -136,6 +137,8 @@ class IdleController:
     def do(self, command: Command) -> None:
         """Carry out a command; raises MachineRefusal when it cannot be done now."""
         check_in_time(command, self._driver.clock())
+        if not (command.name in ("hold", "stop") and self.phase == Phase.JOGGING):
+            check_can(command.name, self._driver.cannot)
         self._does[command.name](**command.values)
 
     def on_message(self, received: list[Received]) -> None:

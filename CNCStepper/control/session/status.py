@@ -38,6 +38,7 @@ class SenderStatus:
     whether the job is to go on from where that led. Both are for a client that can lead it.
     work_system, work_offsets_mm: the work system in force and what `$#` last said by name ("G54", "G92", "TLO").
     None stands for: not reported yet.
+    cannot: what the machine cannot do, as words of `control.protocol.grbl.capabilities`.
     """
 
     phase: str = Phase.CONNECTING
@@ -68,6 +69,7 @@ class SenderStatus:
     wanted_rest: bool = False
     work_system: str = ""
     work_offsets_mm: dict[str, Vector] | None = None
+    cannot: tuple[str, ...] = ()
 
     def to_json(self) -> dict[str, Any]:
         """Return it as plain values."""
@@ -80,7 +82,8 @@ class SenderStatus:
             vectors = {key: _vector(content[key]) if content[key] else None for key in TUPLES}
             offsets = content["work_offsets_mm"]
             named = {str(name): _vector(offset) for name, offset in offsets.items()} if offsets else None
-            status = cls(**(content | vectors | {"work_offsets_mm": named}))
+            cannot = tuple(str(word) for word in content["cannot"])
+            status = cls(**(content | vectors | {"work_offsets_mm": named, "cannot": cannot}))
         except (TypeError, KeyError, AttributeError) as error:
             raise ValueError(Text("not a status: {error}", error=error)) from error
         for name, kinds in _KINDS.items():

@@ -21,9 +21,10 @@ from dataclasses import replace
 from pathlib import Path
 
 from CNCStepper.control.operator.buttons import quicker
-from CNCStepper.control.preflight.checks import check_found
+from CNCStepper.control.preflight.checks import check_found, try_rate
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.protocol.grbl import connect
+from CNCStepper.control.protocol.grbl.capabilities import check_can, missing
 from CNCStepper.control.protocol.grbl.driver import Answered, Grbl, Received
 from CNCStepper.control.protocol.grbl.motion_interlock import UNKNOWN
 from CNCStepper.control.protocol.grbl.readiness import check_zero
@@ -108,6 +109,7 @@ class JobRun:
         self._done = 0  # lines that are surely cut
         self._trouble: list[Received] = []  # the alarm or greeting that ended the job
         self._may_stop = True  # until the machine is brought to rest
+        self._cannot_stop: MachineRefusal | None = None  # why what was sent runs on
 
     def status(self) -> SenderStatus:
         """Return this moment."""
@@ -155,8 +157,18 @@ class JobRun:
         self._trouble += (report for report in received if isinstance(report, (Alarm, Greeting)))
         for command in self._inbox.take():  # what was asked for before it does not count any more
             if command.name in STOPS:
+                self._refuse_stop(command)
                 break
         raise Stopped
+
+    def _refuse_stop(self, command: Command) -> None:
+        """Say where what was sent runs on all the same; nothing more is sent."""
+        if self.driver and self.has_begun and missing("stop", self.driver.cannot):
+            try:
+                check_can("stop", self.driver.cannot)
+            except MachineRefusal as refusal:
+                self._cannot_stop = refusal
+                self._refuse(command, refusal)
 
     def run(self, connected: Callable[[], connect.ControllerInfo]) -> Outcome:
         """Send the job and return how it ended; refusals and failures are in the outcome, not raised.
@@ -183,6 +195,7 @@ class JobRun:
             found = connected()
             assert self.driver
             check_found(self.job, self.driver, found, self._tell)
+            try_rate(self.job, self.driver, self._timing)
             self._new_journal.begin(self.job, self.driver, found)
             self._path_retract.begin(self.driver, found)
             self._feeder.power = power_of(self.job, self.driver, found.modes)
@@ -319,6 +332,7 @@ class JobRun:
     def _execute_command(self, driver: Grbl) -> None:
         for command in self._inbox.take():
             if command.name in STOPS:
+                self._refuse_stop(command)
                 raise Stopped
             try:
                 self._do(command, driver)
@@ -329,6 +343,8 @@ class JobRun:
 
     def _do(self, command: Command, driver: Grbl) -> None:
         self._pause_counter.check(command)
+        if not self._phases.stands:
+            check_can(command.name, driver.cannot)
         if command.name in ("tell_place", "retrace"):
             self._go_back(driver, command)
         elif command.name == "want_back":
@@ -407,10 +423,14 @@ class JobRun:
             if error
             else Text("stopped as asked after {acknowledged} lines", acknowledged=self.status().acknowledged)
         )
+        state = self._cannot_stop or (KEPT if known else LOST)
+        left_s = driver.status.left_s if driver.status else None
+        if left_s:
+            state = Text("{state}; it runs on for {left_s:.0f} s", state=state, left_s=left_s)
         return self._outcome(
             FAILED if error else STOPPED,
-            Text("{why}. Now {state}", why=why, state=KEPT if known else LOST),
-            known,
+            Text("{why}. Now {state}", why=why, state=state),
+            known and not self._cannot_stop,
             error,
         )
 

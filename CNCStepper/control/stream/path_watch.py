@@ -10,6 +10,7 @@ Sees whether the work zero changes while a program runs, and not by it: a pendan
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING
@@ -18,6 +19,7 @@ from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.program.wire_line import ARCS
 from CNCStepper.control.protocol.grbl.connect import ControllerInfo, offsets_of
 from CNCStepper.control.protocol.grbl.driver import Grbl
+from CNCStepper.control.protocol.grbl.firmware import LATHE
 from CNCStepper.control.protocol.grbl.readiness import CHECK, STEPS_PER_MM, state_refusal
 from CNCStepper.control.protocol.grbl.report import Status, Vector
 from CNCStepper.control.stream.backlash_side import BacklashTracker
@@ -182,13 +184,16 @@ class PathWatch:
             raise self._leave(place, sent)
 
     def _planned(self, found: ControllerInfo, first: int = 0) -> PlannedPath | None:
+        if found.firmware is LATHE:  # its place is counted from what is sent: it proves nothing
+            return None
         try:
             from CNCStepper.control.stream.planned_path import PlannedPath  # takes long: when a machine is there only
         except ImportError as error:
             self._warn(str(error))
             return None
         start, held = start_of(self._driver, found), held_modes(offsets_of(self._driver, found), found.modes)
-        return PlannedPath(self._job.lines, start, held, first, self._gaps, found.firmware.dialects[0])
+        step_mm = [1.0 / found.settings.get(STEPS_PER_MM + axis, math.inf) for axis in range(3)]
+        return PlannedPath(self._job.lines, start, held, first, self._gaps, found.firmware.language, step_mm)
 
     def _notify_unknown(self, path: PlannedPath) -> None:
         if path.refused and not self._told:

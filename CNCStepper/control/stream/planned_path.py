@@ -17,10 +17,12 @@ from CNCStepper.control.program.wire_line import ARCS
 from CNCStepper.control.stream.backlash_side import BacklashTracker
 from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
+from CNCStepper.machine.pulse_letters import letter_steps
 from CNCStepper.state import Start, States
 from CNCStepper.tolerances import FULL_CIRCLE_RAD
 from CNCStepper.toolpath import ARC_CW, PLANE_AXES, Chunk
 
+LETTERS = "$L="  # begins a line of pulse letters
 CHORD_MM = 0.002  # how far a chord may lie inside its arc; the firmware's own default ($12)
 
 
@@ -63,7 +65,7 @@ class PlannedPath:
 
     start: how the machine stands. held: lines that say what else is in force there. first: the line, from 0, before
     which it stands. gaps: follow the moves, where there is play. dialect: the controller's. refused: why the way is not
-    known from the line `lost_at` (from 0) on, or None.
+    known from the line `lost_at` (from 0) on, or None. step_mm: of the axes, where lines of pulse letters may come.
     """
 
     def __init__(
@@ -74,11 +76,14 @@ class PlannedPath:
         first: int = 0,
         gaps: BacklashTracker | None = None,
         dialect: str = "grbl",
+        step_mm: Sequence[float] = (),
     ):
         self.refused: ProgramError | None = None
         self.lost_at = 0
         self._lines = lines
         self._gaps = gaps
+        self._step_mm = np.asarray(step_mm, float)
+        self._by_letters = False  # whether the place is no longer the interpreter's
         self._read = first
         self._interpreter = Interpreter(start, dialect)
         here = np.array([start.position_mm[:3]], float)
@@ -142,7 +147,10 @@ class PlannedPath:
     def _read_line(self, text: str) -> None:
         table = self._interpreter.table
         try:
-            if text.startswith("$"):
+            if text.startswith(LETTERS) and len(self._step_mm):
+                self._take_letters(text)
+                return
+            if (self._by_letters and not text.startswith("M")) or text.startswith("$"):
                 raise ProgramError("path-unknown", Text("'{text}' moves as only the controller knows", text=text))
             self._interpreter.line(text)
         except ProgramError as error:
@@ -151,6 +159,15 @@ class PlannedPath:
             if any(event.kind == "probe" for event in table.events):
                 self._lose(ProgramError("path-unknown", "where a probe stops only the controller knows"))
             table.events.clear()
+
+    def _take_letters(self, text: str) -> None:
+        """Put the way of a line of pulse letters behind the others."""
+        self._take_moves()
+        moves = np.array([letter_steps(letter) for letter in text.removeprefix(LETTERS)], float)
+        points = self._pieces.ends[-1] + np.cumsum(moves, axis=0) * self._step_mm
+        self._pieces = self._pieces.with_moves(points, np.array([len(points)]), np.array([self._read]))
+        self._lines_before += 1
+        self._by_letters = True
 
     def _lose(self, error: ProgramError) -> None:
         self._take_moves()

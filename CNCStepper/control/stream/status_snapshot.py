@@ -30,6 +30,7 @@ def status_snapshot(driver: Grbl | None, phase: str, message: str = "") -> Sende
         outputs=driver.outputs,
         buffer=seen.buffer,
         pins=seen.pins,
+        cannot=tuple(sorted(driver.cannot)),
         homing=bool(driver.settings[HOMING]) if HOMING in driver.settings else None,
     )
 

@@ -24,7 +24,8 @@ from CNCStepper.cycles.sheet_cutting.lead_room import LeadRoom
 from CNCStepper.cycles.sheet_cutting.rapids import cut_order, rapid_ways
 from CNCStepper.cycles.sheet_cutting.sheet_checks import Measures, measures_of
 from CNCStepper.cycles.sheet_cutting.sheet_model import SheetModel
-from CNCStepper.cycles.sheet_cutting.strokes import Stroke, strokes
+from CNCStepper.cycles.sheet_cutting.slow_places import slow_places
+from CNCStepper.cycles.sheet_cutting.strokes import Stroke, even, strokes
 from CNCStepper.cycles.sheet_cutting.torch_moves import Cut
 from CNCStepper.errors import Text
 from CNCStepper.geometry.curve import Curve, joined
@@ -166,7 +167,11 @@ class _Planner:
         outs: dict[int, Curve | None] = dict.fromkeys(range(len(self.items)))
         if self.cycle.lead_out.kind != "none" and closed:
             outs |= self._lead_outs(room, closed, [begins[number][0] for number in closed])
-        return [self._cut(item, *begins[number], outs[number]) for number, item in enumerate(self.items)]
+        paths = [self._way(item.path, place_mm) for item, (place_mm, _) in zip(self.items, begins, strict=True)]
+        rules = self.measures.rules
+        slow = slow_places(paths, rules.arcs, rules.corners, rules.kerf_mm, rules.side)
+        return [self._cut(item.chain, strokes(paths[number], item.chain, slow[number], rules), begins[number][1],
+                          outs[number]) for number, item in enumerate(self.items)]  # fmt: skip
 
     def _lead_outs(self, room: LeadRoom, closed: list[int], places_mm: list[float]) -> dict[int, Curve | None]:
         overcut_mm = self.cycle.overcut_mm
@@ -182,14 +187,14 @@ class _Planner:
             )
         return {number: None if number in small else lead for number, lead in found.items()}
 
-    def _cut(self, item: Item, place_mm: float, lead_in: Curve | None, lead_out: Curve | None) -> Cut:
-        path = item.path.started_at_length(place_mm) if place_mm else item.path
-        blade_mm = self.cycle.blade_offset_mm
-        if blade_mm:
-            path = knife_way(path, blade_mm)
-        run = strokes(path, item.chain, self.measures.rules)
-        words = {"chain": float(item.chain.number), "hole": float(item.chain.is_hole)}
-        return Cut(item.chain.title, np.zeros((0, 2)), lead_in, run, lead_out, words)
+    def _way(self, path: Curve, place_mm: float) -> Curve:
+        """Return a path from where it is begun, of a drag knife the way of its axis."""
+        path = path.started_at_length(place_mm) if place_mm else path
+        return knife_way(path, self.cycle.blade_offset_mm) if self.cycle.blade_offset_mm else path
+
+    def _cut(self, chain: Chain, run: list[Stroke], lead_in: Curve | None, lead_out: Curve | None) -> Cut:
+        words = {"chain": float(chain.number), "hole": float(chain.is_hole)}
+        return Cut(chain.title, np.zeros((0, 2)), lead_in, run, lead_out, words)
 
     def _before(self) -> list[tuple[int, int]]:
         """Return which items are cut before which others."""
@@ -246,9 +251,7 @@ def _mark(cycle: SheetModel, number: int, curve: Curve, measures: Measures) -> C
     curve = curve.moved(*cycle.offset_mm)
     feed = cycle.mark_feed_mm_min or measures.rules.feed_mm_min
     words = {"mark": float(number)}
-    return Cut(
-        f"mark {number}", curve.xy[:1], None, [Stroke(curve, feed, 1.0)], None, words, measures.mark_share, False
-    )
+    return Cut(f"mark {number}", curve.xy[:1], None, [even(curve, feed, 1.0)], None, words, measures.mark_share, False)
 
 
 def _centre(chain: Chain) -> tuple[float, float]:
@@ -257,8 +260,7 @@ def _centre(chain: Chain) -> tuple[float, float]:
 
 
 def _turned(cut: Cut) -> Cut:
-    back = [replace(stroke, curve=stroke.curve.reversed()) for stroke in reversed(cut.strokes)]
-    return replace(cut, strokes=back)
+    return replace(cut, strokes=[stroke.reversed() for stroke in reversed(cut.strokes)])
 
 
 def _powered(cut: Cut) -> list[Curve]:

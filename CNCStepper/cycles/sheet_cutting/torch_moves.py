@@ -10,7 +10,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import groupby
 
@@ -18,7 +18,7 @@ import numpy as np
 
 from CNCStepper.cycles.cycle import Setup
 from CNCStepper.cycles.moves import Track
-from CNCStepper.cycles.sheet_cutting.strokes import Stroke
+from CNCStepper.cycles.sheet_cutting.strokes import Stroke, even
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.state import State
 from CNCStepper.toolpath import TableBuilder
@@ -59,13 +59,14 @@ class Cut:
     power: float = 1.0
     pierced: bool = True
 
-    def with_leads(self) -> Iterator[Stroke]:
-        """Yield the strokes with the leads before and behind them."""
+    def with_leads(self) -> list[Stroke]:
+        """Return the strokes with the leads before and behind them."""
+        found, first, last = list(self.strokes), self.strokes[0], self.strokes[-1]
         if self.lead_in is not None:
-            yield Stroke(self.lead_in, self.strokes[0].feed_mm_min, self.strokes[0].power)
-        yield from self.strokes
+            found.insert(0, even(self.lead_in, float(first.feeds_mm_min[0]), first.power))
         if self.lead_out is not None:
-            yield Stroke(self.lead_out, self.strokes[-1].feed_mm_min, self.strokes[-1].power)
+            found.append(even(self.lead_out, float(last.feeds_mm_min[-1]), last.power))
+        return found
 
     @property
     def begin(self) -> Point:
@@ -148,17 +149,17 @@ class TorchMoves:
 
     def _follow(self, cut: Cut) -> None:
         """Run along all of a cut, with the rows of equal power as one piece."""
-        first = self._table.index
-        for power, group in groupby(cut.with_leads(), key=lambda stroke: stroke.power):
-            run = list(group)
-            self._power(power * cut.power)
-            self._add(Track([stroke.curve for stroke in run]), run)
-        self._mark_leads(cut, first)
-
-    def _add(self, track: Track, run: Sequence[Stroke]) -> None:
+        first, run = self._table.index, cut.with_leads()
+        track = Track([stroke.curve for stroke in run])
         z_mm = np.full(len(track.xy), self._torch.cut_height_mm if self._torch.has_z else 0.0)
-        feeds = np.repeat([stroke.feed_mm_min for stroke in run], np.diff([0, *track.rows]))
-        self._table.add_cuts(track.kind, np.column_stack([track.xy, z_mm]), track.centre, feeds)
+        end = np.column_stack([track.xy, z_mm])
+        feeds = np.concatenate([stroke.feeds_mm_min for stroke in run])[track.moves]
+        begun = 0
+        for power, group in groupby(zip(run, track.rows, strict=True), key=lambda one: one[0].power):
+            some = slice(begun, begun := list(group)[-1][1])
+            self._power(power * cut.power)
+            self._table.add_cuts(track.kind[some], end[some], track.centre[some], feeds[some])
+        self._mark_leads(cut, first)
 
     def _mark_leads(self, cut: Cut, first: int) -> None:
         """Note which rows are leads; each is of one row."""

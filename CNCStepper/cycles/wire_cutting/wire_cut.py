@@ -7,7 +7,7 @@ way_tree       those ways as a tree, and the order of its leaves
 falling_pieces no part comes loose before it is cut
 hole_slits     through the part into its holes
 wire_route     all of these put together: one way
-wire_run       rows of the table: power, moves, dwells at corners
+wire_run       rows of the table: power, moves, slow feeds and dwells at corners
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from CNCStepper.cycles.wire_cutting.inner_corners import rest_corners, rest_warn
 from CNCStepper.cycles.wire_cutting.wire_items import Items, items_of
 from CNCStepper.cycles.wire_cutting.wire_parameters import WireParameters
 from CNCStepper.cycles.wire_cutting.wire_route import Route, RouteMaker, Stroke
-from CNCStepper.cycles.wire_cutting.wire_run import WireRun
+from CNCStepper.cycles.wire_cutting.wire_run import Corners, WireRun
 from CNCStepper.errors import CycleError, GeometryError, Text
 from CNCStepper.quantities import MOST_ITEMS
 from CNCStepper.toolpath import TableBuilder
@@ -60,7 +60,7 @@ class WireCut(WireParameters, BaseModel):
             raise as_cycle_error(error) from error
         require_few_blocks(sum(len(stroke.curve) for stroke in route.strokes))
         run = WireRun(table, setup, sheet)
-        figures = run.run(route, kerf_mm, self.corner_dwell_s, self.corner_angle_deg)
+        figures = run.run(route, kerf_mm, self._corners)
         band = shapely.union_all([band, swept(run.before, kerf_mm / 2.0)])
         band = band if sheet is None else band.intersection(sheet)
         removal = Removal(band, 0.0, -(setup.thickness_mm or UNKNOWN_DEPTH_MM), self.tolerance_mm)
@@ -70,6 +70,10 @@ class WireCut(WireParameters, BaseModel):
     def kerf_of(self, setup: Setup) -> float:
         """Return the width of the cut: its own, else the tool's diameter, which is the chart's kerf at its feed."""
         return self.kerf_mm or setup.tool.diameter_mm
+
+    @property
+    def _corners(self) -> Corners:
+        return Corners(self.corner_dwell_s, self.corner_angle_deg, self.corner_distance_mm, self.corner_feed_share)
 
     def _require(self, setup: Setup) -> None:
         """Raise CycleError for another tool than a wire, one without a feed, and too long a stand at corners."""

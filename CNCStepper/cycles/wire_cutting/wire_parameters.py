@@ -13,6 +13,7 @@ class WireParameters(Parameters):
     """The keys of wire cutting; closed outlines that lie in each other are part and hole in turn.
 
     front is the side of the lowest Y. The dwell at a corner is corner_dwell_s for a half turn, and less for less.
+    The feed is lower from corner_distance_mm before a corner until as far behind it.
     """
 
     cycle: Literal["wire_cut"] = "wire_cut"
@@ -47,6 +48,15 @@ class WireParameters(Parameters):
     corner_angle_deg: Annotated[
         float,
         Bounds("angle", 1.0, 180.0),
-        Parameter(PATH, "Corner angle", "Where the way turns by less, the wire does not stand"),
+        Parameter(PATH, "Corner angle", "Where the way turns by less, the wire neither stands nor slows down"),
     ] = 30.0  # fmt: skip
+    corner_distance_mm: Annotated[
+        WidthOr0,
+        Parameter(PATH, "Corner distance", "How far before and behind a corner the feed is lower; 0: it is not"),
+    ] = 0.0
+    corner_feed_share: Annotated[
+        float,
+        Bounds("share", 0.05, 1.0),
+        Parameter(PATH, "Feed at corners", "The share of the feed there; a slower wire melts a wider kerf"),
+    ] = 0.6
     tolerance_mm: Annotated[CutTolerance, TOLERANCE] = 0.01

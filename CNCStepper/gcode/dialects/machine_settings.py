@@ -5,6 +5,7 @@ grbl:z=none               there is no Z: no word for it is written, and one that
 grbl:spindle=switch       M3 and M5 without S switch a torch
 grbl:spindle=none         nothing is switched: M3, M4 and M5 are refused
 thesis-a:spindle=always   the language has no words for it: the wire is on from the program's begin
+grbl:outputs=pins         M62 to M65 switch the pins of a machine whose pulses this computer makes
 grbl:feed=900             the feed, mm/min, of a program that has no F
 """
 
@@ -15,10 +16,11 @@ from dataclasses import replace
 from math import isfinite
 
 from CNCStepper.errors import ProgramError, Text
-from CNCStepper.gcode.dialects.definition import Dialect, same_advice
+from CNCStepper.gcode.dialects.definition import Dialect, rs274_codes, same_advice
 
 SPEED_CODES = ("G96", "G97", "M19")
 SWITCH_CODES = ("M3", "M4", "M5")
+OUTPUT_CODES = ("M62", "M63", "M64", "M65")
 HEIGHT_PLANES = ("G18", "G19")
 NO_Z = "this machine has no Z axis: take it out"
 NO_PLANE = "this machine has no Z axis: arcs are in XY"
@@ -61,9 +63,14 @@ def _feed(dialect: Dialect, value: str) -> Dialect:
     return replace(dialect, default_feed_mm_min=float(value))
 
 
+def _outputs(dialect: Dialect, value: str) -> Dialect:
+    return replace(dialect, codes={**dialect.codes, **rs274_codes(" ".join(OUTPUT_CODES))})
+
+
 _VALUES: dict[str, tuple[tuple[str, ...], Callable[[Dialect, str], Dialect]]] = {
     "z": (("none",), _z),
     "spindle": (("switch", "none", "always"), _spindle),
+    "outputs": (("pins",), _outputs),
 }
 
 

@@ -44,6 +44,7 @@ from CNCStepper.gcode.syntax.words import Word, words_of
 from CNCStepper.gcode.wire.monotonic_split import Piece, arc_pieces, straight_pieces
 from CNCStepper.gcode.wire.wire_text import WireLines, WireText, check_wire_line
 from CNCStepper.machine.backlash import Backlash, Motors
+from CNCStepper.machine.controller_family import makes_pulses
 from CNCStepper.machine.profile import Machine
 from CNCStepper.state import Start
 from CNCStepper.tolerances import SAME_SUM_MM
@@ -242,8 +243,9 @@ TAKES_AXES = frozenset(("G4", "G43", "G43.1", "G43.2", "G52"))  # whose axis wor
 
 def backlash_of(machine: Machine | None, dialect: str | Dialect) -> Backlash | None:
     """Return the play that a sender must take up on a machine; None where there is none, or its controller does."""
-    play = Backlash.of(machine) if machine and not dialect_named(dialect).compensates_backlash else None
-    return play or None
+    if machine is None or makes_pulses(machine) or dialect_named(dialect).compensates_backlash:
+        return None
+    return Backlash.of(machine) or None
 
 
 class BacklashCompensation:

@@ -18,6 +18,7 @@ from typing import BinaryIO
 import numpy as np
 
 from CNCStepper.errors import Place, ProgramError
+from CNCStepper.machine.pulse_letters import MOVES
 from CNCStepper.motion.signals.device_switching import Switch
 from CNCStepper.motion.signals.pulse_stream import PULSE_ROWS, PulseChunk, PulseStream, check_axes, moved_steps
 
@@ -25,11 +26,6 @@ AXES = 3
 LETTERS_A_LINE = 80
 BLOCK_BYTES = 65_536
 BLANKS = b" \t\r\n"
-_TABLE = """
-A+X B+Y C+Z D-X E-Y F-Z   G+X+Y H+X+Z I+Y+Z J-X-Y K-X-Z L-Y-Z   M+X-Y N-X+Y O+X-Z P-X+Z Q+Y-Z R-Y+Z
-S+X+Y+Z T-X-Y-Z U+X-Y-Z V-X+Y-Z W-X-Y+Z X-X+Y+Z Y+X-Y+Z Z+X+Y-Z
-"""
-MOVES = {entry[0]: entry[1:] for entry in _TABLE.split()}
 DEVICES = {
     "s": ("spindle_cw", True),
     "t": ("spindle_cw", False),

@@ -40,6 +40,7 @@ if TYPE_CHECKING:
     from CNCStepper.job.proof_folder import Part
     from CNCStepper.recovery.restart.proof_folder import RestartPlace
     from CNCStepper.simulation.finding import Finding
+    from CNCStepper.simulation.meshes.fallen_faces import FallenFaces
     from CNCStepper.simulation.tip_track import TipTrack
     from CNCStepper.simulation.views.path_lines import Lines
     from CNCStepper.state import Start
@@ -65,9 +66,9 @@ class ProofResult:
 
     program_lines: the text; of a restart its own. findings: the worst first. refused: whether it must not be
     sent. send_file: the certificate. moves: the tip in work coordinates in time. rapids, feeds: as lines.
-    part: what is left of the stock. tools: the outlines of cutter and shank by number. report: as `cncstepper run`
-    writes it. work_origin_mm: where the work zero lies in the document. begins: the start state that it holds for, None
-    where that is not known. words: what a restart does, the core's sentences in its order.
+    part: what is left of the stock. fallen: what it cuts free. tools: the outlines of cutter and shank by number.
+    report: as `cncstepper run` writes it. work_origin_mm: where the work zero lies in the document. begins: the start
+    state that it holds for, None where that is not known. words: what a restart does, the core's sentences.
     """
 
     program_lines: list[str]
@@ -79,6 +80,7 @@ class ProofResult:
     rapids: Lines
     feeds: Lines
     part: Part
+    fallen: FallenFaces
     report: dict[str, Any]
     work_origin_mm: tuple[float, float, float]
     tools: dict[int, tuple[np.ndarray, np.ndarray]]
@@ -258,6 +260,7 @@ class ProofRun(QtCore.QObject):
             rapids=answer.rapids,
             feeds=answer.feeds,
             part=answer.part,
+            fallen=answer.fallen,
             report=answer.report,
             work_origin_mm=self._origin_mm,
             tools=answer.tools,

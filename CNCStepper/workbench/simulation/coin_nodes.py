@@ -30,6 +30,18 @@ def quads(corners: np.ndarray) -> Any:
     return faces
 
 
+def polygons(points: np.ndarray, counts: np.ndarray) -> Any:
+    """Return faces without holes, float32[n, 3], of so many corners each."""
+    from pivy import coin
+
+    content = coin.SoVertexProperty()
+    content.vertex.setValues(0, len(points), np.ascontiguousarray(points, np.float32))
+    faces = coin.SoFaceSet()
+    faces.vertexProperty = content
+    faces.numVertices.setValues(0, len(counts), counts.tolist())
+    return faces
+
+
 def coloured_quads(corners: np.ndarray, rgba: np.ndarray) -> Any:
     """Return faces of four corners, float32[n, 4, 3], with a packed colour for every corner, uint32[n, 4].
 
@@ -108,6 +120,16 @@ def solid() -> Any:
     hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
     hints.shapeType = coin.SoShapeHints.SOLID
     hints.creaseAngle = 0.6
+    return hints
+
+
+def concave() -> Any:
+    """Return the setting that faces which follow may be concave and are seen from both sides."""
+    from pivy import coin
+
+    hints = coin.SoShapeHints()
+    hints.faceType = coin.SoShapeHints.UNKNOWN_FACE_TYPE
+    hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
     return hints
 
 

@@ -2,10 +2,11 @@
 """What a simulation adds to FreeCAD's 3D view: the stock's outline, the cut part, the path, the tool, a marker.
 
 view's scene graph
-  root (not pickable) ── place (the job's work zero) ── stock ── part ── rapids ── feeds
+  root (not pickable) ── place (the job's work zero) ── stock ── part ── rapids ── feeds ── fallen
                                                     └── tool: switch, translation, shapes ── marker
   part: switch ── the finished part
               └── the part at a moment: one node a tile, so that few are exchanged when time goes on
+  fallen: a switch for each piece that is cut free of a sheet
 """
 
 from __future__ import annotations
@@ -21,16 +22,19 @@ from CNCStepper.workbench.simulation import coin_nodes as nodes
 
 if TYPE_CHECKING:
     from CNCStepper.job.proof_folder import Part
+    from CNCStepper.simulation.meshes.fallen_faces import FallenFaces
     from CNCStepper.workbench.proving.proof_process import ProofResult
     from CNCStepper.workbench.simulation.timeline_client import Tiles
 
 FACES_AT_ONCE = 2500  # so many are handed to the 3D view at once, which takes a few ms
 POINTS_AT_ONCE = 10_000  # of lines, likewise
+PIECES_AT_ONCE = 50  # that are cut free, likewise
 FEED_RGB = (0.13, 0.15, 0.18)
 RAPID_RGB = (0.84, 0.09, 0.44)
 STOCK_RGB = (0.45, 0.36, 0.22)
 CUTTER_RGB = (0.78, 0.80, 0.83)
 SHANK_RGB = (0.42, 0.45, 0.50)
+FALLEN_RGB = (0.62, 0.70, 0.78)
 MARKER_RGB = (0.90, 0.20, 0.05)
 MARKER_SHARE = 0.12  # of the stock's longest side: the height of the marker
 FINISHED, AT_MOMENT = 0, 1  # children of the part's switch
@@ -62,6 +66,9 @@ class Scene:
         self._tools: dict[int, tuple[np.ndarray, np.ndarray]] = {}
         self._tool_number: int | None = None
         self._tiles: dict[int, Any] = {}
+        self._fallen: FallenFaces | None = None
+        self._fallen_shown = 0
+        self._fallen_pieces = nodes.separator(nodes.plain(FALLEN_RGB), nodes.concave())
         self._part = coin.SoSwitch()
         self._part.whichChild = FINISHED
         for _ in (FINISHED, AT_MOMENT):
@@ -87,7 +94,7 @@ class Scene:
             yield
 
     def load_result(self, result: ProofResult) -> Iterator[None]:
-        """Add path, tools and marker, a few ms at a time."""
+        """Add path, fallen pieces, tools and marker, a few ms at a time."""
         self._root.addChild(self._path)
         for lines, rgb in ((result.rapids, RAPID_RGB), (result.feeds, FEED_RGB)):
             group = nodes.separator(nodes.plain(rgb))
@@ -95,6 +102,7 @@ class Scene:
             for piece in lines.pieces(POINTS_AT_ONCE):
                 group.addChild(nodes.separator(nodes.lines(piece.points, piece.counts)))
                 yield
+        yield from self._add_fallen(result.fallen)
         self._add_tools(result.tools)
         self._add_marker()
 
@@ -133,6 +141,16 @@ class Scene:
 
         self._path.whichChild = coin.SO_SWITCH_ALL if shown else coin.SO_SWITCH_NONE
 
+    def show_fallen(self, time_s: float) -> None:
+        """Show the pieces that are free at a moment."""
+        if self._fallen is None:
+            return
+        shown = self._fallen.fallen_at(time_s)
+        for number in range(*sorted((shown, self._fallen_shown))):
+            switch = self._fallen_pieces.getChild(self._fallen_pieces.getNumChildren() - len(self._fallen) + number)
+            switch.whichChild = 0 if number < shown else -1
+        self._fallen_shown = shown
+
     def show_tool(self, number: int, tip_mm: np.ndarray) -> None:
         """Put the tool with that number there; a place that is not known shows no tool."""
         known = bool(np.isfinite(tip_mm).all()) and number in self._tools
@@ -156,6 +174,20 @@ class Scene:
         part = self._cut
         points = (part.low_mm + OUTLINE * (part.high_mm - part.low_mm)).astype(np.float32)
         return nodes.separator(nodes.plain(STOCK_RGB), nodes.lines(points, OUTLINE_COUNTS))
+
+    def _add_fallen(self, fallen: FallenFaces) -> Iterator[None]:
+        """Add a switch for each piece, a few ms at a time; none is shown yet."""
+        from pivy import coin
+
+        self._root.addChild(self._fallen_pieces)
+        for number, (points, counts) in enumerate(fallen):
+            switch = coin.SoSwitch()
+            switch.whichChild = -1
+            switch.addChild(nodes.polygons(points, counts))
+            self._fallen_pieces.addChild(switch)
+            if number % PIECES_AT_ONCE == 0:
+                yield
+        self._fallen = fallen
 
     def _add_tools(self, tools: dict[int, tuple[np.ndarray, np.ndarray]]) -> None:
         from pivy import coin

@@ -162,10 +162,11 @@ class SimulationTask(ViewTask):
             self._loader.stop()
 
     def _follow(self) -> None:
-        """Put the tool and the marked line where the player stands."""
+        """Put the tool, what has fallen and the marked line where the player stands."""
         player, scene, result = self._player, self._scene, self._result
         if player is None or scene is None or result is None or not len(result.moves):
             return
+        scene.show_fallen(player.time_s)
         scene.show_tool(int(result.moves.tool[player.row]), player.tip_mm())
         self.form.program.follow(player.line)
 

@@ -7,7 +7,7 @@ import pytest
 
 from CNCStepper.gcode.dialects import dialect_names
 from CNCStepper.job.certify import machine_digest
-from CNCStepper.machine.controller_family import FAMILIES, OWN, family_of, wire_language
+from CNCStepper.machine.controller_family import FAMILIES, OWN, family_of, makes_pulses
 from CNCStepper.machine.profile import Machine, load_machine, profile_names
 
 
@@ -19,7 +19,7 @@ def of(controller: str, **changes: object) -> Machine:
 @pytest.mark.parametrize(("controller", "family"), FAMILIES.items())
 def test_family_follows_from_the_controller(controller: str, family: str) -> None:
     assert family_of(of(controller)) == family
-    assert wire_language(of(controller)) == ("grbl" if family in ("parport", "board") else "")
+    assert makes_pulses(of(controller)) == (family in ("parport", "board"))
 
 
 @pytest.mark.parametrize("controller", ["linuxcnc", "mach", "marlin", "iso", "qtplasmac"])
@@ -28,7 +28,15 @@ def test_languages_of_foreign_controllers_have_no_family(controller: str) -> Non
 
 
 def test_no_profile_has_no_family() -> None:
-    assert family_of(None) == "" == wire_language(None)
+    assert family_of(None) == "" and not makes_pulses(None)
+
+
+def test_language_of_the_wire_is_the_programs_own_but_for_machines_whose_pulses_we_make() -> None:
+    table = load_machine("thesis-table")
+    assert table.language() == "thesis-a:z=none,spindle=always,feed=900"
+    assert table.wire_language() == "grbl:z=none,spindle=switch,feed=900,outputs=pins"
+    assert of("usb-board").language() == "grbl:outputs=pins" == of("usb-board").wire_language("linuxcnc")
+    assert of("mini-lathe").wire_language() == "mini-lathe" and of("grbl").wire_language() == "grbl"
 
 
 def test_shipped_profiles_have_the_families_of_their_controllers() -> None:

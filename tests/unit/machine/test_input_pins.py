@@ -10,6 +10,7 @@ import pytest
 
 from CNCStepper.errors import JobError
 from CNCStepper.machine.profile import load_machine
+from CNCStepper.machine.wiring import Input, letters_of_own, seen_by_sender
 
 PROFILE = Path(load_machine.__code__.co_filename).parent / "profiles" / "table-a.toml"
 
@@ -56,6 +57,8 @@ def test_machine_without_buttons_has_none():
         ('pin = true\nact = "stop"', "pin"),
         ('pin = 11\nact = "stop"', "has a port"),
         ('pin = "P"\nport = "/dev/parport0"\nact = "stop"', "has a port"),
+        ('pin = "P"\nact = "limit"', "on the machine's own"),
+        ('pin = 11\nport = "/dev/parport0"\nact = "door"', "on the machine's own"),
         ('pin = "P"\nact = "explode"', "act"),
         ('pin = "P"\nact = "stop"\nlevel = "on"', "level"),
         ('pin = "P"\nact = "stop"\ndebounce_ms = 2000', "debounce_ms"),
@@ -83,3 +86,17 @@ def test_line_that_does_more_than_switch_is_refused(tmp_path, line):
 def test_line_that_switches_is_taken(tmp_path, line):
     (entry,) = machine(tmp_path, f'\n[[input]]\npin = "P"\nact = "switch"\nline = "{line}"\n').input
     assert entry.line == line
+
+
+def test_a_sender_sees_of_the_machines_own_pins_what_only_it_can_do():
+    acts = {10: "pause", 11: "back", 12: "limit", 13: "switch", 15: "door"}
+    own = [Input(pin=pin, act=act, line="M8" if act == "switch" else "", level="low") for pin, act in acts.items()]
+    others = [Input(pin="H", act="pause"), Input(pin=11, port="/dev/parport1", act="stop")]
+    seen = seen_by_sender([*own, *others])
+    assert [(entry.pin, entry.act, entry.level) for entry in seen] == [
+        ("A", "back", "high"),
+        ("B", "switch", "high"),
+        ("H", "pause", "high"),
+        (11, "stop", "high"),
+    ]
+    assert letters_of_own(own) == {11: "A", 13: "B"}

@@ -60,6 +60,7 @@ def test_a_profile_survives_json(name: str) -> None:
     ("name", "language", "processes"),
     [
         ("torch-table", "grbl", ("plasma", "oxyfuel")),
+        ("plasmac-table", "qtplasmac:z=none,spindle=switch", ("plasma",)),
         ("laser-table", "grbl:z=none", ("laser",)),
         ("wire-table", "grbl:z=none", ("hot-wire",)),
         ("thesis-table", "thesis-a:z=none,spindle=always,feed=900", ("hot-wire", "plasma", "oxyfuel")),

@@ -43,7 +43,7 @@ class Firmware:
     dialects: the languages of which it reads every line as it is meant, its own first.
     small_receive: its receive buffer may be smaller than grbl's, so what it says of it holds. line_characters: of its
     longest line, without blanks where these do not count. error_names: what it may answer in place of a number.
-    inches_question: how it tells whether it reports in inches, where no setting $13 does.
+    inches_question: how it tells whether it reports in inches, where no setting $13 does. settings: of its language.
     """
 
     key: str
@@ -56,6 +56,12 @@ class Firmware:
     blanks_count: bool = False
     error_names: Mapping[str, int] = field(default_factory=dict)
     inches_question: str = ""
+    settings: str = ""
+
+    @property
+    def language(self) -> str:
+        """Its own language, with settings, in which the path of lines sent is followed."""
+        return f"{self.dialects[0]}:{self.settings}" if self.settings else self.dialects[0]
 
     def error(self, number: int) -> Code:
         """Return what `error:number` means here."""
@@ -99,23 +105,32 @@ FLUIDNC = Firmware(
     error_names=FLUIDNC_ERROR_NAMES,
     inches_question="$/report_inches",
 )
+PINS = "outputs=pins"  # M62 to M65 switch them
 OWN_ERRORS = {**GRBL_ERRORS, 90: TOO_FAST}
-PARPORT = Firmware("parport", "the parallel port's controller", OWN_ERRORS, GRBL_ALARMS, ("grbl",))
-BOARD = Firmware("board", "the USB board's controller", OWN_ERRORS, GRBL_ALARMS, ("grbl",))
+PARPORT = Firmware("parport", "the parallel port's controller", OWN_ERRORS, GRBL_ALARMS, ("grbl",), settings=PINS)
+BOARD = Firmware("board", "the USB board's controller", OWN_ERRORS, GRBL_ALARMS, ("grbl",), settings=PINS)
 LATHE = Firmware(
     "lathe",
     "the mini-lathe's controller",
     {**OWN_ERRORS, 20: Code(GRBL_ERRORS[20].meaning, "write the program for the dialect mini-lathe")},
     GRBL_ALARMS,
     ("mini-lathe",),
+    line_characters=1000,  # many records
 )
 OWN_FIRMWARES = (PARPORT, BOARD, LATHE)  # processes of this computer, `machine.controller_family`
+PULSE_FIRMWARES = (PARPORT, BOARD)
 BOARD_FIRMWARES = (GRBL, GRBLHAL, FLUIDNC)  # what may answer at a port of which no profile is known
 FIRMWARES = (*BOARD_FIRMWARES, *OWN_FIRMWARES)
 
 
+def language_of(key: str) -> str:
+    """Return the language of the firmware of that key; the key itself where there is none."""
+    return next((firmware.language for firmware in FIRMWARES if firmware.key == key), key)
+
+
 def firmware_of_controller(controller: str) -> Firmware | None:
     """Return the firmware of a profile's controller; None where it is none that lines are sent to."""
+    controller = controller.partition(":")[0]
     family = FAMILIES.get(controller, "")
     key = family if family in OWN else controller
     return next((firmware for firmware in FIRMWARES if firmware.key == key), None)

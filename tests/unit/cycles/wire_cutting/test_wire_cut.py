@@ -20,7 +20,7 @@ from CNCStepper.machine.cut_data import CutData
 from CNCStepper.machine.processes import PROCESSES
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.state import Start, State
-from CNCStepper.toolpath import RAPID, TableBuilder, Toolpath
+from CNCStepper.toolpath import LINE, RAPID, TableBuilder, Toolpath
 
 KERF_MM = 1.2
 TOOL = Tool(number=1, shape="wire", diameter_mm=KERF_MM, feed_mm_min=300, plunge_mm_min=300)
@@ -107,6 +107,38 @@ def test_corners_wait_by_their_angle() -> None:
     assert blunt.figures["corner_dwells"] == 1
     _, none = cut(box(40, 25, 10, 10), corner_dwell_s=0.8, corner_angle_deg=120)
     assert none.figures["corner_dwells"] == 0
+
+
+def test_the_wire_is_slow_before_and_behind_corners() -> None:
+    path, answer = cut(box(40, 25, 10, 10), corner_distance_mm=2.0, corner_feed_share=0.5)
+    table, begins = path.table(), path.begins()
+    feeds, lengths = np.round(table.feed / TOOL.feed_mm_min, 6), np.hypot(*(table.end - begins)[:, :2].T)
+    (contour,) = (span for span in path.spans if span.kind == "contour")
+    rows = np.arange(contour.first, contour.last)
+    slow = rows[feeds[rows] == 0.5]
+    assert set(feeds[rows]) == {0.5, 1.0} and set(feeds[table.kind != RAPID]) == {0.5, 1.0}
+    straight = slow[table.kind[slow] == LINE]
+    assert lengths[straight].sum() == pytest.approx(4 * 2 * 2.0, abs=1e-6)  # four corners; it begins at one
+    corners = np.array([(40.0, 25.0), (50.0, 25.0), (50.0, 35.0), (40.0, 35.0)])
+    arcs = rows[table.kind[rows] != LINE]
+    assert len(arcs) == 4 and (feeds[arcs] == 0.5).all()
+    ends = np.concatenate([begins[slow, :2], table.end[slow, :2]])
+    nearest = np.hypot(*(ends[:, None] - np.vstack([corners, begins[rows[:1], :2]])).T).min(axis=0)
+    assert nearest.max() < np.hypot(2.0, KERF_MM / 2.0) + 1e-6
+    round_mm = 4 * np.pi / 2 * KERF_MM / 2
+    assert answer.figures["corner_slow_mm"] == pytest.approx(4 * 2 * 2.0 + round_mm, abs=1e-6)
+
+
+def test_a_slow_corner_stands_too_and_short_sides_are_slow_all_along() -> None:
+    path, both = cut(box(40, 25, 10, 10), corner_distance_mm=2.0, corner_feed_share=0.5, corner_dwell_s=0.8)
+    assert (both.figures["corner_dwells"], len(path.events)) == (5, 5 + 1)  # one until the wire is hot
+    _, short = cut(box(40, 25, 3, 3), corner_distance_mm=2.0, corner_feed_share=0.5)
+    ring_mm = 4 * 3.0 + 2 * np.pi * KERF_MM / 2
+    assert short.figures["corner_slow_mm"] == pytest.approx(ring_mm, abs=1e-6)
+    _, round_one = cut(circle((50, 30), 10), corner_distance_mm=2.0, corner_feed_share=0.5)
+    assert round_one.figures["corner_slow_mm"] == pytest.approx(4.0, abs=1e-6)  # begin and end alone
+    _, blunt = cut(box(40, 25, 10, 10), corner_distance_mm=2.0, corner_feed_share=0.5, corner_angle_deg=120)
+    assert blunt.figures["corner_slow_mm"] == 0.0
 
 
 def test_the_kerf_is_the_tools_unless_the_cut_has_its_own() -> None:

@@ -34,6 +34,7 @@ def operation(seed: int, sheet: Sheet) -> WireCut:
         enter_from=str(rng.choice(["nearest", "left", "right", "front", "back"])),  # type: ignore[arg-type]
         leave=str(rng.choice(["back", "edge"])),  # type: ignore[arg-type]
         corner_dwell_s=float(rng.choice([0.0, 0.4])),
+        corner_distance_mm=float(rng.choice([0.0, 3.0])),
         tolerance_mm=TOLERANCE_MM,
     )
 
@@ -89,9 +90,10 @@ def test_the_sheets_have_all_that_is_hard() -> None:
         shares["lines"] += bool(sheet.lines)
         shares["out at an edge"] += cycle.leave == "edge"
         shares["dwells"] += answer.figures["corner_dwells"] > 0
+        shares["slow corners"] += answer.figures["corner_slow_mm"] > 0
         shares["ways back"] += sum(span.kind == "link" for span in path.spans) > 3
     print(dict(shares))
     assert shares["refused"] <= REFUSED * len(SEEDS)
     least = dict.fromkeys(LAYOUTS, 0.12) | {"several parts": 0.8, "tight": 0.25, "at the edge": 0.2, "slits": 0.12}
-    least |= {"lines": 0.12, "out at an edge": 0.3, "dwells": 0.2, "ways back": 0.5}
+    least |= {"lines": 0.12, "out at an edge": 0.3, "dwells": 0.2, "slow corners": 0.2, "ways back": 0.5}
     assert {name: share for name, share in least.items() if shares[name] < share * len(SEEDS)} == {}

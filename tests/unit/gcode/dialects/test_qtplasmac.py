@@ -16,6 +16,7 @@ from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.writer.write import WriteOptions, written
 from CNCStepper.job.make import make_program
 from CNCStepper.job.model import load_job
+from CNCStepper.job.prove import prove_job
 from CNCStepper.machine.cut_charts import cut_data_for, write_chart
 from CNCStepper.machine.cut_data import CutData
 from CNCStepper.state import Start, State, ToolEntry
@@ -285,17 +286,24 @@ def test_the_samples_that_ship_with_linuxcnc_are_read():
 # a job
 
 
-def test_the_gasket_is_cut_by_a_table_with_qtplasmac(tmp_path):
-    torch = (ROOT / "CNCStepper" / "machine" / "profiles" / "torch-table.toml").read_text("utf-8")
-    flat = torch[: torch.index("[axis.z]")].replace('"grbl"', '"qtplasmac"')
-    (tmp_path / "table.toml").write_text(flat, "utf-8")
-    job = (ROOT / "examples" / "jobs" / "gasket-plasma.toml").read_text("utf-8").replace("torch-table", "table.toml")
+@pytest.mark.slow
+def test_the_gasket_is_cut_by_the_table_with_qtplasmac_that_ships(tmp_path):
+    job = (ROOT / "examples" / "jobs" / "gasket-plasma.toml").read_text("utf-8").replace("torch-table", "plasmac-table")
     drawings = (ROOT / "examples" / "drawings").as_posix()
     (tmp_path / "gasket.toml").write_text(job.replace("../drawings", drawings), "utf-8")
-    text = make_program(*load_job(tmp_path / "gasket.toml")).program
+    asked, machine = load_job(tmp_path / "gasket.toml")
+    made = make_program(asked, machine)
+    text = made.program
     assert undocumented(text) == [] and out_of_order(text) == [] and "Z" not in text and "G4 " not in text
     assert text.count("M3 $0 S1") == text.count("M5 $0") == 7
     assert text.count("M67 E3 Q60") == text.count("M62 P3") == text.count("M63 P3") == 4  # the small holes
     assert filtered(text, tmp_path)[1] == [] and rs274_calls(with_numbers(text, 3850), tmp_path)[1]
-    read = interpret(text, ZERO, "qtplasmac")
+    read = interpret(text, ZERO, machine.language())
     assert [event.value for event in read.events if event.kind == "dwell"] == [0.4] * 7  # the material's pierce delay
+    wanted = [one for one in flat_rows(made.toolpath) if one[0] != RAPID]
+    for one, other in zip((one for one in flat_rows(read) if one[0] != RAPID), wanted, strict=True):
+        assert one[0] == other[0] and one[4:] == other[4:] and one[1:3] == pytest.approx(other[1:3], abs=0.003)
+        assert one[3] == pytest.approx(other[3], rel=2e-3)
+    proof = prove_job(asked, machine, text, file="gasket.ngc")
+    assert not proof.refused and {one.code for one in proof.findings if one.severity == "error"} == set()
+    assert len(proof.pieces) >= 7

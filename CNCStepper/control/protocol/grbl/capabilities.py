@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a controller of ours cannot do, in words: it says so itself when it is met, before the first line is sent.
+
+[CANNOT:hold] of `$I`  ──►  driver.cannot  ──►  SenderStatus.cannot, `check_can`, warnings before a job
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from CNCStepper.errors import MachineRefusal, Text
+
+CANNOT_CODE = "cannot"
+SWITCH = "press the machine's own switch, or let it run to its end"
+REASONS: dict[str, tuple[str, str]] = {  # of each word of [CANNOT:...]: why not, and what to do
+    "hold": ("this machine cannot be held while its program runs: its link takes no such command", SWITCH),
+    "resume": ("this machine cannot be resumed over its link", "use the machine's own buttons"),
+    "stop": (
+        "this machine cannot be stopped while it runs what it was sent",
+        "press the machine's switch; no further line is sent",
+    ),
+    "override": ("this machine's speeds cannot be changed while its program runs", "change F in the program"),
+    "jog": ("this machine cannot be jogged from here", "use the machine's own buttons"),
+    "jog-hold": ("this machine cannot be jogged while a program is held", "stop the program, then jog"),
+    "back": ("this machine cannot go back along its cut", "restart the program at a line before it"),
+    "home": ("this machine cannot find its own zero", "move the tool to the work zero and set it there"),
+    "probe": ("this machine has no probe", "set the zero by hand"),
+    "position": ("this machine does not report its position: it is counted from what was sent", "look at the machine"),
+}
+NEEDS: dict[str, tuple[str, ...]] = {  # of each command: what the machine must be able to do for it
+    "hold": ("hold",),
+    "resume": ("resume",),
+    "stop": ("stop",),
+    "override": ("override",),
+    "jog": ("jog",),
+    "jog_on": ("jog",),
+    "home": ("home",),
+    "tell_place": ("back",),
+    "retrace": ("back",),
+    "want_back": ("back",),
+}
+
+
+def reason(word: str) -> str:
+    """Return in a sentence why a machine cannot do what a word of [CANNOT:...] names, for a button's tooltip."""
+    why, what_to_do = _reason(word)
+    return Text("{why}: {what_to_do}", why=why, what_to_do=what_to_do)
+
+
+def missing(command: str, cannot: Iterable[str]) -> str:
+    """Return the first word of `cannot` that a command needs, "" where the machine can do it."""
+    return next((word for word in NEEDS.get(command, ()) if word in cannot), "")
+
+
+def check_can(command: str, cannot: Iterable[str]) -> None:
+    """Raise MachineRefusal for a command of which the machine cannot do what it needs."""
+    if word := missing(command, cannot):
+        why, what_to_do = _reason(word)
+        raise MachineRefusal(CANNOT_CODE, why, value=word, advice=what_to_do)
+
+
+def _reason(word: str) -> tuple[str, str]:
+    return REASONS.get(word) or (
+        Text("this machine cannot do this: {word}", word=word),
+        "use the machine's own buttons",
+    )

@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A sender with its job, its zero and its jogs at the mini-lathe's controller, and the virtual lathe behind it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+import pytest
+
+from CNCStepper.control.operator.actions import set_zero
+from CNCStepper.control.program.send_job import SendJob
+from CNCStepper.control.protocol.grbl.connect import handshake
+from CNCStepper.control.protocol.grbl.driver import Grbl
+from CNCStepper.control.protocol.grbl.readiness import expected_settings
+from CNCStepper.control.protocol.grbl.timeouts import Timing
+from CNCStepper.control.service.sender import Sender
+from CNCStepper.control.session.status import DONE, REFUSED, STOPPED, Outcome
+from CNCStepper.errors import LinkError
+from CNCStepper.gcode.wire.encoder import prepare
+from CNCStepper.machine.profile import load_machine
+from helpers.control.fake_controller import FakeClock, Unqueued
+from helpers.controllers.lathe_judge import LatheBench
+
+PUBLISHED = "N30 G01X-1. F1. # N40 Z-5. # N50 X5000 Z5. F2.0 #\nG00 X-.5 #\nM02 #\n"
+STEP_S = 0.005
+
+
+class Desk(Unqueued):
+    """A link to a board at a judge, in simulated time; during: called at each look with the time in s."""
+
+    name = "lathe"
+
+    def __init__(self, during: Callable[[float], None] = lambda time_s: None):
+        self.clock = FakeClock()
+        self.bench = LatheBench()
+        self._during = during
+        self._heard = self.bench.said.encode("ascii")
+        self.begin_s = self.clock()
+
+    def read(self, wait_s: float) -> bytes:
+        end_s = self.clock() + wait_s
+        while not self._heard and self.clock() < end_s:
+            self._heard = self.bench.wait(STEP_S, STEP_S).encode("ascii")
+            self.clock.now_s += STEP_S
+            self._during(self.clock() - self.begin_s)
+            if self.clock() - self.begin_s > 300:
+                raise LinkError("test", "the test takes too long")
+        heard, self._heard = self._heard, b""
+        return heard
+
+    def write(self, data: bytes) -> None:
+        self.bench.board.receive(data)
+
+    def wake(self) -> None:
+        """Nobody waits."""
+
+    def close(self) -> None:
+        self.bench.board.close()
+
+
+def sent(program: str, told: list[str], during: Callable[[float, Sender], None] | None = None) -> tuple[Desk, Outcome]:
+    lathe = load_machine("mini-lathe")
+    desk = Desk(lambda time_s: during(time_s, sender) if during else None)
+    job = SendJob(
+        "lathe",
+        list(prepare(program, "mini-lathe").lines),
+        zero_confirmed=True,
+        dialect="mini-lathe",
+        expected=expected_settings(lathe),
+    )
+    sender = Sender(job, opener=lambda name, baud: desk, clock=desk.clock, tell=lambda kind, text: told.append(text))
+    return desk, sender.run()
+
+
+def test_a_job_is_cut_to_its_end_on_its_path() -> None:
+    told: list[str] = []
+    desk, outcome = sent(PUBLISHED, told)
+    judge = desk.bench.judge
+    assert outcome.kind == DONE, outcome.text
+    assert judge.mm == (-1.0, 0.0) and judge.faults == [] and judge.sent.endswith(b"M02#?")
+    assert not any("not compared with the path" in text for text in told), told
+    assert any("automatic mode" in text for text in told)
+
+
+def test_a_stop_sends_nothing_more_and_says_that_the_lathe_runs_on() -> None:
+    told: list[str] = []
+    stopped: list[float] = []
+
+    def stop(time_s: float, sender: Sender) -> None:
+        if time_s > 3.0 and not stopped:
+            stopped.append(time_s)
+            sender.stop()
+
+    desk, outcome = sent("G01 Z-1. F1. # Z-1. # Z-1. #\n" * 10, told, stop)
+    assert outcome.kind == STOPPED and stopped
+    assert any("the lathe cannot be stopped over its link: it runs on for" in text for text in told)
+    x, z = desk.bench.judge.mm
+    desk.bench.wait(5.0)
+    assert desk.bench.judge.mm == (x, z) and -7.0 < z < -2.0
+    assert desk.bench.board.places_mm[2] == pytest.approx(z)
+
+
+def test_an_outcome_says_how_long_a_long_cut_still_takes() -> None:
+    told: list[str] = []
+    asked: list[float] = []
+
+    def stop(time_s: float, sender: Sender) -> None:
+        if time_s > 3.0 and not asked:
+            asked.append(time_s)
+            sender.stop()
+
+    desk, outcome = sent("G01 Z-60. F1. #\nG01 Z60. F1. #\n", told, stop)
+    left_s = 60.0 - (desk.clock() - desk.begin_s)
+    assert outcome.kind == STOPPED and not outcome.position_known and 20.0 < left_s < 50.0
+    found = re.search(r"cannot be stopped.*it runs on for (\d+) s", outcome.text)
+    assert found and float(found[1]) == pytest.approx(left_s, abs=3.0), outcome.text
+    desk.bench.board.come_to_rest()
+    assert desk.bench.judge.mm == (0.0, -60.0) and b"Z60" not in desk.bench.judge.sent
+
+
+def test_another_language_is_refused_before_the_first_byte() -> None:
+    told: list[str] = []
+    desk = Desk()
+    job = SendJob("lathe", ["G1X1F100"], zero_confirmed=True, dialect="grbl")
+    sender = Sender(job, opener=lambda name, baud: desk, clock=desk.clock)
+    outcome = sender.run()
+    assert outcome.kind == REFUSED and outcome.error and outcome.error.code == "dialect-differs" and not told
+    assert desk.bench.judge.sent == b""
+
+
+def test_the_zero_of_both_axes_is_set_by_hand_and_read_back() -> None:
+    desk = Desk()
+    desk.bench.send("$J=G91X-2F120\n$J=G91Z3F120\n", 4.0)
+    driver = Grbl(desk, desk.clock)  # type: ignore[arg-type]
+    assert handshake(driver, Timing()).firmware.key == "lathe"
+    assert {"hold", "stop", "override", "resume"} <= driver.cannot
+    assert set_zero(driver, "XYZ", Timing()) == "G54"
+    assert driver.wpos_mm == (0.0, 0.0, 0.0) and driver.mpos_mm == pytest.approx((-2.0, 0.0, 3.0))
