@@ -8501,7 +8501,7 @@
         </message>
         <message>
             <source>a rate is tried at rest only, not in state {state}</source>
-            <translation type="unfinished"></translation>
+            <translation>uma taxa só é testada em repouso, não no estado {state}</translation>
         </message>
         <message>
             <source>a rectangle's corner radius must not exceed half of its shorter side</source>
@@ -9169,7 +9169,7 @@
         </message>
         <message>
             <source>check cable and power; home the machine or set its zero again before its next move</source>
-            <translation type="unfinished"></translation>
+            <translation>verifique o cabo e a alimentação; referencie a máquina ou defina o zero de novo antes do próximo movimento</translation>
         </message>
         <message>
             <source>check cable and power; home the machine or set its zero again before the next cut</source>
@@ -9961,7 +9961,7 @@
         </message>
         <message>
             <source>free {size} MB</source>
-            <translation type="unfinished"></translation>
+            <translation>libere {size} MB</translation>
         </message>
         <message>
             <source>from 1 to {found}</source>
@@ -9993,7 +9993,7 @@
         </message>
         <message>
             <source>give /dev/parport0, socket://host:port, a serial device, or record:FILE</source>
-            <translation type="unfinished"></translation>
+            <translation>indique /dev/parport0, socket://host:porta, um dispositivo serial ou record:ARQUIVO</translation>
         </message>
         <message>
             <source>give 2 or 3 numbers</source>
@@ -10529,7 +10529,7 @@
         </message>
         <message>
             <source>it takes nothing for {limit:g} s</source>
-            <translation type="unfinished"></translation>
+            <translation>não aceita nada há {limit:g} s</translation>
         </message>
         <message>
             <source>it was a restart itself: the first line not certainly cut is the program's {story}</source>
@@ -11334,7 +11334,7 @@
         </message>
         <message>
             <source>name a parallel port, a serial device, socket://host:port, or record:FILE</source>
-            <translation type="unfinished"></translation>
+            <translation>indique uma porta paralela, um dispositivo serial, socket://host:porta ou record:ARQUIVO</translation>
         </message>
         <message>
             <source>name both axes</source>
@@ -11718,7 +11718,7 @@
         </message>
         <message>
             <source>nothing answers at {name}: {error}</source>
-            <translation type="unfinished"></translation>
+            <translation>nada responde em {name}: {error}</translation>
         </message>
         <message>
             <source>nothing answers at {name}: {text}</source>
@@ -12031,11 +12031,11 @@
         </message>
         <message>
             <source>pulses are forgotten at rest only, not in state {state}</source>
-            <translation type="unfinished"></translation>
+            <translation>pulsos só são descartados em repouso, não no estado {state}</translation>
         </message>
         <message>
             <source>pulses are taken back in a hold only, not in state {state}</source>
-            <translation type="unfinished"></translation>
+            <translation>só se volta pelos pulsos em pausa, não no estado {state}</translation>
         </message>
         <message>
             <source>pulses are those of a machine</source>
@@ -12551,7 +12551,7 @@
         </message>
         <message>
             <source>start it, or write socket://host:port</source>
-            <translation type="unfinished"></translation>
+            <translation>inicie-a, ou escreva socket://host:porta</translation>
         </message>
         <message>
             <source>start nearer to the part, then unlock with $X</source>
@@ -13988,7 +13988,7 @@
         </message>
         <message>
             <source>the other end has closed it</source>
-            <translation type="unfinished"></translation>
+            <translation>a outra ponta a fechou</translation>
         </message>
         <message>
             <source>the outlines enclose nothing</source>
@@ -14120,7 +14120,7 @@
         </message>
         <message>
             <source>the port {name} is lost: {error}</source>
-            <translation type="unfinished"></translation>
+            <translation>a porta {name} foi perdida: {error}</translation>
         </message>
         <message>
             <source>the position along {axis} is not known here</source>
@@ -14168,7 +14168,7 @@
         </message>
         <message>
             <source>the process that plays the pulses has ended; steps may be lost</source>
-            <translation type="unfinished"></translation>
+            <translation>o processo que envia os pulsos terminou; passos podem ter sido perdidos</translation>
         </message>
         <message>
             <source>the process that proves the program ended without an answer</source>
@@ -14364,7 +14364,7 @@
         </message>
         <message>
             <source>the pulses were stopped: no more of them came in time; everything is off, and steps may be lost</source>
-            <translation type="unfinished"></translation>
+            <translation>os pulsos foram parados: não vieram outros a tempo; tudo está desligado, e passos podem ter sido perdidos</translation>
         </message>
         <message>
             <source>the radius at the end of the arc is {at_end:.4f} mm and at its start {radius:.4f} mm</source>
@@ -15016,7 +15016,7 @@
         </message>
         <message>
             <source>there is no room for the pulses' memory: {error}</source>
-            <translation type="unfinished"></translation>
+            <translation>não há espaço para a memória dos pulsos: {error}</translation>
         </message>
         <message>
             <source>there is no scrap for the pierce and lead-in of {chain} near X{x:.3f} Y{y:.3f}</source>
@@ -16332,7 +16332,7 @@
         </message>
         <message>
             <source>{count} pulses do not fit: no room, or ticks that do not rise</source>
-            <translation type="unfinished"></translation>
+            <translation>{count} pulsos não cabem: falta espaço, ou os tempos não crescem</translation>
         </message>
         <message>
             <source>{crossing} rapid(s) lead over parts that are already free</source>
@@ -16572,7 +16572,7 @@
         </message>
         <message>
             <source>{late_ms:.0f} ms without a pulse</source>
-            <translation type="unfinished"></translation>
+            <translation>{late_ms:.0f} ms sem pulso</translation>
         </message>
         <message>
             <source>{late_ns:.0f} µs late</source>
@@ -16636,7 +16636,7 @@
         </message>
         <message>
             <source>{limit_ms:.0f} ms</source>
-            <translation type="unfinished"></translation>
+            <translation>{limit_ms:.0f} ms</translation>
         </message>
         <message>
             <source>{line_characters} characters, {window_bytes} with spaces</source>
@@ -16760,7 +16760,7 @@
         </message>
         <message>
             <source>{name} cannot be had: {error}</source>
-            <translation type="unfinished"></translation>
+            <translation>não foi possível abrir {name}: {error}</translation>
         </message>
         <message>
             <source>{name} cannot be used as a serial port: {text}</source>
@@ -16780,7 +16780,7 @@
         </message>
         <message>
             <source>{name} is a parallel port, and the machine is a board</source>
-            <translation type="unfinished"></translation>
+            <translation>{name} é uma porta paralela, e a máquina é uma placa</translation>
         </message>
         <message>
             <source>{name} is in use</source>
@@ -16788,7 +16788,7 @@
         </message>
         <message>
             <source>{name} is no port that takes pulses</source>
-            <translation type="unfinished"></translation>
+            <translation>{name} não é uma porta que receba pulsos</translation>
         </message>
         <message>
             <source>{name} is no port: {text}</source>
@@ -16884,7 +16884,7 @@
         </message>
         <message>
             <source>{number:.0f} pulses/s, the worst {worst_us:.0f} µs late</source>
-            <translation type="unfinished"></translation>
+            <translation>{number:.0f} pulsos/s, o pior com {worst_us:.0f} µs de atraso</translation>
         </message>
         <message>
             <source>{number:.0f} writes/s, the worst {worst_us:.0f} µs late</source>
@@ -16952,7 +16952,7 @@
         </message>
         <message>
             <source>{per_s:.0f} pulses/s, {stall_us:.0f} µs</source>
-            <translation type="unfinished"></translation>
+            <translation>{per_s:.0f} pulsos/s, {stall_us:.0f} µs</translation>
         </message>
         <message>
             <source>{pierce_mm:g} mm from parts</source>

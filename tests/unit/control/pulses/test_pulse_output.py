@@ -210,7 +210,7 @@ def test_a_board_makes_every_pulse_at_a_pseudo_terminal(launch: Callable[..., Pu
 def test_places_in_the_sequences_are_kept_from_job_to_job(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, launch: Callable[..., PulseOutput]
 ) -> None:
-    monkeypatch.setattr(pulse_output, "_places_file", lambda port: tmp_path / "board.places")
+    monkeypatch.setattr(pulse_output, "places_file", lambda port: tmp_path / "board.places")
     sent = b""
     for number, text in enumerate((b"AAAB", b"ADB")):
         output = launch(f"record:{tmp_path / str(number)}", board())
