@@ -132,8 +132,7 @@ class MachineTestLines:
 
     @property
     def _interval_s(self) -> float:
-        signals = self._machine.signals
-        return (signals.pulse_us + signals.gap_us) / 1e6
+        return self._machine.signals.interval_s
 
     def _check_axes(self, step: int) -> None:
         """Raise the refusal of pulses for an axis that is not there."""
