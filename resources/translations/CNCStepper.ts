@@ -7554,6 +7554,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a move that the lathe has begun goes on: switch it off, then set its zero again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a move would end outside the travel (soft limit)</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10410,6 +10414,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>name a file that is not there yet, in a folder that you may write in</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>name a line that was cut before this one</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12386,6 +12394,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the feed does not follow the spindle: write thread passes as G01 at F = pitch * rpm / 60, for a lathe that begins each run of G01 at the encoder's index (mini-lathe:thread_start=index)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the feed is higher than the machine's axes can go</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13083,6 +13095,10 @@
         </message>
         <message>
             <source>the points of a freehand line lie at different heights</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the port is opened 8N1: neither a socket nor a pseudo-terminal has parity (the lathe itself wants 8E1)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15698,6 +15714,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{path} cannot be recorded in: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{path} cannot be written: {error}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15807,6 +15827,10 @@
         </message>
         <message>
             <source>{state} at work {work}, machine {machine} mm, {moment}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{state}; it runs on for {left_s:.0f} s</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

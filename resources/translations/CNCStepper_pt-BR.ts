@@ -7554,6 +7554,10 @@
             <translation>um driver de motor acusa falha</translation>
         </message>
         <message>
+            <source>a move that the lathe has begun goes on: switch it off, then set its zero again</source>
+            <translation>um movimento que o torno começou continua: desligue-o e depois defina o zero de novo</translation>
+        </message>
+        <message>
             <source>a move would end outside the travel (soft limit)</source>
             <translation>um movimento terminaria fora do curso (limite de software)</translation>
         </message>
@@ -10410,6 +10414,10 @@
             <translation>indique antes X e Y em um rápido acima do bloco</translation>
         </message>
         <message>
+            <source>name a file that is not there yet, in a folder that you may write in</source>
+            <translation>dê o nome de um arquivo que ainda não existe, numa pasta em que você pode gravar</translation>
+        </message>
+        <message>
             <source>name a line that was cut before this one</source>
             <translation>indique uma linha que foi cortada antes desta</translation>
         </message>
@@ -12386,6 +12394,10 @@
             <translation>o avanço pede de {name} mais que a sua velocidade máxima</translation>
         </message>
         <message>
+            <source>the feed does not follow the spindle: write thread passes as G01 at F = pitch * rpm / 60, for a lathe that begins each run of G01 at the encoder's index (mini-lathe:thread_start=index)</source>
+            <translation>o avanço não acompanha o fuso: escreva os passes de rosca como G01 com F = passo * rpm / 60, para um torno que começa cada sequência de G01 no índice do encoder (mini-lathe:thread_start=index)</translation>
+        </message>
+        <message>
             <source>the feed is higher than the machine's axes can go</source>
             <translation>o avanço é maior do que os eixos da máquina conseguem</translation>
         </message>
@@ -13084,6 +13096,10 @@
         <message>
             <source>the points of a freehand line lie at different heights</source>
             <translation>os pontos de uma linha à mão livre estão em alturas diferentes</translation>
+        </message>
+        <message>
+            <source>the port is opened 8N1: neither a socket nor a pseudo-terminal has parity (the lathe itself wants 8E1)</source>
+            <translation>a porta é aberta em 8N1: nem um socket nem um pseudoterminal tem paridade (o torno em si quer 8E1)</translation>
         </message>
         <message>
             <source>the position along {axis} is not known here</source>
@@ -15698,6 +15714,10 @@
             <translation>{owner} define o zero a partir de onde a ferramenta está depois de movimentos do percurso</translation>
         </message>
         <message>
+            <source>{path} cannot be recorded in: {error}</source>
+            <translation>não é possível gravar em {path}: {error}</translation>
+        </message>
+        <message>
             <source>{path} cannot be written: {error}</source>
             <translation>não é possível gravar {path}: {error}</translation>
         </message>
@@ -15808,6 +15828,10 @@
         <message>
             <source>{state} at work {work}, machine {machine} mm, {moment}</source>
             <translation>{state} na peça em {work}, na máquina em {machine} mm, {moment}</translation>
+        </message>
+        <message>
+            <source>{state}; it runs on for {left_s:.0f} s</source>
+            <translation>{state}; ela continua por {left_s:.0f} s</translation>
         </message>
         <message>
             <source>{style} does not drill in pecks</source>
