@@ -12294,6 +12294,10 @@
             <translation>verifique que é uma pasta, que é sua e que você pode escrever nela</translation>
         </message>
         <message>
+            <source>see that the dial counts in the axis' sense, and measure again</source>
+            <translation>veja se o relógio conta no sentido do eixo e meça de novo</translation>
+        </message>
+        <message>
             <source>see what it printed, and report it</source>
             <translation>veja o que ele imprimiu e relate</translation>
         </message>
@@ -15070,6 +15074,10 @@
             <translation>este comentário executaria Python na máquina</translation>
         </message>
         <message>
+            <source>this computer cannot keep the pulse rate of this program</source>
+            <translation>este computador não consegue manter a taxa de pulsos deste programa</translation>
+        </message>
+        <message>
             <source>this computer cannot keep the rate</source>
             <translation>este computador não sustenta a taxa</translation>
         </message>
@@ -16684,6 +16692,10 @@
         <message>
             <source>{machine} has a laser, whose beam would not be in time with its moves</source>
             <translation>{machine} tem um laser, cujo feixe não acompanharia os movimentos</translation>
+        </message>
+        <message>
+            <source>{machine} has no axis {axis}</source>
+            <translation>{machine} não tem o eixo {axis}</translation>
         </message>
         <message>
             <source>{machine} has no relay '{name}'</source>
