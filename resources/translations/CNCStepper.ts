@@ -15074,11 +15074,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>this computer cannot keep the rate</source>
+            <source>this computer cannot keep the pulse rate of this program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>this computer cannot keep the pulse rate of this program</source>
+            <source>this computer cannot keep the rate</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17039,6 +17039,10 @@
         </message>
         <message>
             <source>{state} at work {work}, machine {machine} mm, {moment}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{state}; it runs on for {left_s:.0f} s</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -8252,7 +8252,6 @@
         <message>
             <source>a limit or door is on a pin with a number, without port: on the machine's own</source>
             <translation>um fim de curso ou porta de segurança fica num pino com número e sem porta: na porta da própria máquina</translation>
-            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>a limit switch is pressed</source>
@@ -8372,7 +8371,7 @@
         </message>
         <message>
             <source>a move that the lathe has begun goes on: switch it off, then set its zero again</source>
-            <translation type="unfinished"></translation>
+            <translation>um movimento que o torno começou continua: desligue-o e depois defina o zero de novo</translation>
         </message>
         <message>
             <source>a move would end outside the travel (soft limit)</source>
@@ -8437,7 +8436,6 @@
         <message>
             <source>a pin with a number, and only that, has a port: the device file of its parallel port</source>
             <translation>um pino com número, e só ele, tem port: o arquivo de dispositivo da sua porta paralela</translation>
-            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>a pipe (FIFO)</source>
@@ -10546,7 +10544,6 @@
         <message>
             <source>its controller's process has ended ({status})</source>
             <translation>o processo do controlador terminou ({status})</translation>
-            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>its directory is too large</source>
@@ -11318,7 +11315,7 @@
         </message>
         <message>
             <source>name a file that is not there yet, in a folder that you may write in</source>
-            <translation type="unfinished"></translation>
+            <translation>dê o nome de um arquivo que ainda não existe, numa pasta em que você pode gravar</translation>
         </message>
         <message>
             <source>name a line that was cut before this one</source>
@@ -11835,7 +11832,6 @@
         <message>
             <source>only a pin with a number has a port: the device file of its parallel port</source>
             <translation>só um pino com número tem uma porta: o arquivo de dispositivo da sua porta paralela</translation>
-            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>only arcs of G17 can be turned about Z</source>
@@ -12298,14 +12294,14 @@
             <translation>verifique que é uma pasta, que é sua e que você pode escrever nela</translation>
         </message>
         <message>
+            <source>see that the dial counts in the axis' sense, and measure again</source>
+            <translation>veja se o relógio conta no sentido do eixo e meça de novo</translation>
+        </message>
+        <message>
             <source>see what it printed, and report it</source>
             <translation>veja o que ele imprimiu e relate</translation>
         </message>
         <message>
-            <source>see that the dial counts in the axis' sense, and measure again</source>
-            <translation>veja se o relógio conta no sentido do eixo e meça de novo</translation>
-        </message>
-            <message>
             <source>see whether it is whole</source>
             <translation>veja se está completo</translation>
         </message>
@@ -13060,7 +13056,6 @@
         <message>
             <source>the controller of {machine} ended at its start</source>
             <translation>o controlador de {machine} terminou ao iniciar</translation>
-            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the controller raised an alarm</source>
@@ -13388,7 +13383,7 @@
         </message>
         <message>
             <source>the feed does not follow the spindle: write thread passes as G01 at F = pitch * rpm / 60, for a lathe that begins each run of G01 at the encoder's index (mini-lathe:thread_start=index)</source>
-            <translation type="unfinished"></translation>
+            <translation>o avanço não acompanha o fuso: escreva os passes de rosca como G01 com F = passo * rpm / 60, para um torno que começa cada sequência de G01 no índice do encoder (mini-lathe:thread_start=index)</translation>
         </message>
         <message>
             <source>the feed is higher than the machine's axes can go</source>
@@ -14116,7 +14111,7 @@
         </message>
         <message>
             <source>the port is opened 8N1: neither a socket nor a pseudo-terminal has parity (the lathe itself wants 8E1)</source>
-            <translation type="unfinished"></translation>
+            <translation>a porta é aberta em 8N1: nem um socket nem um pseudoterminal tem paridade (o torno em si quer 8E1)</translation>
         </message>
         <message>
             <source>the port {name} is lost: {error}</source>
@@ -15079,12 +15074,12 @@
             <translation>este comentário executaria Python na máquina</translation>
         </message>
         <message>
-            <source>this computer cannot keep the rate</source>
-            <translation>este computador não sustenta a taxa</translation>
+            <source>this computer cannot keep the pulse rate of this program</source>
+            <translation>este computador não consegue manter a taxa de pulsos deste programa</translation>
         </message>
         <message>
-            <source>this computer cannot keep the pulse rate of this program</source>
-            <translation type="unfinished"></translation>
+            <source>this computer cannot keep the rate</source>
+            <translation>este computador não sustenta a taxa</translation>
         </message>
         <message>
             <source>this computer cannot keep the rate of the program's pulses</source>
@@ -16924,7 +16919,7 @@
         </message>
         <message>
             <source>{path} cannot be recorded in: {error}</source>
-            <translation type="unfinished"></translation>
+            <translation>não é possível gravar em {path}: {error}</translation>
         </message>
         <message>
             <source>{path} cannot be written: {error}</source>
@@ -17045,6 +17040,10 @@
         <message>
             <source>{state} at work {work}, machine {machine} mm, {moment}</source>
             <translation>{state} na peça em {work}, na máquina em {machine} mm, {moment}</translation>
+        </message>
+        <message>
+            <source>{state}; it runs on for {left_s:.0f} s</source>
+            <translation>{state}; ela continua por {left_s:.0f} s</translation>
         </message>
         <message>
             <source>{style} does not drill in pecks</source>
