@@ -8042,6 +8042,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Trial {0} pulses/s late mean {1} us worst {2} us</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Water jet</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8427,6 +8431,10 @@
         </message>
         <message>
             <source>a pin with a number has a port: the device file of its parallel port</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a pin with a number, and only that, has a port: the device file of its parallel port</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9450,6 +9458,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>connect to its port without a machine profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>constant surface speed became a speed a move</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9779,6 +9791,10 @@
         </message>
         <message>
             <source>draw the hole wider, spot it for drilling (spot_below_mm), or cut with a narrower kerf</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>drive a laser by a controller with grbl's laser mode</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14326,6 +14342,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the pulses have ended</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the pulses were stopped before they were all sent</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14978,6 +14998,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>there is no relay {0}; there are {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there is no room for a helix or ramp, and the tool does not cut over its centre</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15050,6 +15074,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this computer cannot keep the rate</source>
             <source>this computer cannot keep the pulse rate of this program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16658,6 +16683,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{machine} has a controller of its own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{machine} has a laser, whose beam would not be in time with its moves</source>
             <source>{machine} has no axis {axis}</source>
             <translation type="unfinished"></translation>
         </message>

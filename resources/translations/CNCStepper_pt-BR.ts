@@ -8042,6 +8042,10 @@
             <translation>T seleciona um extrusor: faça uma pausa com M0 onde a ferramenta deve ser trocada</translation>
         </message>
         <message>
+            <source>Trial {0} pulses/s late mean {1} us worst {2} us</source>
+            <translation>Ensaio {0} pulsos/s atraso médio {1} us pior {2} us</translation>
+        </message>
+        <message>
             <source>Water jet</source>
             <translation>Jato de água</translation>
         </message>
@@ -8247,6 +8251,7 @@
         </message>
         <message>
             <source>a limit or door is on a pin with a number, without port: on the machine's own</source>
+            <translation>um fim de curso ou porta de segurança fica num pino com número e sem porta: na porta da própria máquina</translation>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8427,6 +8432,11 @@
         </message>
         <message>
             <source>a pin with a number has a port: the device file of its parallel port</source>
+            <translation>um pino com número tem uma porta: o arquivo de dispositivo da sua porta paralela</translation>
+        </message>
+        <message>
+            <source>a pin with a number, and only that, has a port: the device file of its parallel port</source>
+            <translation>um pino com número, e só ele, tem port: o arquivo de dispositivo da sua porta paralela</translation>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9450,6 +9460,10 @@
             <translation>conecte de novo</translation>
         </message>
         <message>
+            <source>connect to its port without a machine profile</source>
+            <translation>conecte à porta dele sem perfil de máquina</translation>
+        </message>
+        <message>
             <source>constant surface speed became a speed a move</source>
             <translation>a velocidade de corte constante virou uma rotação por movimento</translation>
         </message>
@@ -9780,6 +9794,10 @@
         <message>
             <source>draw the hole wider, spot it for drilling (spot_below_mm), or cut with a narrower kerf</source>
             <translation>desenhe o furo mais largo, marque-o para furar (spot_below_mm), ou use um corte mais estreito</translation>
+        </message>
+        <message>
+            <source>drive a laser by a controller with grbl's laser mode</source>
+            <translation>acione o laser por um controlador com o modo laser do grbl</translation>
         </message>
         <message>
             <source>drop it</source>
@@ -10527,6 +10545,7 @@
         </message>
         <message>
             <source>its controller's process has ended ({status})</source>
+            <translation>o processo do controlador terminou ({status})</translation>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11815,6 +11834,7 @@
         </message>
         <message>
             <source>only a pin with a number has a port: the device file of its parallel port</source>
+            <translation>só um pino com número tem uma porta: o arquivo de dispositivo da sua porta paralela</translation>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12278,14 +12298,12 @@
             <translation>verifique que é uma pasta, que é sua e que você pode escrever nela</translation>
         </message>
         <message>
+            <source>see what it printed, and report it</source>
+            <translation>veja o que ele imprimiu e relate</translation>
             <source>see that the dial counts in the axis' sense, and measure again</source>
             <translation>veja se o relógio conta no sentido do eixo e meça de novo</translation>
         </message>
-        <message>
-            <source>see what it printed, and report it</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
+            <message>
             <source>see whether it is whole</source>
             <translation>veja se está completo</translation>
         </message>
@@ -13039,6 +13057,7 @@
         </message>
         <message>
             <source>the controller of {machine} ended at its start</source>
+            <translation>o controlador de {machine} terminou ao iniciar</translation>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14326,6 +14345,10 @@
             <translation>a verificação encontrou {errors} erro(s) no programa, o primeiro: {text}</translation>
         </message>
         <message>
+            <source>the pulses have ended</source>
+            <translation>os pulsos terminaram</translation>
+        </message>
+        <message>
             <source>the pulses were stopped before they were all sent</source>
             <translation>os pulsos foram interrompidos antes de serem todos enviados</translation>
         </message>
@@ -14978,6 +15001,10 @@
             <translation>não existe o processo '{name}'</translation>
         </message>
         <message>
+            <source>there is no relay {0}; there are {1}</source>
+            <translation>não há relé {0}; há {1}</translation>
+        </message>
+        <message>
             <source>there is no room for a helix or ramp, and the tool does not cut over its centre</source>
             <translation>não há espaço para hélice ou rampa, e a ferramenta não corta sobre o centro</translation>
         </message>
@@ -15050,6 +15077,8 @@
             <translation>este comentário executaria Python na máquina</translation>
         </message>
         <message>
+            <source>this computer cannot keep the rate</source>
+            <translation>este computador não sustenta a taxa</translation>
             <source>this computer cannot keep the pulse rate of this program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16658,6 +16687,12 @@
             <translation>{machine} não corta com {process}</translation>
         </message>
         <message>
+            <source>{machine} has a controller of its own</source>
+            <translation>{machine} tem um controlador próprio</translation>
+        </message>
+        <message>
+            <source>{machine} has a laser, whose beam would not be in time with its moves</source>
+            <translation>{machine} tem um laser, cujo feixe não acompanharia os movimentos</translation>
             <source>{machine} has no axis {axis}</source>
             <translation>{machine} não tem o eixo {axis}</translation>
         </message>
