@@ -3927,6 +3927,10 @@
             <translation>Interpolação</translation>
         </message>
         <message>
+            <source>Interval of pulses</source>
+            <translation>Intervalo dos pulsos</translation>
+        </message>
+        <message>
             <source>Is the work zero set on the stock and the way free?</source>
             <translation>O zero-peça está definido no bloco e o caminho está livre?</translation>
         </message>
@@ -8126,6 +8130,10 @@
             <translation>um ponto de controle precisa de X e Y</translation>
         </message>
         <message>
+            <source>a controller with a firmware of its own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a coordinate is not a length in mm</source>
             <translation>uma coordenada não é um comprimento em mm</translation>
         </message>
@@ -8252,7 +8260,6 @@
         <message>
             <source>a limit or door is on a pin with a number, without port: on the machine's own</source>
             <translation>um fim de curso ou porta de segurança fica num pino com número e sem porta: na porta da própria máquina</translation>
-            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>a limit switch is pressed</source>
@@ -8435,11 +8442,6 @@
             <translation>um pino com número tem uma porta: o arquivo de dispositivo da sua porta paralela</translation>
         </message>
         <message>
-            <source>a pin with a number, and only that, has a port: the device file of its parallel port</source>
-            <translation>um pino com número, e só ele, tem port: o arquivo de dispositivo da sua porta paralela</translation>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>a pipe (FIFO)</source>
             <translation>um pipe (FIFO)</translation>
         </message>
@@ -8501,6 +8503,10 @@
         </message>
         <message>
             <source>a rate is tried at rest only, not in state {state}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a record was refused: reset first</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8904,6 +8910,10 @@
             <translation>peça menos microjunções, ou mais estreitas</translation>
         </message>
         <message>
+            <source>ask for fewer tabs, set a smaller pierce_mm, or leave more scrap there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>ask for it again</source>
             <translation>peça-o de novo</translation>
         </message>
@@ -8984,6 +8994,10 @@
             <translation>no máximo {narrowest_mm:.3f} mm</translation>
         </message>
         <message>
+            <source>at the profile's interval the letters are too fast for {axis}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>attach to it again</source>
             <translation>ligue-se a ela de novo</translation>
         </message>
@@ -8994,6 +9008,10 @@
         <message>
             <source>attach to the session again</source>
             <translation>ligue-se de novo à sessão</translation>
+        </message>
+        <message>
+            <source>automatic mode: from here on nothing stops the lathe over its link, and there is no way back to manual mode until it is switched off</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>axis offsets may not be changed</source>
@@ -9320,6 +9338,10 @@
             <translation>escolha outro</translation>
         </message>
         <message>
+            <source>choose another file, or another machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>choose another name</source>
             <translation>escolha outro nome</translation>
         </message>
@@ -9396,6 +9418,10 @@
             <translation>feche-a antes</translation>
         </message>
         <message>
+            <source>close it first: cncstepper disconnect</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>close it or set closed = false</source>
             <translation>feche-a ou use closed = false</translation>
         </message>
@@ -9450,6 +9476,10 @@
         <message>
             <source>closed belongs to points</source>
             <translation>closed só vale para points</translation>
+        </message>
+        <message>
+            <source>cncstepper disconnect --port {port}, then connect again</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>compute it in several lines</source>
@@ -9726,10 +9756,6 @@
         <message>
             <source>diameters must rise, and each range lead from its least value above 0 to its most</source>
             <translation>os diâmetros têm de crescer, e cada faixa ir do seu menor valor acima de 0 ao maior</translation>
-        </message>
-        <message>
-            <source>disconnect there first, or send the job from there</source>
-            <translation>desconecte primeiro ali, ou envie o trabalho dali</translation>
         </message>
         <message>
             <source>does not lie flat</source>
@@ -10546,7 +10572,6 @@
         <message>
             <source>its controller's process has ended ({status})</source>
             <translation>o processo do controlador terminou ({status})</translation>
-            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>its directory is too large</source>
@@ -10607,6 +10632,10 @@
         <message>
             <source>its owner</source>
             <translation>seu proprietário</translation>
+        </message>
+        <message>
+            <source>its program has ended with M02</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>its shape '{kind}' is none of {shapes}</source>
@@ -10911,6 +10940,10 @@
         <message>
             <source>look at its case, or look in comments too</source>
             <translation>veja maiúsculas e minúsculas, ou procure também nos comentários</translation>
+        </message>
+        <message>
+            <source>look at its name and rights</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>look at its switches</source>
@@ -11761,6 +11794,10 @@
             <translation>nada pode vir depois de {keyword}</translation>
         </message>
         <message>
+            <source>nothing more is sent to the lathe: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>nothing moves</source>
             <translation>nada se move</translation>
         </message>
@@ -11835,7 +11872,6 @@
         <message>
             <source>only a pin with a number has a port: the device file of its parallel port</source>
             <translation>só um pino com número tem uma porta: o arquivo de dispositivo da sua porta paralela</translation>
-            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>only arcs of G17 can be turned about Z</source>
@@ -12074,6 +12110,10 @@
             <translation>aumente F, ou diminua a rotação do spindle</translation>
         </message>
         <message>
+            <source>raise interval_ms of the profile's signals</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>raise pulloff_mm in its configuration, or check the switch</source>
             <translation>aumente pulloff_mm na configuração, ou verifique o fim de curso</translation>
         </message>
@@ -12298,12 +12338,14 @@
             <translation>verifique que é uma pasta, que é sua e que você pode escrever nela</translation>
         </message>
         <message>
-            <source>see what it printed, and report it</source>
-            <translation>veja o que ele imprimiu e relate</translation>
             <source>see that the dial counts in the axis' sense, and measure again</source>
             <translation>veja se o relógio conta no sentido do eixo e meça de novo</translation>
         </message>
-            <message>
+        <message>
+            <source>see what it printed, and report it</source>
+            <translation>veja o que ele imprimiu e relate</translation>
+        </message>
+        <message>
             <source>see whether it is whole</source>
             <translation>veja se está completo</translation>
         </message>
@@ -12342,6 +12384,10 @@
         <message>
             <source>send the whole program</source>
             <translation>envie o programa inteiro</translation>
+        </message>
+        <message>
+            <source>send them to a machine whose pulses this computer makes</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>set $0 to 2 or more</source>
@@ -12646,6 +12692,14 @@
         <message>
             <source>switch it on with M3 beside the sheet</source>
             <translation>ligue com M3 ao lado da chapa</translation>
+        </message>
+        <message>
+            <source>switch the lathe off and on, connect again and set its zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>switch the lathe on in manual mode before it moves; its position is reckoned, nothing reports it</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>switch the machine off, or unlock and home it afterwards at the machine itself</source>
@@ -13058,7 +13112,6 @@
         <message>
             <source>the controller of {machine} ended at its start</source>
             <translation>o controlador de {machine} terminou ao iniciar</translation>
-            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the controller raised an alarm</source>
@@ -13095,6 +13148,10 @@
         <message>
             <source>the controller restarted when its port was opened; it counts from where it stands</source>
             <translation>o controlador reiniciou quando a porta foi aberta; ele conta a partir de onde está</translation>
+        </message>
+        <message>
+            <source>the controller restarted when its port was opened; it counts from where it stands. Until it is unplugged no later opening restarts it</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the controller said: {report}</source>
@@ -13445,6 +13502,10 @@
             <translation>o arquivo terminou</translation>
         </message>
         <message>
+            <source>the file has no pulse letter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the file has too many materials</source>
             <translation>o arquivo tem materiais demais</translation>
         </message>
@@ -13689,6 +13750,22 @@
             <translation>a última linha não tem fim</translation>
         </message>
         <message>
+            <source>the lathe cannot be stopped over its link: it runs on for {0} s, to X{1} Z{2}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the lathe is in automatic mode and cannot be jogged: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the lathe jogs at up to {0} mm/min, or at {1}: it takes the slower one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the lathe takes a zero in manual mode only: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the leads fit nowhere in the scrap; the closest obstacle is {name} at X{x:.3f} Y{y:.3f}</source>
             <translation>as entradas e saídas não cabem em lugar nenhum da sobra; o obstáculo mais próximo é {name} em X{x:.3f} Y{y:.3f}</translation>
         </message>
@@ -13703,6 +13780,14 @@
         <message>
             <source>the length offset of tool {tool} is not known</source>
             <translation>a correção de comprimento da ferramenta {tool} não é conhecida</translation>
+        </message>
+        <message>
+            <source>the letters go farther than {axis} can travel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the letters move {axis}, which this machine does not have</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the library has too many tools</source>
@@ -14721,6 +14806,10 @@
             <translation>a ferramenta está embaixo durante a troca</translation>
         </message>
         <message>
+            <source>the tool is not at the work zero, where a program begins: jog it there, or set the zero here</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the tool is wider than the pocket</source>
             <translation>a ferramenta é mais larga que o bolsão</translation>
         </message>
@@ -15021,6 +15110,10 @@
             <translation>não há retalho para a perfuração e a entrada de {chain} perto de X{x:.3f} Y{y:.3f}</translation>
         </message>
         <message>
+            <source>there is no scrap for the pierce behind a tab of {chain} near X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there is no subroutine o&lt;{seeking}&gt;</source>
             <translation>não há sub-rotina o&lt;{seeking}&gt;</translation>
         </message>
@@ -15077,10 +15170,12 @@
             <translation>este comentário executaria Python na máquina</translation>
         </message>
         <message>
-            <source>this computer cannot keep the rate</source>
-            <translation>este computador não sustenta a taxa</translation>
             <source>this computer cannot keep the pulse rate of this program</source>
             <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this computer cannot keep the rate</source>
+            <translation>este computador não sustenta a taxa</translation>
         </message>
         <message>
             <source>this computer cannot keep the rate of the program's pulses</source>
@@ -16693,12 +16788,18 @@
         <message>
             <source>{machine} has a laser, whose beam would not be in time with its moves</source>
             <translation>{machine} tem um laser, cujo feixe não acompanharia os movimentos</translation>
+        </message>
+        <message>
             <source>{machine} has no axis {axis}</source>
             <translation>{machine} não tem o eixo {axis}</translation>
         </message>
         <message>
             <source>{machine} has no relay '{name}'</source>
             <translation>{machine} não tem o relé '{name}'</translation>
+        </message>
+        <message>
+            <source>{machine} takes no pulse letters</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{match} is no number</source>
@@ -16917,6 +17018,10 @@
             <translation>{owner} define o zero a partir de onde a ferramenta está depois de movimentos do percurso</translation>
         </message>
         <message>
+            <source>{path} cannot be read: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{path} cannot be recorded in: {error}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16965,6 +17070,10 @@
             <translation>{plain} não tem o ajuste '{setting}'</translation>
         </message>
         <message>
+            <source>{port} is connected as {there}, not as {machine}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{port} is held by a job of yours, {status_file}, which is {phase}</source>
             <translation>{port} está ocupada por um trabalho seu, {status_file}, no estado {phase}</translation>
         </message>
@@ -16973,12 +17082,12 @@
             <translation>{port} está em uso por um processo seu que não responde</translation>
         </message>
         <message>
-            <source>{port} is held by a window or a console of yours</source>
-            <translation>{port} está ocupada por uma janela ou um console seu</translation>
-        </message>
-        <message>
             <source>{port} is in use by another window's connection</source>
             <translation>{port} está em uso pela conexão de outra janela</translation>
+        </message>
+        <message>
+            <source>{port} may be held by another connection of yours</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{port}, grbl {firmware}, begun {begin}</source>
@@ -16987,6 +17096,10 @@
         <message>
             <source>{problem} in {table}</source>
             <translation>{problem} em {table}</translation>
+        </message>
+        <message>
+            <source>{process} does not cut through the sheet: it needs no tabs</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{process} does not cut with a {shape} tool</source>
@@ -17039,6 +17152,10 @@
         <message>
             <source>{state} at work {work}, machine {machine} mm, {moment}</source>
             <translation>{state} na peça em {work}, na máquina em {machine} mm, {moment}</translation>
+        </message>
+        <message>
+            <source>{state}; it runs on for {left_s:.0f} s</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{style} does not drill in pecks</source>
