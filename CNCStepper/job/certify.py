@@ -18,21 +18,29 @@ from CNCStepper import __version__
 from CNCStepper.control.program.certificate import CHECK_AGAIN, FORMAT, VERSION, Certificate, digest_of
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.protocol.grbl.readiness import expected_settings
+from CNCStepper.control.pulses.program import PeakRate
 from CNCStepper.errors import JobError
 from CNCStepper.gcode.interpreter.functions.coordinate_offsets import HOMES
+from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.wire.backlash_compensation import backlash_of
 from CNCStepper.gcode.wire.wire_text import WireText
 from CNCStepper.job.proof_inputs import Given
 from CNCStepper.job.start_state_file import start_from
 from CNCStepper.job.wire_round_trip import translated_to, wire_of
 from CNCStepper.machine.backlash import Backlash
+from CNCStepper.machine.controller_family import makes_pulses
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.machine.wiring import seen_by_sender
+from CNCStepper.motion.planner.backlash import motor_moves
+from CNCStepper.motion.planner.buffers import TICKS_PER_S
+from CNCStepper.motion.planner.plan import begun
+from CNCStepper.motion.signals.pulse_stream import pulse_stream
 from CNCStepper.simulation.checks.clamps import Clamp
 from CNCStepper.simulation.cutter_solid import Tools
 from CNCStepper.simulation.stock import HeightField, Stock
 from CNCStepper.state import ZERO3, Start
+from CNCStepper.toolpath import require_straight_axes
 
 FIGURES = ("blocks", "moves", "cut_length_mm", "air_length_mm", "rapid_length_mm", "pierces", "removed_volume_mm3")
 VERDICT = ("gouge_mm", "left_over_mm")
@@ -216,6 +224,21 @@ def send_job(
         plan=plan,
         inputs=[entry.model_dump(mode="json") for entry in seen_by_sender(machine.input)] if machine else (),
     )
+
+
+def peak_rate(job: SendJob) -> float:
+    """Return the fastest rate of pulses of a job, pulses/s, as the planner times its lines; 0 where none are ours."""
+    profile = job.retrace.get("machine")
+    machine = Machine.model_validate(profile) if profile else None
+    if machine is None or not makes_pulses(machine):
+        return 0.0
+    text = "".join(f"{line}\n" for line in job.lines)
+    path = interpret(text, start_from(job.retrace["start"]), job.dialect, job.file)
+    motors = motor_moves(require_straight_axes(path, job.file), Backlash.of(machine))
+    rate = PeakRate()
+    for chunk in pulse_stream(begun(motors), machine):
+        rate.add(chunk.ticks)
+    return rate.per_s(TICKS_PER_S)
 
 
 def _path_retract(machine: Machine, start: Start, dialect: str) -> dict[str, Any]:

@@ -63,7 +63,8 @@ class Signals(BaseModel, extra="forbid", frozen=True):
     have several, the second of x is called x2. pins: the pin of the parallel port for each signal (x_step,
     x_direction, enable, spindle_cw, flood, ...), STANDARD_PINS when left out; a pin below zero is active low. base:
     address of the data port. null_motor: of a board that takes bytes, the motor that a null pulse selects; "unused":
-    one without an axis where there is one.
+    one without an axis where there is one. interval_ms: from one pulse letter to the next, pulse_us and gap_us when
+    left out.
     """
 
     pulse_us: Annotated[float, Bounds("pulse", most=LONGEST_PULSE_US)] = 10.0
@@ -74,11 +75,18 @@ class Signals(BaseModel, extra="forbid", frozen=True):
     pins: dict[str, Annotated[int, Bounds("coordinate", -25, 25)]] = {}
     base: Annotated[int, Bounds("number", most=0xFFFF)] = 0x378
     null_motor: Annotated[StrictInt, Field(ge=0, lt=BOARD_MOTORS)] | Literal["unused"] = "unused"
+    interval_ms: Annotated[float, Bounds("wait", most=1000.0)] | None = None
 
     @model_serializer(mode="wrap")
     def _without_what_is_usual(self, as_dict: Any) -> dict[str, Any]:
-        """Leave out the null motor where it is the usual one, so that certificates stay what they were."""
-        return {key: value for key, value in as_dict(self).items() if key != "null_motor" or value != "unused"}
+        """Leave out the null motor and the interval where they are the usual ones: certificates stay what they were."""
+        usual = {"null_motor": "unused", "interval_ms": None}
+        return {key: value for key, value in as_dict(self).items() if key not in usual or value != usual[key]}
+
+    @property
+    def interval_s(self) -> float:
+        """The time from one pulse letter to the next."""
+        return (self.pulse_us + self.gap_us) / 1e6 if self.interval_ms is None else self.interval_ms / 1e3
 
     @model_validator(mode="after")
     def _pins_are_outputs_of_known_signals(self) -> Signals:

@@ -35,6 +35,8 @@ if TYPE_CHECKING:
     from CNCStepper.state import Start
     from CNCStepper.toolpath import Toolpath
 
+LETTERS = ".letters"  # ends the name of a file of pulse letters
+
 
 @dataclass(frozen=True)
 class ProgramFile:
@@ -71,7 +73,12 @@ class ProgramFile:
 
 @click.command("send", cls=Verb)
 @program_argument
-@click.option("--port", required=True, help="A serial port (COM3, /dev/ttyUSB0) or a URL (socket://127.0.0.1:2217).")
+@click.option(
+    "--port",
+    required=True,
+    help="A serial port (COM3, /dev/ttyUSB0) or a URL (socket://127.0.0.1:2217); of a machine whose pulses this "
+    "computer makes also a parallel port (/dev/parport0), or record:FILE for a CSV of all that would be written.",
+)
 @click.option("--certificate", type=FilePath, help="What `check` or `run` wrote for it; other bytes are refused.")
 @program_options()
 @chart_options
@@ -138,6 +145,7 @@ def command(
     Z, "all" ends --step. While it stands "feed -10", "spindle +10", "rapid 50", "flood" and the like change its
     overrides; "?" lists them. Who jogged is taken back first: up, over, and slowly down to where the program stood.
     """
+    from CNCStepper.cli.job.driven_job import driven_by, typed_machine, with_rate
     from CNCStepper.cli.job.session_watch import watch
     from CNCStepper.control.service.port_owner import check_free, warn_of_closed
 
@@ -145,10 +153,35 @@ def command(
     _check_proof(given, bool(certificate), unchecked, despite_certificate)
     check_free(port)
     warn_of_closed(partial(click.echo, err=True))
-    job = _job(ProgramFile(program), given, cut, certificate, unchecked, despite_certificate)
-    job = replace(job, port=port, baud=baud, allow_differences=allow_differences)
+    if program.suffix.lower() == LETTERS:
+        job = _letters(program, given, certificate)
+    else:
+        job = _job(ProgramFile(program), given, cut, certificate, unchecked, despite_certificate)
+        job = driven_by(job, job.retrace.get("machine") or {}, typed_machine())
+    job = replace(with_rate(job) if job.profile else job, port=port, baud=baud, allow_differences=allow_differences)
     job = replace(job, by_line=by_line, home_first=home_first)
     conclude(watch(confirmed(job, zero_confirmed), resume_pauses, keep_min))
+
+
+def _letters(program: Path, given: ProgramOptions, certificate: Path | None) -> SendJob:
+    """Return the job of a file of pulse letters; they are checked by themselves, so that no certificate is of them."""
+    from CNCStepper.cli.job.driven_job import driven_by, typed_machine
+    from CNCStepper.job.letter_file import letter_file, letter_job, read_letter_text
+
+    if certificate:
+        raise click.UsageError("pulse letters have no certificate: they are checked when they are sent")
+    _, machine = given.job_and_machine()
+    if machine is None:
+        raise click.UsageError("pulse letters need --machine")
+    text = read_letter_text(program)
+    job = letter_job(text, machine, str(program))
+    letters = letter_file(text, str(program))
+    ends = (
+        f"{name.upper()}{steps / axis.steps_per_mm:+.3f}"
+        for (name, axis), steps in zip(machine.own_axes.items(), letters.steps, strict=False)
+    )
+    click.echo(f"{letters.pulses} pulses in {job.plan[-1][1]:.1f} s, from here to {' '.join(ends)} mm", err=True)
+    return driven_by(job, machine.model_dump(mode="json"), typed_machine())
 
 
 def _job(
@@ -221,7 +254,8 @@ def _check_dialect(dialect: str, machine: Machine | None) -> None:
     """Refuse, before a port is opened, what the machine's controller would read as other moves."""
     from CNCStepper.control.preflight.checks import check_sendable
 
-    check_sendable(dialect, machine.controller if machine else "")
+    language = machine.wire_language(dialect) if machine else dialect
+    check_sendable(language, machine.controller if machine else "")
 
 
 def _certified(path: Path, wanted: _Wanted, given: ProgramOptions, despite: bool) -> SendJob:
@@ -237,7 +271,7 @@ def _certified(path: Path, wanted: _Wanted, given: ProgramOptions, despite: bool
         click.echo(f"cncstepper: {error}", err=True)
         return _uncertified(wanted, given.dialect_on(wanted.machine))
     proven = replace(wanted, start=wanted.start or proven_start(certificate))
-    dialect = given.dialect_on(wanted.machine) if given.dialect else certificate.dialect
+    dialect = given.dialect_on(wanted.machine) if given.dialect else certificate.program_dialect
     refusals = list(_refusals(certificate, proven, dialect))
     if refusals and not despite:
         raise refusals[0]
@@ -279,7 +313,11 @@ def _other_wire(certificate: Certificate, wanted: _Wanted, dialect: str) -> str:
     from CNCStepper.job.certify import proven_wire
 
     asked = (wanted.program.sha256, wanted.start and wanted.start.sha256(), dialect)
-    proven = (certificate.content["program"]["sha256"], certificate.content["start"]["sha256"], certificate.dialect)
+    proven = (
+        certificate.content["program"]["sha256"],
+        certificate.content["start"]["sha256"],
+        certificate.program_dialect,
+    )
     if asked == proven and not wanted.program.is_expanded(dialect):
         return ""
     return proven_wire(certificate, wanted.program.text, dialect, wanted.file, wanted.start).sha256

@@ -155,8 +155,13 @@ class Certificate:
 
     @property
     def dialect(self) -> str:
-        """The language in which the program was read."""
+        """The language of the lines that are sent."""
         return str(self.content["wire"]["dialect"])
+
+    @property
+    def program_dialect(self) -> str:
+        """The language in which the program was read."""
+        return str(self.content["program"].get("dialect") or self.dialect)
 
     def compare(self, what: str, sha256: str) -> None:
         """Refuse something else than was proven; `what` is a key of OTHER. Raises JobError."""

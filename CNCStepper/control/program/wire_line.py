@@ -7,6 +7,7 @@ import re
 
 from CNCStepper.control.protocol.grbl.firmware import Firmware
 from CNCStepper.errors import Place, ProgramError, Text
+from CNCStepper.machine.pulse_letters import COMMAND as LETTERS
 
 ARCS = ("G2", "G3")  # a line of no more than that is refused
 # Bytes that act at once wherever they stand: ! ? ~, controls, all above 0x7e.
@@ -70,13 +71,14 @@ def stores(text: str) -> bool:
     """Return whether a line writes the controller's permanent memory, and so must be sent alone."""
     plain = _plain(text)
     if plain.startswith("$"):
-        return "=" in plain and not plain.startswith("$J=")
+        return "=" in plain and not plain.startswith(("$J=", LETTERS))
     return bool(_STORING.search(plain))
 
 
 def needs_idle(text: str) -> bool:
-    """Return whether a line is a `$` command, which grbl takes only while it is idle."""
-    return _plain(text).startswith("$")
+    """Return whether a line is a `$` command, which grbl takes only while it is idle; pulse letters are moves."""
+    plain = _plain(text)
+    return plain.startswith("$") and not plain.startswith(LETTERS)
 
 
 def pauses(text: str) -> bool:

@@ -23,6 +23,7 @@ import json
 import os
 import subprocess
 import sys
+import threading
 import time
 from contextlib import suppress
 from math import hypot
@@ -83,6 +84,7 @@ from CNCStepper.control.session.files import session_folder
 from CNCStepper.control.session.status import error_from_json
 from CNCStepper.control.transport.port_identity import identify
 from CNCStepper.errors import LinkError, MachineRefusal, Text
+from CNCStepper.machine.controller_family import family_of
 from CNCStepper.machine.profile import Machine
 from CNCStepper.motion.planner.buffers import TICKS_PER_S
 from CNCStepper.motion.signals.parallel_port import RegisterWriter, idle_registers
@@ -101,14 +103,13 @@ from CNCStepper.motion.signals.pulse_player import (
     SENT,
 )
 
-BOARD = "usb-board"
 LEAST_SHARE = 0.1
 LEAST_ACCELERATION, MOST_ACCELERATION = 1e-3, 1e9  # mm/s²: sums of them stay exact enough
 REST_STEPS = 3.0  # a path that went so many steps of all axes before a pulse has stood on the way
 AT_REST_S = 0.025  # a path that is so near its stop may end
 BUSY_PULSES = 32  # over which the fastest rate is taken
 LONGER = 1.5  # of the time that a trial may take where no motor follows
-ANSWER_LIMIT_S, END_LIMIT_S = 120.0, 10.0  # kernels may have to be compiled; a way to a stop may be long
+ANSWER_LIMIT_S, END_LIMIT_S = 300.0, 10.0  # kernels may have to be compiled; a way to a stop may be long
 LOOK_S = 0.002
 NS_PER_TICK = NS_PER_S / TICKS_PER_S
 
@@ -146,13 +147,23 @@ class PulseOutput:
         output = cls(worker, ring, port, machine, places)
         try:
             output._tell_what()
-            _answer(_line_of(worker), "ready")
+            limit = threading.Timer(ANSWER_LIMIT_S, worker.kill)
+            limit.start()
+            try:
+                _answer(_line_of(worker), "ready")
+            finally:
+                limit.cancel()
         except BaseException:
             output._end()
             raise
         finally:
             ring.forget_name()
         return output
+
+    @property
+    def process(self) -> int:
+        """The number of the player's process."""
+        return int(self._worker.pid)
 
     @property
     def room(self) -> int:
@@ -226,7 +237,7 @@ class PulseOutput:
         if self._is_first:
             waits[0], rests[0] = 0.0, True
         acceleration = np.clip(acceleration_mm_s2, LEAST_ACCELERATION, MOST_ACCELERATION).astype(np.float64)
-        changes = 2.0 * acceleration * np.minimum(way_mm, self._step_mm)
+        changes = 2.0 * acceleration * np.where(rests, self._step_mm, np.minimum(way_mm, self._step_mm))
         self._write(step, back, speed, waits, changes, rests * IS_REST + np.asarray(is_rapid, bool) * IS_RAPID)
         stops_from = max(2.0 * changes[-1] ** 0.5, acceleration[-1] * AT_REST_S)
         self._words[ENDS_AT_REST] = speed[-1] <= stops_from
@@ -442,7 +453,7 @@ class PulseOutput:
 
 def is_board(machine: Machine) -> bool:
     """Return whether a machine's pulses go out as a board's bytes, not as a parallel port's registers."""
-    return machine.controller.partition(":")[0] == BOARD
+    return family_of(machine) == "board"
 
 
 def _writer(machine: Machine) -> RegisterWriter | BoardWriter:

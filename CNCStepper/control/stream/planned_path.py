@@ -17,12 +17,12 @@ from CNCStepper.control.program.wire_line import ARCS
 from CNCStepper.control.stream.backlash_side import BacklashTracker
 from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
+from CNCStepper.machine.pulse_letters import COMMAND as LETTERS
 from CNCStepper.machine.pulse_letters import letter_steps
 from CNCStepper.state import Start, States
 from CNCStepper.tolerances import FULL_CIRCLE_RAD
 from CNCStepper.toolpath import ARC_CW, PLANE_AXES, Chunk
 
-LETTERS = "$L="  # begins a line of pulse letters
 CHORD_MM = 0.002  # how far a chord may lie inside its arc; the firmware's own default ($12)
 
 

@@ -123,6 +123,7 @@ class Link:
             job=status.total > 0,
             homing=status.homing,
             position_known=status.position_known,
+            cannot=status.cannot,
         )
 
     def _await_virtual(self, virtual: VirtualMachine) -> None:

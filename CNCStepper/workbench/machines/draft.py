@@ -20,6 +20,7 @@ from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.wiring import STANDARD_PINS, Signals
 from CNCStepper.workbench.machines.declaration import (
     CHECK,
+    EITHER,
     NUMBER,
     NUMBERS,
     PINS,
@@ -201,7 +202,7 @@ def value_of(text: str, row: Row) -> Any:
         return _number(text)
     if row.kind == WHOLE:
         return _whole(text)
-    return int(text) if row.path == ("pin",) and text.isdecimal() else text  # an input's: a letter or a number
+    return int(text) if row.kind == EITHER and text.isdecimal() else text
 
 
 def _number(text: str) -> float | int:

@@ -14,6 +14,7 @@ import re
 from collections.abc import Callable
 
 from CNCStepper.errors import MachineRefusal
+from CNCStepper.machine.pulse_letters import COMMAND as LETTERS
 
 UNKNOWN = "position-unknown"
 WHAT = "the machine's position is unknown"
@@ -55,6 +56,8 @@ def moves(text: str) -> bool:
     plain = text.replace(" ", "").upper()
     if plain.startswith("$J="):
         return not (_RELATIVE_JOG.fullmatch(plain) and _RELATIVE.search(plain))
+    if plain.startswith(LETTERS):
+        return True
     return not (plain.startswith("$") or _SET_ZERO.fullmatch(plain) or _OUTPUTS.fullmatch(plain))
 
 
