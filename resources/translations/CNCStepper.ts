@@ -15075,6 +15075,9 @@
         </message>
         <message>
             <source>this computer cannot keep the rate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this computer cannot keep the pulse rate of this program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16688,6 +16691,9 @@
         </message>
         <message>
             <source>{machine} has a laser, whose beam would not be in time with its moves</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{machine} has no axis {axis}</source>
             <translation type="unfinished"></translation>
         </message>

@@ -12300,6 +12300,8 @@
         <message>
             <source>see what it printed, and report it</source>
             <translation>veja o que ele imprimiu e relate</translation>
+        </message>
+        <message>
             <source>see that the dial counts in the axis' sense, and measure again</source>
             <translation>veja se o relógio conta no sentido do eixo e meça de novo</translation>
         </message>
@@ -15079,6 +15081,8 @@
         <message>
             <source>this computer cannot keep the rate</source>
             <translation>este computador não sustenta a taxa</translation>
+        </message>
+        <message>
             <source>this computer cannot keep the pulse rate of this program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16693,6 +16697,8 @@
         <message>
             <source>{machine} has a laser, whose beam would not be in time with its moves</source>
             <translation>{machine} tem um laser, cujo feixe não acompanharia os movimentos</translation>
+        </message>
+        <message>
             <source>{machine} has no axis {axis}</source>
             <translation>{machine} não tem o eixo {axis}</translation>
         </message>
