@@ -135,6 +135,7 @@ def test_pins_relays_and_inputs() -> None:
     one = draft("thesis-table")
     one.pins.clear()
     one.lists["relay"].clear()
+    one.lists["input"].clear()
     one.pins.update({"x_step": "-3", "x_direction": "4"})
     assert one.standard_pin("y_step") is None
     one.lists["relay"].append({"name": "light", "device": "output_1"})
