@@ -3927,6 +3927,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Interval of pulses</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Is the work zero set on the stock and the way free?</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8126,6 +8130,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a controller with a firmware of its own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a coordinate is not a length in mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8434,10 +8442,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a pin with a number, and only that, has a port: the device file of its parallel port</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>a pipe (FIFO)</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8499,6 +8503,10 @@
         </message>
         <message>
             <source>a rate is tried at rest only, not in state {state}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a record was refused: reset first</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8902,6 +8910,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>ask for fewer tabs, set a smaller pierce_mm, or leave more scrap there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>ask for it again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8982,6 +8994,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>at the profile's interval the letters are too fast for {axis}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>attach to it again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8991,6 +9007,10 @@
         </message>
         <message>
             <source>attach to the session again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>automatic mode: from here on nothing stops the lathe over its link, and there is no way back to manual mode until it is switched off</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9318,6 +9338,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>choose another file, or another machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>choose another name</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9394,6 +9418,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>close it first: cncstepper disconnect</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>close it or set closed = false</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9447,6 +9475,10 @@
         </message>
         <message>
             <source>closed belongs to points</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>cncstepper disconnect --port {port}, then connect again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9723,10 +9755,6 @@
         </message>
         <message>
             <source>diameters must rise, and each range lead from its least value above 0 to its most</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>disconnect there first, or send the job from there</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10606,6 +10634,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>its program has ended with M02</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>its shape '{kind}' is none of {shapes}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10907,6 +10939,10 @@
         </message>
         <message>
             <source>look at its case, or look in comments too</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>look at its name and rights</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11758,6 +11794,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>nothing more is sent to the lathe: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>nothing moves</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12070,6 +12110,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>raise interval_ms of the profile's signals</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>raise pulloff_mm in its configuration, or check the switch</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12339,6 +12383,10 @@
         </message>
         <message>
             <source>send the whole program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>send them to a machine whose pulses this computer makes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12643,6 +12691,14 @@
         </message>
         <message>
             <source>switch it on with M3 beside the sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>switch the lathe off and on, connect again and set its zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>switch the lathe on in manual mode before it moves; its position is reckoned, nothing reports it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13094,6 +13150,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the controller restarted when its port was opened; it counts from where it stands. Until it is unplugged no later opening restarts it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the controller said: {report}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13442,6 +13502,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the file has no pulse letter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the file has too many materials</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13686,6 +13750,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the lathe cannot be stopped over its link: it runs on for {0} s, to X{1} Z{2}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the lathe is in automatic mode and cannot be jogged: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the lathe jogs at up to {0} mm/min, or at {1}: it takes the slower one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the lathe takes a zero in manual mode only: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the leads fit nowhere in the scrap; the closest obstacle is {name} at X{x:.3f} Y{y:.3f}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13699,6 +13779,14 @@
         </message>
         <message>
             <source>the length offset of tool {tool} is not known</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the letters go farther than {axis} can travel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the letters move {axis}, which this machine does not have</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14718,6 +14806,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the tool is not at the work zero, where a program begins: jog it there, or set the zero here</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the tool is wider than the pocket</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15015,6 +15107,10 @@
         </message>
         <message>
             <source>there is no scrap for the pierce and lead-in of {chain} near X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no scrap for the pierce behind a tab of {chain} near X{x:.3f} Y{y:.3f}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16702,6 +16798,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{machine} takes no pulse letters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{match} is no number</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16918,6 +17018,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{path} cannot be read: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{path} cannot be recorded in: {error}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16966,6 +17070,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{port} is connected as {there}, not as {machine}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{port} is held by a job of yours, {status_file}, which is {phase}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16974,11 +17082,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{port} is held by a window or a console of yours</source>
+            <source>{port} is in use by another window's connection</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{port} is in use by another window's connection</source>
+            <source>{port} may be held by another connection of yours</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16987,6 +17095,10 @@
         </message>
         <message>
             <source>{problem} in {table}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{process} does not cut through the sheet: it needs no tabs</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -3927,6 +3927,10 @@
             <translation>Interpolação</translation>
         </message>
         <message>
+            <source>Interval of pulses</source>
+            <translation>Intervalo dos pulsos</translation>
+        </message>
+        <message>
             <source>Is the work zero set on the stock and the way free?</source>
             <translation>O zero-peça está definido no bloco e o caminho está livre?</translation>
         </message>
@@ -8126,6 +8130,10 @@
             <translation>um ponto de controle precisa de X e Y</translation>
         </message>
         <message>
+            <source>a controller with a firmware of its own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a coordinate is not a length in mm</source>
             <translation>uma coordenada não é um comprimento em mm</translation>
         </message>
@@ -8500,6 +8508,10 @@
         <message>
             <source>a rate is tried at rest only, not in state {state}</source>
             <translation>uma taxa só é testada em repouso, não no estado {state}</translation>
+        </message>
+        <message>
+            <source>a record was refused: reset first</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>a rectangle's corner radius must not exceed half of its shorter side</source>
@@ -8902,6 +8914,10 @@
             <translation>peça menos microjunções, ou mais estreitas</translation>
         </message>
         <message>
+            <source>ask for fewer tabs, set a smaller pierce_mm, or leave more scrap there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>ask for it again</source>
             <translation>peça-o de novo</translation>
         </message>
@@ -8982,6 +8998,10 @@
             <translation>no máximo {narrowest_mm:.3f} mm</translation>
         </message>
         <message>
+            <source>at the profile's interval the letters are too fast for {axis}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>attach to it again</source>
             <translation>ligue-se a ela de novo</translation>
         </message>
@@ -8992,6 +9012,10 @@
         <message>
             <source>attach to the session again</source>
             <translation>ligue-se de novo à sessão</translation>
+        </message>
+        <message>
+            <source>automatic mode: from here on nothing stops the lathe over its link, and there is no way back to manual mode until it is switched off</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>axis offsets may not be changed</source>
@@ -9318,6 +9342,10 @@
             <translation>escolha outro</translation>
         </message>
         <message>
+            <source>choose another file, or another machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>choose another name</source>
             <translation>escolha outro nome</translation>
         </message>
@@ -9394,6 +9422,10 @@
             <translation>feche-a antes</translation>
         </message>
         <message>
+            <source>close it first: cncstepper disconnect</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>close it or set closed = false</source>
             <translation>feche-a ou use closed = false</translation>
         </message>
@@ -9448,6 +9480,10 @@
         <message>
             <source>closed belongs to points</source>
             <translation>closed só vale para points</translation>
+        </message>
+        <message>
+            <source>cncstepper disconnect --port {port}, then connect again</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>compute it in several lines</source>
@@ -9724,10 +9760,6 @@
         <message>
             <source>diameters must rise, and each range lead from its least value above 0 to its most</source>
             <translation>os diâmetros têm de crescer, e cada faixa ir do seu menor valor acima de 0 ao maior</translation>
-        </message>
-        <message>
-            <source>disconnect there first, or send the job from there</source>
-            <translation>desconecte primeiro ali, ou envie o trabalho dali</translation>
         </message>
         <message>
             <source>does not lie flat</source>
@@ -10606,6 +10638,10 @@
             <translation>seu proprietário</translation>
         </message>
         <message>
+            <source>its program has ended with M02</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>its shape '{kind}' is none of {shapes}</source>
             <translation>a sua forma '{kind}' não é nenhuma de {shapes}</translation>
         </message>
@@ -10908,6 +10944,10 @@
         <message>
             <source>look at its case, or look in comments too</source>
             <translation>veja maiúsculas e minúsculas, ou procure também nos comentários</translation>
+        </message>
+        <message>
+            <source>look at its name and rights</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>look at its switches</source>
@@ -11758,6 +11798,10 @@
             <translation>nada pode vir depois de {keyword}</translation>
         </message>
         <message>
+            <source>nothing more is sent to the lathe: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>nothing moves</source>
             <translation>nada se move</translation>
         </message>
@@ -12070,6 +12114,10 @@
             <translation>aumente F, ou diminua a rotação do spindle</translation>
         </message>
         <message>
+            <source>raise interval_ms of the profile's signals</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>raise pulloff_mm in its configuration, or check the switch</source>
             <translation>aumente pulloff_mm na configuração, ou verifique o fim de curso</translation>
         </message>
@@ -12340,6 +12388,10 @@
         <message>
             <source>send the whole program</source>
             <translation>envie o programa inteiro</translation>
+        </message>
+        <message>
+            <source>send them to a machine whose pulses this computer makes</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>set $0 to 2 or more</source>
@@ -12644,6 +12696,14 @@
         <message>
             <source>switch it on with M3 beside the sheet</source>
             <translation>ligue com M3 ao lado da chapa</translation>
+        </message>
+        <message>
+            <source>switch the lathe off and on, connect again and set its zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>switch the lathe on in manual mode before it moves; its position is reckoned, nothing reports it</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>switch the machine off, or unlock and home it afterwards at the machine itself</source>
@@ -13094,6 +13154,10 @@
             <translation>o controlador reiniciou quando a porta foi aberta; ele conta a partir de onde está</translation>
         </message>
         <message>
+            <source>the controller restarted when its port was opened; it counts from where it stands. Until it is unplugged no later opening restarts it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the controller said: {report}</source>
             <translation>o controlador disse: {report}</translation>
         </message>
@@ -13442,6 +13506,10 @@
             <translation>o arquivo terminou</translation>
         </message>
         <message>
+            <source>the file has no pulse letter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the file has too many materials</source>
             <translation>o arquivo tem materiais demais</translation>
         </message>
@@ -13686,6 +13754,22 @@
             <translation>a última linha não tem fim</translation>
         </message>
         <message>
+            <source>the lathe cannot be stopped over its link: it runs on for {0} s, to X{1} Z{2}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the lathe is in automatic mode and cannot be jogged: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the lathe jogs at up to {0} mm/min, or at {1}: it takes the slower one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the lathe takes a zero in manual mode only: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the leads fit nowhere in the scrap; the closest obstacle is {name} at X{x:.3f} Y{y:.3f}</source>
             <translation>as entradas e saídas não cabem em lugar nenhum da sobra; o obstáculo mais próximo é {name} em X{x:.3f} Y{y:.3f}</translation>
         </message>
@@ -13700,6 +13784,14 @@
         <message>
             <source>the length offset of tool {tool} is not known</source>
             <translation>a correção de comprimento da ferramenta {tool} não é conhecida</translation>
+        </message>
+        <message>
+            <source>the letters go farther than {axis} can travel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the letters move {axis}, which this machine does not have</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the library has too many tools</source>
@@ -14718,6 +14810,10 @@
             <translation>a ferramenta está embaixo durante a troca</translation>
         </message>
         <message>
+            <source>the tool is not at the work zero, where a program begins: jog it there, or set the zero here</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the tool is wider than the pocket</source>
             <translation>a ferramenta é mais larga que o bolsão</translation>
         </message>
@@ -15016,6 +15112,10 @@
         <message>
             <source>there is no scrap for the pierce and lead-in of {chain} near X{x:.3f} Y{y:.3f}</source>
             <translation>não há retalho para a perfuração e a entrada de {chain} perto de X{x:.3f} Y{y:.3f}</translation>
+        </message>
+        <message>
+            <source>there is no scrap for the pierce behind a tab of {chain} near X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>there is no subroutine o&lt;{seeking}&gt;</source>
@@ -16702,6 +16802,10 @@
             <translation>{machine} não tem o relé '{name}'</translation>
         </message>
         <message>
+            <source>{machine} takes no pulse letters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{match} is no number</source>
             <translation>{match} não é um número</translation>
         </message>
@@ -16918,6 +17022,10 @@
             <translation>{owner} define o zero a partir de onde a ferramenta está depois de movimentos do percurso</translation>
         </message>
         <message>
+            <source>{path} cannot be read: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{path} cannot be recorded in: {error}</source>
             <translation>não é possível gravar em {path}: {error}</translation>
         </message>
@@ -16966,6 +17074,10 @@
             <translation>{plain} não tem o ajuste '{setting}'</translation>
         </message>
         <message>
+            <source>{port} is connected as {there}, not as {machine}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{port} is held by a job of yours, {status_file}, which is {phase}</source>
             <translation>{port} está ocupada por um trabalho seu, {status_file}, no estado {phase}</translation>
         </message>
@@ -16974,12 +17086,12 @@
             <translation>{port} está em uso por um processo seu que não responde</translation>
         </message>
         <message>
-            <source>{port} is held by a window or a console of yours</source>
-            <translation>{port} está ocupada por uma janela ou um console seu</translation>
-        </message>
-        <message>
             <source>{port} is in use by another window's connection</source>
             <translation>{port} está em uso pela conexão de outra janela</translation>
+        </message>
+        <message>
+            <source>{port} may be held by another connection of yours</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{port}, grbl {firmware}, begun {begin}</source>
@@ -16988,6 +17100,10 @@
         <message>
             <source>{problem} in {table}</source>
             <translation>{problem} em {table}</translation>
+        </message>
+        <message>
+            <source>{process} does not cut through the sheet: it needs no tabs</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{process} does not cut with a {shape} tool</source>

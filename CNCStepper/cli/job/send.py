@@ -131,6 +131,9 @@ def command(
     After an alarm, a lost link or a sender that was killed the position is unknown too, and stays so for every later
     connection: nothing is sent before --home, `cncstepper home`, or `cncstepper zero` for all axes.
 
+    The job runs in the connection that is open at --port, and leaves one open for --keep-open minutes: until then the
+    board is not restarted by the next verb.
+
     Ctrl-C holds the machine and asks what to do; a second one stops the job. A stop here is not an emergency stop. An
     answer counts only for what it was asked about: where the job was led on meanwhile, you are asked anew. In any other
     terminal `cncstepper hold`, `go`, `stop`, `override` and `back` act on the job; it goes on when this one is closed.

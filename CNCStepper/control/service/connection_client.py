@@ -194,7 +194,9 @@ class ConnectionClient:
 
         machine: the profile, by name or file, of a machine without a controller of its own; "" else.
         """
-        return cls(port, launch(port, baud, folder, machine), keep_s=keep_s)
+        file = Path(machine)
+        profile = str(file.resolve()) if machine and file.is_file() else machine  # one name for one profile
+        return cls(port, launch(port, baud, folder, profile), keep_s=keep_s)
 
     @classmethod
     def attach(cls, session_file: Path) -> ConnectionClient:

@@ -371,6 +371,8 @@ class ConnectionService:
             homing.home(driver, self._timing)
         except MachineRefusal as refusal:
             if not homing.has_begun(refusal):
+                with suppress(CNCStepperError):  # the greeting of the reset after it costs nothing
+                    connect.wake_up(driver, self._timing, locked=True)
                 idle.trust = self._trust = before
             raise
         idle.trust = self._trust = AT_HOME

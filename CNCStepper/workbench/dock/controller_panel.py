@@ -108,7 +108,7 @@ class Panel(KeyboardArea):
         settings.remember_port(port, baud)
         self.relays.show_machine(self.connection.profile)
         try:
-            self.link.open(port, baud, self.connection.times_faster)
+            self.link.open(port, baud, self.connection.times_faster, self.connection.profile)
         except CNCStepperError as error:
             messages.error(error)
         self.refresh()

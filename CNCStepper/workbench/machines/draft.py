@@ -162,6 +162,8 @@ class Draft:
             if place[:length] in known:
                 return place[:length]
         words = message_of(problem)
+        if listed := [key for key in self.lists if words.startswith(f"{key}:")]:
+            return (listed[0],)
         named = [path for path in known if path[: len(place)] == place and path[-1] in words]
         first = min(named, key=lambda path: (words.index(path[-1]), path), default=())
         return first or min((path for path in known if place and path[: len(place)] == place), default=())

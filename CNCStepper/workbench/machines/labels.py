@@ -61,6 +61,7 @@ LABELS = {  # by key, or by table and key where the same key is two things
     "direction_setup_us": later("Direction before step"),
     "enable_lead_us": later("Enable before step"),
     "motors": later("Motors"),
+    "interval_ms": later("Interval of pulses"),
     "null_motor": later("Motor of a null pulse"),
     "ahead_s": later("Sent ahead at most"),
     "ahead_bytes": later("Bytes ahead at most"),
