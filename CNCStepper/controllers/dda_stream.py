@@ -8,12 +8,13 @@ M3, M8, G4 ...   ──► switches between the moves; a dwell puts all that fol
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 
 import numpy as np
 
 from CNCStepper.controllers.dda_moves import DdaMoves
 from CNCStepper.machine.profile import Machine
+from CNCStepper.motion.planner import plan
 from CNCStepper.motion.planner.arc_segments import arc_points
 from CNCStepper.motion.planner.buffers import TICKS_PER_S
 from CNCStepper.motion.planner.machine_limits import Limits
@@ -34,12 +35,37 @@ def dda_stream(toolpath: Toolpath, machine: Machine, chunks: Iterable[Chunk] | N
     return PulseStream(run.chunks(), XYZ, TICKS_PER_S, run.begin_steps)
 
 
-def dda_ends_s(toolpath: Toolpath, machine: Machine) -> np.ndarray:
-    """Return when each row of a table of moves ends, float64[n] in s, as these pulses come."""
-    run = _Run(toolpath, machine, toolpath.chunks)
-    for _ in run.chunks():
-        pass
-    return np.array(run.row_ends, float) / TICKS_PER_S
+def times_and_whole_s(
+    toolpath: Toolpath, machine: Machine, progress: Callable[[float], None] = lambda share: None
+) -> tuple[np.ndarray, float]:
+    """Return when each row of a table ends, float64[n], and the whole time, s, by the machine's interpolation.
+
+    progress: called with the share that is planned, from 0 to 1.
+    """
+    if machine.interpolation == "planner":
+        return plan.times_and_whole_s(toolpath, machine, progress)
+    run = DdaTimes(toolpath, machine, toolpath.chunks)
+    ends_s = np.concatenate([np.zeros(0), *run.row_ends_s()])
+    progress(1.0)
+    return ends_s, run.whole_s
+
+
+class DdaTimes:
+    """The times of a table whose rows may come while they are read."""
+
+    def __init__(self, toolpath: Toolpath, machine: Machine, chunks: Iterable[Chunk]):
+        self._run = _Run(toolpath, machine, chunks)
+
+    @property
+    def whole_s(self) -> float:
+        """How long all that is timed takes, the dwells behind it too once all is."""
+        return self._run.clock / TICKS_PER_S
+
+    def row_ends_s(self) -> Iterator[np.ndarray]:
+        """Yield the end times in s of each chunk's rows, float64[n]."""
+        for _ in self._run.chunks():
+            if self._run.is_chunk_done:
+                yield self._run.take_row_ends() / TICKS_PER_S
 
 
 class _Run:
@@ -54,8 +80,14 @@ class _Run:
         self._moves = DdaMoves(limits, self.begin_steps, machine.interpolation == "published")
         self._tolerance_mm = limits.arc_tolerance_mm
         self._changes = Changes(toolpath.states, toolpath.events, limits.laser)
-        self._waited = self._clock = 0  # ticks: of all dwells so far; of the end of all that is done
+        self._waited = self.clock = 0  # ticks: of all dwells so far; of the end of all that is done
+        self.is_chunk_done = False  # and its row ends can be taken
         self.row_ends: list[int] = []
+
+    def take_row_ends(self) -> np.ndarray:
+        """Return the ends of the rows since the last call, float64[n]."""
+        ends, self.row_ends = np.array(self.row_ends, float), []
+        return ends
 
     def chunks(self) -> Iterator[PulseChunk]:
         """Yield the pulses of the rows, with what is switched before each."""
@@ -71,7 +103,10 @@ class _Run:
                     switches = ()
                 if switches:
                     yield PulseChunk(*_nothing(), switches)
-                self.row_ends.append(self._clock)
+                self.row_ends.append(self.clock)
+            self.is_chunk_done = True
+            yield PulseChunk(*_nothing())
+            self.is_chunk_done = False
             self._before = chunk.end[-1, :XYZ] if len(chunk) else self._before
         self._wait(None)
         if last := self._switches(self._changes.last()):
@@ -81,11 +116,11 @@ class _Run:
         """Let the dwells before a row pass, all that are left for None."""
         while self._event < len(self._events) and (row is None or self._events[self._event].index <= row):
             ticks = dwell_ticks(self._events[self._event])
-            self._waited, self._clock, self._event = self._waited + ticks, self._clock + ticks, self._event + 1
+            self._waited, self.clock, self._event = self._waited + ticks, self.clock + ticks, self._event + 1
 
     def _switches(self, changes: Iterable[Change]) -> tuple[Switch, ...]:
         """Return changes before the pulses that come next."""
-        return tuple(Switch(0, self._clock - one.lead_ticks, one.device, one.on, one.rpm) for one in changes)
+        return tuple(Switch(0, self.clock - one.lead_ticks, one.device, one.on, one.rpm) for one in changes)
 
     def _row(self, chunk: Chunk, row: int, begin_mm: np.ndarray) -> Iterator[tuple[np.ndarray, ...]]:
         """Yield ticks, step and back bits of a row's pulses."""
@@ -109,7 +144,7 @@ class _Run:
         while not self._moves.idle:
             for pulses in self._moves.make(AT_ONCE_S):
                 ticks = pulses.ticks + self._waited
-                self._clock = int(ticks[-1])
+                self.clock = int(ticks[-1])
                 yield ticks, pulses.step, pulses.back
 
 

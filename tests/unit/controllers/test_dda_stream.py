@@ -8,7 +8,7 @@ import random
 import numpy as np
 import pytest
 
-from CNCStepper.controllers.dda_stream import dda_ends_s, dda_stream
+from CNCStepper.controllers.dda_stream import dda_stream, times_and_whole_s
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.machine.profile import Machine, load_machine
 from CNCStepper.motion.planner.buffers import TICKS_PER_S
@@ -79,7 +79,8 @@ def test_each_program_ends_where_it_says_and_its_ticks_rise(number: int) -> None
             last = int(chunk.ticks[-1])
         total += moved_steps(chunk, 3)
     assert total.tolist() == np.rint(path.table().end[-1] * 40).astype(int).tolist()
-    ends_s = dda_ends_s(path, machine)
+    ends_s, whole_s = times_and_whole_s(path, machine)
+    assert whole_s == ends_s[-1] == last / TICKS_PER_S
     assert len(ends_s) == len(path) and (np.diff(ends_s) > 0).all()
 
 
