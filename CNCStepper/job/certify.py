@@ -19,6 +19,7 @@ from CNCStepper.control.program.certificate import CHECK_AGAIN, FORMAT, VERSION,
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.protocol.grbl.readiness import expected_settings
 from CNCStepper.control.pulses.program import PeakRate
+from CNCStepper.controllers.dda_stream import dda_stream
 from CNCStepper.errors import JobError
 from CNCStepper.gcode.interpreter.functions.coordinate_offsets import HOMES
 from CNCStepper.gcode.interpreter.interpret import interpret
@@ -236,7 +237,8 @@ def peak_rate(job: SendJob) -> float:
     path = interpret(text, start_from(job.retrace["start"]), job.dialect, job.file)
     motors = motor_moves(require_straight_axes(path, job.file), Backlash.of(machine))
     rate = PeakRate()
-    for chunk in pulse_stream(begun(motors), machine):
+    way = begun(motors)
+    for chunk in pulse_stream(way, machine) if machine.interpolation == "planner" else dda_stream(way, machine):
         rate.add(chunk.ticks)
     return rate.per_s(TICKS_PER_S)
 

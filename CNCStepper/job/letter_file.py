@@ -84,8 +84,10 @@ def _check_axis(machine: Machine, name: str, steps: int) -> None:
             limit=f"{travel_mm:.3f} mm",
             advice="choose another file, or another machine",
         )
-    speed_mm_s = 1.0 / (machine.signals.interval_s * axis.steps_per_mm)
-    most_mm_s = mm_s_from_mm_min(axis.max_rate_mm_min)
+    speed_mm_s, most_mm_s = (
+        1.0 / (machine.signals.interval_s * axis.steps_per_mm),
+        mm_s_from_mm_min(axis.max_rate_mm_min),
+    )
     if speed_mm_s > most_mm_s * (1.0 + 1e-9):
         raise MachineRefusal(
             "letters-speed",

@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Unpack
 
 import numpy as np
 
+from CNCStepper.controllers.dda_stream import DdaTimes
 from CNCStepper.gcode.interpreter.program_file import text_pieces
 from CNCStepper.gcode.wire.backlash_compensation import backlash_of
 from CNCStepper.gcode.wire.translation import TranslatedFile
@@ -229,10 +230,16 @@ class _FileProof:
             again_path = replace(of_speeds, chunks=ChunkWindow(again))  # type: ignore[arg-type]
             speeds = Run(again_path, self._machine, forgets=True).row_speeds_mm_s()
         begun, known = begun_chunks(path, chunks)
-        run = Run(replace(begun, chunks=ChunkWindow(known)), self._machine, forgets=True)  # type: ignore[arg-type]
-        for ends_s in run.row_ends_s():
-            yield _Planned(waiting.popleft(), ends_s, next(speeds))
-        self._whole_s = run.clock / TICKS_PER_S
+        if self._machine.interpolation != "planner":
+            times = DdaTimes(begun, self._machine, known)
+            for ends_s in times.row_ends_s():
+                yield _Planned(waiting.popleft(), ends_s, next(speeds))
+            self._whole_s = times.whole_s
+        else:
+            run = Run(replace(begun, chunks=ChunkWindow(known)), self._machine, forgets=True)  # type: ignore[arg-type]
+            for ends_s in run.row_ends_s():
+                yield _Planned(waiting.popleft(), ends_s, next(speeds))
+            self._whole_s = run.clock / TICKS_PER_S
         if not self._rows:
             yield _Planned(table.empty(), np.zeros(0), None)
 

@@ -75,9 +75,10 @@ def command(
     """Write every step of PROGRAM as the machine's motors and drives receive it.
 
     Unless told, the machine stands at its zero when the program begins; its planner times the steps, which take up the
-    backlash of the axes. The profile's [signals] say how long pulses are, which motors an axis has, and on which pins
-    of a parallel port they are. Letters and board bytes have no time; digital outputs have no letter, and no device
-    has a board byte or coils.
+    backlash of the axes. With interpolation = "dda" in the profile they are those of the published interpolators, each
+    move from rest to rest; "published" has the printed registers of arcs too. The profile's [signals] say how long
+    pulses are, which motors an axis has, and on which pins of a parallel port they are. Letters and board bytes have no
+    time; digital outputs have no letter, and no device has a board byte or coils.
     """
     if coils and form != "coils":
         raise click.UsageError("--coils belongs to --as coils")
@@ -110,11 +111,17 @@ def _planned(
 
     start, play = given.on(Start.at_zero()), Backlash.of(machine)
     if back or from_s is not None:
+        if machine.interpolation != "planner":
+            raise click.UsageError("--back is by the planner: the profile's interpolation is another")
         path = interpret(read_program(program), start, language, str(program))
         path = motor_moves(require_straight_axes(path, str(program)), play)
         return ReversePulses(path, machine).stream(None if from_s is None else max(0, round(from_s * TICKS_PER_S)))
     path, chunks = program_chunks(program, start, language, progress)
     path, chunks = motor_chunks(path, chunks, play) if play else (path, chunks)
+    if machine.interpolation != "planner":
+        from CNCStepper.controllers.dda_stream import dda_stream
+
+        return dda_stream(path, machine, chunks)
     return pulse_stream(path, machine, chunks)
 
 

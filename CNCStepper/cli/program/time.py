@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -61,4 +62,11 @@ def _taken_s(path: Toolpath, chunks: Iterator[Chunk], machine: Machine, language
 
     if play := backlash_of(machine, language):
         path, chunks = motor_chunks(path, chunks, play)
-    return way_duration_s(*begun_chunks(path, chunks), machine)
+    begun, known = begun_chunks(path, chunks)
+    if machine.interpolation != "planner":
+        from CNCStepper.controllers.dda_stream import DdaTimes
+
+        times = DdaTimes(begun, machine, known)
+        deque(times.row_ends_s(), maxlen=0)
+        return times.whole_s
+    return way_duration_s(begun, known, machine)

@@ -38,7 +38,7 @@ from itertools import filterfalse
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.program.wire_line import is_move
 from CNCStepper.control.protocol.grbl import connect
-from CNCStepper.control.protocol.grbl.capabilities import reason
+from CNCStepper.control.protocol.grbl.capabilities import OF_PROGRAMS, reason
 from CNCStepper.control.protocol.grbl.connect import ControllerInfo, check_units, offsets_of
 from CNCStepper.control.protocol.grbl.driver import Grbl
 from CNCStepper.control.protocol.grbl.firmware import (
@@ -317,7 +317,7 @@ def check_found(job: SendJob, driver: Grbl, found: ControllerInfo, tell: Callabl
     check_units(driver)
     check_restart_height(job, driver, found, tell)
     job.check_lengths(found.firmware, driver.window)
-    for word in sorted(driver.cannot):
+    for word in sorted(driver.cannot.intersection(OF_PROGRAMS)):
         tell("warning", reason(word))
     if found.greeted:
         check_zero_here(job.lines, driver, found)

@@ -62,6 +62,11 @@ class ControllerPort:
         self._input.flush()
         return len(data)
 
+    @property
+    def out_waiting(self) -> int:
+        """The bytes that wait: none, a pipe hands them on at once."""
+        return 0
+
     def close(self) -> None:
         """Let the machine come to rest and the process end."""
         with suppress(OSError):

@@ -27,6 +27,7 @@ REASONS: dict[str, tuple[str, str]] = {  # of each word of [CANNOT:...]: why not
     "probe": ("this machine has no probe", "set the zero by hand"),
     "position": ("this machine does not report its position: it is counted from what was sent", "look at the machine"),
 }
+OF_PROGRAMS = frozenset(REASONS) - {"home", "probe", "jog"}  # that matter while a program runs
 NEEDS: dict[str, tuple[str, ...]] = {  # of each command: what the machine must be able to do for it
     "hold": ("hold",),
     "resume": ("resume",),

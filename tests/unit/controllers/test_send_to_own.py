@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Programs in their own language and files of letters, sent the whole way to a recorded port; and to virtual grbl."""
+
+from __future__ import annotations
+
+import csv
+from dataclasses import replace
+from functools import partial
+
+import pytest
+
+from CNCStepper.control.service.sender import Sender
+from CNCStepper.control.transport.link import open_link
+from CNCStepper.job.certify import peak_rate, send_job
+from CNCStepper.job.letter_file import letter_job
+from CNCStepper.job.wire_round_trip import wire_round_trip
+from CNCStepper.machine.profile import load_machine
+
+FIGURE_11 = "G0\nX1.5 Y1\nG90\nX3.5\nX2.5 Y1.7\nX1.5 Y1\n"  # a tenth of the published size
+
+
+def sent(job, profile: str, port: str):
+    """Send a job to the controller of a profile and return its outcome."""
+    job = replace(job, port=port, profile=profile, zero_confirmed=True)
+    return Sender(job, opener=partial(open_link, machine=profile)).run()
+
+
+def columns(path) -> list[list[str]]:
+    with open(path, newline="") as file:
+        return list(csv.reader(file))[1:]
+
+
+@pytest.mark.slow
+def test_thesis_program_goes_the_whole_way_to_the_port(tmp_path) -> None:
+    machine = load_machine("thesis-table")
+    wire, _, path = wire_round_trip(FIGURE_11, machine, machine.language(), "p.nc")
+    job = send_job(wire, machine, "p.nc", path.start, machine.language())
+    assert job.dialect.startswith("grbl") and job.retrace["dialect"] == job.dialect
+    rate = peak_rate(job)
+    assert 0 < rate < 3000.0, "the trial tries the rate of this program"
+    outcome = sent(replace(job, pulses_per_s=rate), "thesis-table", f"record:{tmp_path / 'x.csv'}")
+    assert outcome.done, outcome.text
+    place, before = [0, 0], 0
+    for _, data, _ in columns(tmp_path / "x.csv"):
+        word = int(data, 0)
+        for axis, step in enumerate((1, 4)):  # pins 2 and 4, directions on 3 and 5
+            if word & step and not before & step:
+                place[axis] += -1 if word & (step << 1) else 1
+        before = word
+    assert place == [60, 40], "X1.5 Y1 at 40 pulses/mm"
+
+
+@pytest.mark.slow
+def test_letters_go_the_whole_way_to_the_board(tmp_path) -> None:
+    outcome = sent(letter_job("AAAADD\n", load_machine("usb-board")), "usb-board", f"record:{tmp_path / 'y.csv'}")
+    assert outcome.done, outcome.text
+    codes = [int(byte, 0) for _, byte in columns(tmp_path / "y.csv")]
+    assert [code for code in codes if code != 0x10] == [0x0A, 0x09, 0x05, 0x06, 0x05, 0x09]
