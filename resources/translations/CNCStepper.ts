@@ -8126,6 +8126,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a controller with a firmware of its own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a coordinate is not a length in mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9394,6 +9398,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>close it first: cncstepper disconnect</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>close it or set closed = false</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9447,6 +9455,10 @@
         </message>
         <message>
             <source>closed belongs to points</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>cncstepper disconnect --port {port}, then connect again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13091,6 +13103,10 @@
         </message>
         <message>
             <source>the controller restarted when its port was opened; it counts from where it stands</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller restarted when its port was opened; it counts from where it stands. Until it is unplugged no later opening restarts it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16966,6 +16982,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{port} is connected as {there}, not as {machine}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{port} is held by a job of yours, {status_file}, which is {phase}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16979,6 +16999,10 @@
         </message>
         <message>
             <source>{port} is in use by another window's connection</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{port} may be held by another connection of yours</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -8126,6 +8126,10 @@
             <translation>um ponto de controle precisa de X e Y</translation>
         </message>
         <message>
+            <source>a controller with a firmware of its own</source>
+            <translation>um controlador com firmware próprio</translation>
+        </message>
+        <message>
             <source>a coordinate is not a length in mm</source>
             <translation>uma coordenada não é um comprimento em mm</translation>
         </message>
@@ -9396,6 +9400,10 @@
             <translation>feche-a antes</translation>
         </message>
         <message>
+            <source>close it first: cncstepper disconnect</source>
+            <translation>feche-a antes: cncstepper disconnect</translation>
+        </message>
+        <message>
             <source>close it or set closed = false</source>
             <translation>feche-a ou use closed = false</translation>
         </message>
@@ -9450,6 +9458,10 @@
         <message>
             <source>closed belongs to points</source>
             <translation>closed só vale para points</translation>
+        </message>
+        <message>
+            <source>cncstepper disconnect --port {port}, then connect again</source>
+            <translation>cncstepper disconnect --port {port}, depois conecte de novo</translation>
         </message>
         <message>
             <source>compute it in several lines</source>
@@ -13097,6 +13109,10 @@
         <message>
             <source>the controller restarted when its port was opened; it counts from where it stands</source>
             <translation>o controlador reiniciou quando a porta foi aberta; ele conta a partir de onde está</translation>
+        </message>
+        <message>
+            <source>the controller restarted when its port was opened; it counts from where it stands. Until it is unplugged no later opening restarts it</source>
+            <translation>o controlador reiniciou quando sua porta foi aberta; ele conta a partir de onde está. Até ser desligado do cabo, nenhuma abertura seguinte o reinicia</translation>
         </message>
         <message>
             <source>the controller said: {report}</source>
@@ -16971,6 +16987,10 @@
             <translation>{plain} não tem o ajuste '{setting}'</translation>
         </message>
         <message>
+            <source>{port} is connected as {there}, not as {machine}</source>
+            <translation>{port} está conectada como {there}, não como {machine}</translation>
+        </message>
+        <message>
             <source>{port} is held by a job of yours, {status_file}, which is {phase}</source>
             <translation>{port} está ocupada por um trabalho seu, {status_file}, no estado {phase}</translation>
         </message>
@@ -16985,6 +17005,10 @@
         <message>
             <source>{port} is in use by another window's connection</source>
             <translation>{port} está em uso pela conexão de outra janela</translation>
+        </message>
+        <message>
+            <source>{port} may be held by another connection of yours</source>
+            <translation>{port} pode estar ocupada por outra conexão sua</translation>
         </message>
         <message>
             <source>{port}, grbl {firmware}, begun {begin}</source>
