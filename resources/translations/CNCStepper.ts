@@ -17090,10 +17090,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{port} may be held by another connection of yours</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>{port}, grbl {firmware}, begun {begin}</source>
             <translation type="unfinished"></translation>
         </message>

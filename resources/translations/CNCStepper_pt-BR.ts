@@ -8131,11 +8131,7 @@
         </message>
         <message>
             <source>a controller with a firmware of its own</source>
-<<<<<<< HEAD
-            <translation type="unfinished"></translation>
-=======
             <translation>um controlador com firmware próprio</translation>
->>>>>>> d316abe174a09e9ee8c5f0522d65fe67989ce69a
         </message>
         <message>
             <source>a coordinate is not a length in mm</source>
@@ -9427,11 +9423,7 @@
         </message>
         <message>
             <source>close it first: cncstepper disconnect</source>
-<<<<<<< HEAD
-            <translation type="unfinished"></translation>
-=======
             <translation>feche-a antes: cncstepper disconnect</translation>
->>>>>>> d316abe174a09e9ee8c5f0522d65fe67989ce69a
         </message>
         <message>
             <source>close it or set closed = false</source>
@@ -9491,11 +9483,7 @@
         </message>
         <message>
             <source>cncstepper disconnect --port {port}, then connect again</source>
-<<<<<<< HEAD
-            <translation type="unfinished"></translation>
-=======
             <translation>cncstepper disconnect --port {port}, depois conecte de novo</translation>
->>>>>>> d316abe174a09e9ee8c5f0522d65fe67989ce69a
         </message>
         <message>
             <source>compute it in several lines</source>
@@ -13167,11 +13155,7 @@
         </message>
         <message>
             <source>the controller restarted when its port was opened; it counts from where it stands. Until it is unplugged no later opening restarts it</source>
-<<<<<<< HEAD
-            <translation type="unfinished"></translation>
-=======
             <translation>o controlador reiniciou quando sua porta foi aberta; ele conta a partir de onde está. Até ser desligado do cabo, nenhuma abertura seguinte o reinicia</translation>
->>>>>>> d316abe174a09e9ee8c5f0522d65fe67989ce69a
         </message>
         <message>
             <source>the controller said: {report}</source>
@@ -17091,11 +17075,7 @@
         </message>
         <message>
             <source>{port} is connected as {there}, not as {machine}</source>
-<<<<<<< HEAD
-            <translation type="unfinished"></translation>
-=======
             <translation>{port} está conectada como {there}, não como {machine}</translation>
->>>>>>> d316abe174a09e9ee8c5f0522d65fe67989ce69a
         </message>
         <message>
             <source>{port} is held by a job of yours, {status_file}, which is {phase}</source>
@@ -17111,11 +17091,7 @@
         </message>
         <message>
             <source>{port} may be held by another connection of yours</source>
-<<<<<<< HEAD
-            <translation type="unfinished"></translation>
-=======
             <translation>{port} pode estar ocupada por outra conexão sua</translation>
->>>>>>> d316abe174a09e9ee8c5f0522d65fe67989ce69a
         </message>
         <message>
             <source>{port}, grbl {firmware}, begun {begin}</source>
