@@ -8511,7 +8511,7 @@
         </message>
         <message>
             <source>a record was refused: reset first</source>
-            <translation type="unfinished"></translation>
+            <translation>um registro foi recusado: reinicie antes</translation>
         </message>
         <message>
             <source>a rectangle's corner radius must not exceed half of its shorter side</source>
@@ -9015,7 +9015,7 @@
         </message>
         <message>
             <source>automatic mode: from here on nothing stops the lathe over its link, and there is no way back to manual mode until it is switched off</source>
-            <translation type="unfinished"></translation>
+            <translation>modo automático: daqui em diante nada para o torno pela sua ligação, e não há volta ao modo manual até que ele seja desligado</translation>
         </message>
         <message>
             <source>axis offsets may not be changed</source>
@@ -10639,7 +10639,7 @@
         </message>
         <message>
             <source>its program has ended with M02</source>
-            <translation type="unfinished"></translation>
+            <translation>o programa dele terminou com M02</translation>
         </message>
         <message>
             <source>its shape '{kind}' is none of {shapes}</source>
@@ -11799,7 +11799,7 @@
         </message>
         <message>
             <source>nothing more is sent to the lathe: {0}</source>
-            <translation type="unfinished"></translation>
+            <translation>nada mais é enviado ao torno: {0}</translation>
         </message>
         <message>
             <source>nothing moves</source>
@@ -12699,11 +12699,11 @@
         </message>
         <message>
             <source>switch the lathe off and on, connect again and set its zero</source>
-            <translation type="unfinished"></translation>
+            <translation>desligue e ligue o torno, conecte de novo e defina o zero</translation>
         </message>
         <message>
             <source>switch the lathe on in manual mode before it moves; its position is reckoned, nothing reports it</source>
-            <translation type="unfinished"></translation>
+            <translation>ligue o torno em modo manual antes que ele se mova; a posição é calculada, nada a informa</translation>
         </message>
         <message>
             <source>switch the machine off, or unlock and home it afterwards at the machine itself</source>
@@ -13755,19 +13755,19 @@
         </message>
         <message>
             <source>the lathe cannot be stopped over its link: it runs on for {0} s, to X{1} Z{2}</source>
-            <translation type="unfinished"></translation>
+            <translation>o torno não pode ser parado pela sua ligação: ele continua por {0} s, até X{1} Z{2}</translation>
         </message>
         <message>
             <source>the lathe is in automatic mode and cannot be jogged: {0}</source>
-            <translation type="unfinished"></translation>
+            <translation>o torno está em modo automático e não pode ser movido à mão: {0}</translation>
         </message>
         <message>
             <source>the lathe jogs at up to {0} mm/min, or at {1}: it takes the slower one</source>
-            <translation type="unfinished"></translation>
+            <translation>o torno se move à mão a até {0} mm/min, ou a {1}: fica a menor</translation>
         </message>
         <message>
             <source>the lathe takes a zero in manual mode only: {0}</source>
-            <translation type="unfinished"></translation>
+            <translation>o torno aceita um zero só em modo manual: {0}</translation>
         </message>
         <message>
             <source>the leads fit nowhere in the scrap; the closest obstacle is {name} at X{x:.3f} Y{y:.3f}</source>
@@ -14811,7 +14811,7 @@
         </message>
         <message>
             <source>the tool is not at the work zero, where a program begins: jog it there, or set the zero here</source>
-            <translation type="unfinished"></translation>
+            <translation>a ferramenta não está no zero de trabalho, onde um programa começa: leve-a até lá ou defina o zero aqui</translation>
         </message>
         <message>
             <source>the tool is wider than the pocket</source>
