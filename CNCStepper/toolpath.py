@@ -17,7 +17,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import accumulate, chain
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -196,7 +196,19 @@ def require_straight_axes(path: Toolpath, file: str = "") -> Toolpath:
     raise ProgramError("axes", what, advice=advice, place=Place(file, line))
 
 
-def straight_chunks(chunks: Iterable[Chunk], table: Toolpath | TableBuilder, file: str = "") -> Iterator[Chunk]:
+class Growing(Protocol):
+    """A table that grows, as far as it says where it begins and which states it has."""
+
+    @property
+    def start(self) -> Start:
+        """The start state."""
+
+    @property
+    def states(self) -> Sequence[State]:
+        """The states so far."""
+
+
+def straight_chunks(chunks: Iterable[Chunk], table: Growing, file: str = "") -> Iterator[Chunk]:
     """Yield the chunks of a table that grows with them, each checked as `require_straight_axes` does."""
     coming = iter(chunks)
     for chunk in coming:

@@ -90,7 +90,7 @@ def first_line_s(program: Path, certificate: Path, folder: Path) -> float:
 
 def send(words: list[str], folder: Path, passed: threading.Event) -> None:
     """Start the command, and end it once the line has passed; raises where it does not."""
-    command = [*COMMAND, "send", *words, "--zero-confirmed", *MACHINE]
+    command = [*COMMAND, "send", *words, "--zero-confirmed", "--keep-open", "0", *MACHINE]
     here = os.environ | {"XDG_STATE_HOME": str(folder)}
     with (folder / "said.txt").open("w+") as said:
         sender = subprocess.Popen(command, env=here, stdin=subprocess.DEVNULL, stdout=said, stderr=said)

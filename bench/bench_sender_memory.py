@@ -159,7 +159,19 @@ def show_command(port: str, count: int, folder: Path) -> None:
     write_certificate(file, count)
     with program.open("w", encoding="ascii") as out:
         out.writelines(f"{line}\n" for line in Program(count))
-    words = ("send", program, "--port", port, "--baud", BAUD, "--certificate", file, "--zero-confirmed")
+    words = (
+        "send",
+        program,
+        "--port",
+        port,
+        "--baud",
+        BAUD,
+        "--certificate",
+        file,
+        "--zero-confirmed",
+        "--keep-open",
+        "0",
+    )
     here = os.environ | {"XDG_STATE_HOME": str(folder)}
     begin_s = time.monotonic()
     with subprocess.Popen([sys.executable, "-m", "CNCStepper.cli", *map(str, words)], env=here) as command:

@@ -97,7 +97,9 @@ def cut() -> float:
     with virtual_grbl() as port:
         set_zero(port)
         command = [cncstepper(), "send", str(OUT / "program.nc"), "--port", port, "--machine", "table-a"]
-        sent = subprocess.run([*command, "--zero-confirmed", "--resume-pauses"], stderr=subprocess.DEVNULL)
+        sent = subprocess.run(
+            [*command, "--zero-confirmed", "--resume-pauses", "--keep-open", "0"], stderr=subprocess.DEVNULL
+        )
     if sent.returncode:
         sys.exit("the program was not cut to its end")
     return demo_judge.motion_s(OUT / "trace.csv")

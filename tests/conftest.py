@@ -54,6 +54,7 @@ def own_state(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -
     base: Path = request.getfixturevalue("tmp_path_factory").getbasetemp()
     for variable in ("XDG_STATE_HOME", "XDG_CONFIG_HOME"):  # sessions, and machine profiles of a person's own
         monkeypatch.setenv(variable, str(base / f"{variable.lower()}-{secrets.token_hex(8)}"))
+    monkeypatch.setenv("CNCSTEPPER_KEEP_OPEN", "0")  # no connection outlives its verb, but where a test says so
 
 
 @pytest.fixture

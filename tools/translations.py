@@ -41,6 +41,7 @@ CORE_ROOMS = (
     "recovery",
     "simulation",
     "control",
+    "controllers",
     "workers",
     "workbench",
 )
@@ -48,13 +49,16 @@ CORE_MODULES = ("errors.py", "input_file.py", "quantities.py", "atomic_file.py")
 NO_SENTENCES = {
     "picture.py",
     "picture_style.py",
+    "readings_plot.py",
     "path_commands.py",
     "message_translation.py",
 }  # labels in pictures; what puts these together
 DECLARATIONS = re.compile(r"/cycles/(.*_parameters|parameter)\.py$")  # their texts are those of properties
 MARKED = {"tr", "later", "QT_TRANSLATE_NOOP"}
-# code, styles, names, pieces, and the calls of `gcode/interpreter/canonical_trace.py`
-NO_SENTENCE = re.compile(r"[\n|\\]|\{ |px|: \{0\};|^User parameter|^\*\.|^\s|^, |\s$|^[A-Z][A-Z0-9_]+\(")
+# lines of grbl, code, styles, names, pieces, and the calls of `gcode/interpreter/canonical_trace.py`
+NO_SENTENCE = re.compile(
+    r"^\[[A-Z]+:|^Grbl |[\n|\\]|\{ |px|: \{0\};|^User parameter|^\*\.|^\s|^, |\s$|^[A-Z][A-Z0-9_]+\("
+)
 SHOWN_BY = {
     "setText", "setToolTip", "setWindowTitle", "setTitle", "setPlaceholderText", "setStatusTip", "setWhatsThis",
     "setSuffix", "setPrefix", "setInformativeText", "setDetailedText", "setLabelText", "setSpecialValueText",

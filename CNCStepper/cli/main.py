@@ -55,6 +55,7 @@ FAMILIES = {  # folder of the verbs' modules: title in the help, and its verbs
             "zero": "Make the tool's place the work zero.",
             "jog": "Move a machine's axes by hand.",
             "console": "Type lines to a controller, with history.",
+            "disconnect": "Close a connection that verbs have left open.",
             "virtual": "Be a controller without hardware.",
         },
     ),

@@ -3,7 +3,7 @@
 
 $T=25000      the trial of a rate, pulses/s: ok, or error:90 where this computer cannot keep it
 $L=AAADD      pulse letters of source system D, at the profile's interval and without ramps
-$P=FLOOD      a relay by its name on; $P=-FLOOD off
+$P=FLOOD      a relay on, by its name or that of its device; $P=-FLOOD off
 $N=-X200      so many pulses of one axis, in the direction of the sign, with the planner's ramps
 """
 
@@ -29,7 +29,14 @@ from CNCStepper.virtual.grbl.states import State
 RATE_NOT_KEPT = "error:90"
 PULSES = re.compile(r"([+-]?)([XYZ])(\d{1,7})")
 TEST_SHARE = 0.25  # of an axis' top speed, where the profile has no speed of cuts
+LONGEST_MESSAGE = 200
 LOCKED = (State.ALARM, State.SLEEP, State.CHECK)
+
+
+def message(text: str) -> str:
+    """Return a line of grbl that tells a person something, in the letters that its link carries."""
+    letters = printable(text, LONGEST_MESSAGE).replace("µ", "u").replace("[", "(").replace("]", ")")
+    return f"[MSG:{letters.encode('ascii', 'replace').decode('ascii')}]"
 
 
 class MachineTestLines:
@@ -69,11 +76,13 @@ class MachineTestLines:
         yield from self.wait_for_trial()
         jitter = ended[0]
         if isinstance(jitter, MachineRefusal):
-            board.send(f"[MSG:{printable(str(jitter))}]")
+            board.send(message(str(jitter)))
             raise MachineRefusal(RATE_NOT_KEPT, "this computer cannot keep the rate", value=f"{rate_hz:g} pulses/s")
         if isinstance(jitter, CNCStepperError):
             raise jitter
-        board.send(f"[MSG:Trial {rate_hz:g} pulses/s late mean {jitter.mean_us:.1f} us worst {jitter.worst_us:.1f} us]")
+        board.send(
+            message(f"Trial {rate_hz:g} pulses/s late mean {jitter.mean_us:.1f} us worst {jitter.worst_us:.1f} us")
+        )
 
     def _play_letters(self, board: Grbl, text: str) -> Waiting:
         if set(text) - set(MOVES):
@@ -93,11 +102,10 @@ class MachineTestLines:
         board.start_cycle()
 
     def _switch_relay(self, board: Grbl, text: str) -> Waiting:
-        device, on = text.removeprefix("-").lower(), not text.startswith("-")
-        if device not in self._relays.wired:
-            board.send(
-                f"[MSG:there is no relay {printable(device, 30)}; there are {', '.join(sorted(self._relays.wired))}]"
-            )
+        on = not text.startswith("-")
+        device = self._relays.device_of(text.removeprefix("-"))
+        if device is None:
+            board.send(message(f"there is no relay {text}; there are {', '.join(self._relays.names) or 'none'}"))
             raise refused(3)
         if board.state in LOCKED and on:
             raise refused(9)

@@ -41,6 +41,8 @@ class Relays:
         lines = machine.signals.wired if family_of(machine) == "parport" else {}
         self.wired = frozenset(name for name in lines if not name.endswith(MOTOR_LINES) and name != ENABLE)
         self.further: set[str] = set()
+        named = {_squeezed(relay.name): str(relay.device) for relay in machine.relay if relay.device in self.wired}
+        self._by_name = {_squeezed(device): device for device in self.wired} | named
         self._output = output
         self._on: frozenset[str] = frozenset()
 
@@ -48,6 +50,15 @@ class Relays:
     def digital_outputs(self) -> int:
         """How many M62 to M65 may name, from P0 on."""
         return max((int(name.removeprefix(OUTPUT)) + 1 for name in self.wired if name.startswith(OUTPUT)), default=0)
+
+    @property
+    def names(self) -> list[str]:
+        """By which names relays can be switched, as the board's lines have them."""
+        return sorted(self._by_name)
+
+    def device_of(self, name: str) -> str | None:
+        """Return the device of a relay's name: its own, or that of the profile; None where there is none."""
+        return self._by_name.get(_squeezed(name))
 
     def switch(self, device: str, on: bool, board: Board) -> None:
         """Switch one of `wired` by its name, as its word of a program does where there is one."""
@@ -85,6 +96,11 @@ class Relays:
         """Switch everything off, as a reset does."""
         self.further.clear()
         self.follow(board)
+
+
+def _squeezed(name: str) -> str:
+    """Return a name as the line reader of a board leaves it."""
+    return "".join(name.upper().replace("/", "").split())
 
 
 class Switches:

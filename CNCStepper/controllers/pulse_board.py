@@ -13,14 +13,13 @@ from contextlib import suppress
 from dataclasses import replace
 
 from CNCStepper.controllers.dda_moves import DdaMoves
-from CNCStepper.controllers.machine_test_lines import MachineTestLines
+from CNCStepper.controllers.machine_test_lines import MachineTestLines, message
 from CNCStepper.controllers.planned_pulses import EndedOutput, PulseOutput
 from CNCStepper.controllers.port_signals import Relays, Switches
 from CNCStepper.controllers.pulse_axes import PulseAxes, most_moves, moves_of
 from CNCStepper.errors import CNCStepperError, LinkError, MachineRefusal, Text
 from CNCStepper.machine.controller_family import family_of
 from CNCStepper.machine.profile import AXIS_NAMES, Machine
-from CNCStepper.safe_text import printable
 from CNCStepper.virtual.grbl.alarms_and_errors import ALARM_RESET_IN_MOTION, refused
 from CNCStepper.virtual.grbl.board import Waiting
 from CNCStepper.virtual.grbl.firmware import GRBL, Firmware
@@ -75,7 +74,7 @@ class PulseBoard(Grbl):
     @property
     def quiet(self) -> bool:
         """Whether it only waits for bytes: nothing moves, no line is in hand."""
-        return super().quiet and self.axes.idle
+        return super().quiet and self.axes.stopped
 
     @property
     def at_rest(self) -> bool:
@@ -168,7 +167,7 @@ class PulseBoard(Grbl):
         self.axes.lose_output(ended)
         self.stop_at_once()
         self._running = self._stand_still()
-        self.send(f"[MSG:{printable(str(error), 200)}]")
+        self.send(message(str(error)))
         self.alarm(ALARM_RESET_IN_MOTION)
 
     def _check_axes(self, target_mm: list[float]) -> None:

@@ -77,8 +77,8 @@ class RestCorner:
 class Answer:
     """What a cycle reports: the wanted removals, its figures (recalculated ae, ap, passes) by name, and warnings.
 
-    corners: all places that the tool cannot reach, the worst first. parts: what a beam or wire cuts free, in the order
-    in which that is done: shapely polygons with their holes, exact within 0.0005 mm.
+    corners: all places that the tool cannot reach, the worst first. parts: what a beam or wire cuts out, tabs or not,
+    in the order in which that is done: shapely polygons with their holes, exact within 0.0005 mm.
     """
 
     removals: list[Removal]

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The service's process: `python -m CNCStepper.workers.connection_service DESK_FILE PORT BAUD`.
+"""The service's process: `python -m CNCStepper.workers.connection_service DESK_FILE PORT BAUD [MACHINE]`.
 
-It lives as long as somebody is attached, a job runs or something moves; SIGTERM stops all safely. How it ended
+MACHINE is the profile, by name or file, of a machine without a controller of its own. The service lives as long as
+somebody is attached or wants it kept, a job runs or something moves; SIGTERM stops all safely. How it ended
 stands in its outcome file: {"error": ... or null}.
 """
 
@@ -32,11 +33,13 @@ def main(arguments: list[str]) -> int:
     sys.setswitchinterval(SWITCH_S)
     go_first()
     path, port, baud = Path(arguments[0]), arguments[1], int(arguments[2])
+    machine = "".join(arguments[3:4])
     service_file = ServiceFile(path)
     server = SessionServer(path, each_turn=service_file.keep)
     service = ConnectionService(
         port,
         baud,
+        machine=machine,
         job_file=path.with_suffix(WIRE),
         tell=server.tell,
         refuse=server.refuse,
@@ -47,7 +50,7 @@ def main(arguments: list[str]) -> int:
         during_job=partial(inhibit_sleep, partial(server.tell, "warning")),
     )
     stop_on_signals(service.stop)
-    service_file.write(server.address(port) | {"port_identity": identify(port).to_json()})
+    service_file.write(server.address(port) | {"port_identity": identify(port).to_json(), "machine": machine})
     warn_of_closed(partial(server.tell, "warning"), path.parent)
     server.start(service)
     error = _run(service, service_file)

@@ -16,6 +16,7 @@ from pathlib import Path
 import numpy as np
 
 from CNCStepper import kernel_cache
+from CNCStepper.control.pulses.pulse_loop import load_kernels
 from CNCStepper.gcode.dialects import dialect_named
 from CNCStepper.gcode.interpreter.fast_path.compiled_reader import CompiledReader
 from CNCStepper.gcode.interpreter.flow.o_word_kernel import needs_interpreter
@@ -23,6 +24,10 @@ from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.wire.line_runs import compiled_runs
 from CNCStepper.job.make import cut_operations
 from CNCStepper.job.model import load_job
+from CNCStepper.machine.wiring import Signals
+from CNCStepper.motion.signals.parallel_port import RegisterWriter
+from CNCStepper.motion.signals.port_bytes import BoardWriter
+from CNCStepper.motion.signals.pulse_player import PLAYED_AXES
 
 TEXT = b"G1 X0 F100\nX1\n"
 CUTS = (Path(__file__).with_suffix(".toml"), Path(__file__).with_name("kernel_warm_up_wire.toml"))
@@ -31,6 +36,8 @@ CUTS = (Path(__file__).with_suffix(".toml"), Path(__file__).with_name("kernel_wa
 def warm() -> None:
     """Make the cuts, each as a job of its own; what they call is compiled then, and loaded from the cache later."""
     read_all_ways()
+    for writer in (RegisterWriter(Signals(), PLAYED_AXES), BoardWriter()):
+        load_kernels(writer)
     for cuts in CUTS:
         job, machine = load_job(cuts)
         for operation in job.operation:

@@ -16,13 +16,14 @@ import signal
 import sys
 import threading
 import time
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
 from CNCStepper.atomic_file import write_whole
 from CNCStepper.control.pulses.output_ports import open_output
 from CNCStepper.control.pulses.pacing import come_first, lock_memory, own_core
-from CNCStepper.control.pulses.pulse_loop import PulseLoop
+from CNCStepper.control.pulses.pulse_loop import PulseLoop, load_kernels
 from CNCStepper.control.pulses.pulse_ring import BEGIN_NS, FAILED, STATE, PulseRing
 from CNCStepper.control.session.status import error_to_json
 from CNCStepper.errors import CNCStepperError
@@ -58,8 +59,9 @@ def _play(wanted: dict[str, Any], ring: PulseRing) -> None:
         _take_places(board, places)
     port = open_output(wanted["port"], is_board, begin_ns)
     try:
-        loop = PulseLoop(ring, board or RegisterWriter(signals, wanted["axes"]), port, begin_ns)
-        loop.load()
+        writer = board or RegisterWriter(signals, wanted["axes"])
+        loop = PulseLoop(ring, writer, port, begin_ns)
+        load_kernels(writer)
         signal.signal(signal.SIGTERM, lambda *_: setattr(loop, "is_left", True))
         threading.Thread(target=_watch, args=(loop,), daemon=True).start()
         _settle(port.is_real)
@@ -108,10 +110,8 @@ def _watch(loop: PulseLoop) -> None:
 
 
 def _tell(what: str, content: dict[str, Any], status: int = 0) -> int:
-    try:
-        print(json.dumps({what: content}), flush=True)
-    except OSError:  # nobody reads it any more
-        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
+    with suppress(OSError):  # nobody may read it any more
+        os.write(1, json.dumps({what: content}).encode("ascii") + b"\n")
     return status
 
 

@@ -216,7 +216,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Corner Distance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Corner Dwell</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corner Feed Share</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -645,6 +653,10 @@
         </message>
         <message>
             <source>How far before and behind a corner</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far before and behind a corner the feed is lower; 0: it is not</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1884,6 +1896,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The share of the feed there; a slower wire melts a wider kerf</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The share of the feed with which they are cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2108,7 +2124,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Where the way turns by less, the wire does not stand</source>
+            <source>Where the way turns by less, the wire neither stands nor slows down</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2323,6 +2339,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A short sound at an alarm, an end, a pause, and for a part beyond the work surface</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A sketch or wire that holds one circle; without it the numbers count</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2355,7 +2375,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Acceleration</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Acceleration in steps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Active</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Add</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2443,6 +2475,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Arc tolerance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Arcs below</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2463,11 +2499,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>As people call the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>At the end of {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Attached again to the controller at {0}.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Axes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2547,6 +2591,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>By which share the lathe may be slower than its published step times</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Bytes ahead at most</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>CNCStepper has a fault: {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2564,6 +2616,10 @@
         </message>
         <message>
             <source>Change</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Change of wait</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2655,6 +2711,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Come from above</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Come from below</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Comes from</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Commanded length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Comparing the cut with the drawing…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2668,6 +2740,14 @@
         </message>
         <message>
             <source>Connect to the controller at this port.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Connect to the machine first, in the controller's panel.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Connected and idle. Take the tool out, or lift it.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2720,6 +2800,14 @@
         </message>
         <message>
             <source>Coolant</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Copy of {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Copy…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2815,6 +2903,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Debounce</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Degrees, counter-clockwise</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2839,6 +2931,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Device</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Dial</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Dialect</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2855,6 +2955,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Direction before step</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Discard</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2868,6 +2972,10 @@
         </message>
         <message>
             <source>Distance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Does</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2907,6 +3015,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Drive (steps per mm follow from it)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drive the length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Duplicate operations</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2943,6 +3059,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Efficiency</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Elapsed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2952,6 +3072,10 @@
         </message>
         <message>
             <source>Elliptical pocket</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Enable before step</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3043,6 +3167,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Feed without F</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Feeding in air</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3103,6 +3231,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>First wait</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Fit to drawing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3136,6 +3268,10 @@
         </message>
         <message>
             <source>For a mill that does not cut over its centre; 0: 10°</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Force</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3188,6 +3324,14 @@
         </message>
         <message>
             <source>From X to the lines of the pattern</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From above</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From below</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3291,6 +3435,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>General</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Go back along the cut by this length; a machine that moves is held first.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3324,6 +3472,10 @@
         </message>
         <message>
             <source>Go up to this Z first; where none is given: the program's highest crossing rapid</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Goes back by</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3391,6 +3543,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Highest speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Highest spindle speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Hold</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3432,6 +3592,10 @@
         </message>
         <message>
             <source>Homing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Homing switch</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3480,6 +3644,10 @@
         </message>
         <message>
             <source>How far before and behind a corner</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far before and behind a corner the feed is lower; 0: it is not</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3731,11 +3899,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>In machine coordinates</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>In the program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>In whole passes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Inertia</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Inputs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Inputs that are on: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Interpolation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Interval of pulses</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3748,6 +3940,18 @@
         </message>
         <message>
             <source>It is cut last already</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>It is your copy of a shipped profile, and takes its place.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Its language and its link: grbl, grblhal, fluidnc, linuxcnc, thesis-a …</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Jerk</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3772,6 +3976,10 @@
         </message>
         <message>
             <source>Joints that hold the part until it is broken out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Junction deviation</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3800,6 +4008,10 @@
         </message>
         <message>
             <source>Laser</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Laser (M4 with power)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3843,11 +4055,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Least wait</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Leave</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Leave out of the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Left out, it follows from the drive</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3887,7 +4107,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Level</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Levels</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Lift before</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3895,7 +4123,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Line at release</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Line length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Line {0}, {1}: {2}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3927,6 +4163,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Look-ahead</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Looking for a Python…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3947,11 +4187,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Lower right to upper left</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Lowest speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>M6, by the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>MDF board</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Machine profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Machine test</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Machines</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3991,6 +4255,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Measured</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Mend what is marked first.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Message</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4023,7 +4295,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Motion in air</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Motor (its torque is checked)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Motor angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Motor of a null pulse</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4036,6 +4320,10 @@
         </message>
         <message>
             <source>Motor's steps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Motors</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4063,11 +4351,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Moved mass</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Moves, scales, turns or rewrites the whole program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Move…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Name of the profile: letters of a to z, digits, - and _</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4083,7 +4383,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>New machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>New program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>New…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4160,6 +4468,10 @@
         </message>
         <message>
             <source>Number the lines…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of a board that takes bytes: 0 to 3, or unused for a motor without an axis</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4263,11 +4575,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Other diagonal (0: none)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Outlines of the clamps</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Outputs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Outputs on the way back</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4311,6 +4631,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Parallel port</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Parts</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4328,6 +4652,10 @@
         </message>
         <message>
             <source>Pause</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pause between pulses</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4352,6 +4680,18 @@
         </message>
         <message>
             <source>Pierces</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pin {0}: {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pins of the parallel port; a minus sign is active low</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4399,7 +4739,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Points of the pull-out curve, rpm and Nm: 0 1.2; 300 1.0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Port</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Port's address</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4408,6 +4756,10 @@
         </message>
         <message>
             <source>Power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Power (M3)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4420,6 +4772,10 @@
         </message>
         <message>
             <source>Preheat</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Preset speeds</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4436,6 +4792,10 @@
         </message>
         <message>
             <source>Process</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Processes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4487,7 +4847,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Pulse width</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Pulses</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pulses +</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4495,7 +4863,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Pulses −</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Pulses/s</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Put into the profile</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4535,7 +4911,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Ramps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Rapid</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Rapid speed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4579,6 +4963,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Relays</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Relays and inputs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Relays are switched by hand only while the machine is idle.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Release to close the line. Esc: give up this line.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4588,6 +4984,10 @@
         </message>
         <message>
             <source>Remaining</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Remove</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4651,7 +5051,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Reverse (M4)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Reverse the contours</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Revert</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4680,6 +5088,10 @@
         </message>
         <message>
             <source>S is turns per minute</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>S-curve</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4716,6 +5128,10 @@
         </message>
         <message>
             <source>Screw speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Screw's pitch</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4775,6 +5191,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Sent ahead at most</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Shape</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4799,6 +5219,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Side along X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Side along Y</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Signals and pins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Simplify</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4808,6 +5240,14 @@
         </message>
         <message>
             <source>Size</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Size of square and circle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Slower than published</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4827,6 +5267,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Sounds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Spacing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4835,7 +5279,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Spin-up time</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Spindle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Spindle and relays</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4851,11 +5303,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Square</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Squareness</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Start</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Start angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Start/stop wait</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4868,6 +5332,10 @@
         </message>
         <message>
             <source>Step ({0})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Step times</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4884,6 +5352,14 @@
         </message>
         <message>
             <source>Stepper motor (open loop)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Steps of the ramp</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Steps per mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4916,6 +5392,10 @@
         </message>
         <message>
             <source>Stopping…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Switch it on or off.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4955,7 +5435,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Take the dial's reading from both sides first.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Take the line numbers out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Take the reading</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4972,6 +5460,14 @@
         </message>
         <message>
             <source>The T word of the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The angle between X and Y is {0:.4f}°: {1:.3f} mm over a metre.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The axis of each motor in turn; -y is one that is mounted the other way round: x y -y z</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5000,6 +5496,10 @@
         </message>
         <message>
             <source>The connection is being made.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The connection was lost during the test.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5084,6 +5584,10 @@
         </message>
         <message>
             <source>The feed of the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The file has a new layout: its comments are not in it.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5231,6 +5735,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The mini-lathe's link</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The minor diameter that is cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5272,6 +5780,14 @@
         </message>
         <message>
             <source>The points as they were drawn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The profile has a value that is none: mend it first.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The profile of the machine at this port: its relays, and how it is driven</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5319,6 +5835,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The share of the feed there; a slower wire melts a wider kerf</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The share of the feed with which they are cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5343,6 +5863,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The speed of rapids, where the language leaves it to the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The speed of the cut; 0: that of the chart</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5351,11 +5875,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The speeds that a gear or a switch has, rising; none where any speed can be set</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The spindle's speed in the program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>The step of the published method</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The test is under way: wait, or stop it.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5419,6 +5951,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The waits between steps from rest, in ms, none longer than the one before it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The way along the cut is being checked…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5468,6 +6004,10 @@
         </message>
         <message>
             <source>There is no restart to send yet.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>These profiles have changes that are not saved: {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5535,11 +6075,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>To the start</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Tolerance</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tool change</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tool length</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5567,7 +6119,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Torque at speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Travel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Travel for a turn of the screw; with several starts its lead</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Travel from</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Travel per turn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Travel to</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5639,6 +6211,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>What a program without F takes, and the cutting speed of a language without F</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>What happened to the job's own program since</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5672,6 +6248,10 @@
         </message>
         <message>
             <source>What the cutter is made of</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What the motor turns at a reversal before the axis moves</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5711,7 +6291,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Where the way turns by less, the wire does not stand</source>
+            <source>Where the way turns by less, the wire neither stands nor slows down</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5779,6 +6359,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Work out the angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Work zero</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5831,6 +6415,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a file for each tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a parameter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5847,7 +6435,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>active low</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>ae, recalculated to whole passes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>all stand out equally</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5943,7 +6539,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>as the thesis published it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at the lower end</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at the upper end</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>back along the cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>back the way it came</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>backlash {0:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6019,6 +6635,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>constant acceleration</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>conventional</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6059,6 +6679,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>digital differential analyser</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>drill</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6076,6 +6700,10 @@
         </message>
         <message>
             <source>drills, lifting the chips out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>drives enabled</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6120,6 +6748,10 @@
         </message>
         <message>
             <source>flood on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>flood on/off</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6183,6 +6815,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>ground</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>hardwood</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6192,6 +6828,10 @@
         </message>
         <message>
             <source>helix</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>high</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6208,6 +6848,10 @@
         </message>
         <message>
             <source>incremental</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>input</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6251,6 +6895,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>limit switch</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>limit {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6264,6 +6912,10 @@
         </message>
         <message>
             <source>lines in one direction</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>low</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6288,6 +6940,10 @@
         </message>
         <message>
             <source>mist on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>mist on/off</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6335,6 +6991,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no switch</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no tool length</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6348,6 +7008,10 @@
         </message>
         <message>
             <source>not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>nothing to correct</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6371,7 +7035,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>off</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>off when pressed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>offsets from a table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>on the line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>on when pressed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6380,6 +7060,30 @@
         </message>
         <message>
             <source>open one and simulate again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>our planner</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>output</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>output 0 (M64 P0)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>output 1 (M64 P1)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>output 2 (M64 P2)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>output 3 (M64 P3)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6392,6 +7096,14 @@
         </message>
         <message>
             <source>paper</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>pause</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>pause, by hand</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6503,6 +7215,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>safety door</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>sandblast film</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6512,6 +7228,10 @@
         </message>
         <message>
             <source>sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>shipped; your first change makes a copy of it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6543,6 +7263,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>spindle reversed (M4)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>spindle stop</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>spindle, torch or beam (M3)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>spiral</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6551,11 +7283,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>start</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>stay on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>steps per mm {0:g} becomes {1:g}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>stop</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>straight cut, at the feed F</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>straight down</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>switch by lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>table of step times</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6631,7 +7387,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>usual</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>usual for the process</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>usual: {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6648,6 +7412,18 @@
         </message>
         <message>
             <source>work zero {0} of 9</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write points as: 0 1.2; 300 1.0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>yours</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>zero set with each tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6671,11 +7447,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} direction</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} does not name this process</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{0} errors</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} from below, {1} from above</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6703,6 +7487,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} is written.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} is {1} now: save it.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} lines change:</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6727,6 +7519,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} readings: mean {1:.4f} mm, standard deviation {2:.4f} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} replaced</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6740,6 +7536,10 @@
         </message>
         <message>
             <source>{0} stays in its job; copy and paste it into another document</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} step</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6854,6 +7654,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{name}' is no name for a machine profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{name}' names no port number</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6891,6 +7695,10 @@
         </message>
         <message>
             <source>'{words}' is no length or angle that is known</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{word}' changes no key</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7138,6 +7946,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Machine profile, made by CNCStepper</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Marlin has no end word (M30 deletes a file): leave it out</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7234,6 +8046,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Trial {0} pulses/s late mean {1} us worst {2} us</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Water jet</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7311,6 +8127,10 @@
         </message>
         <message>
             <source>a control point needs both X and Y</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a controller with a firmware of its own</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7438,6 +8258,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a limit or door is on a pin with a number, without port: on the machine's own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a limit switch is pressed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7554,6 +8378,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a move that the lathe has begun goes on: switch it off, then set its zero again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a move would end outside the travel (soft limit)</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7610,7 +8438,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a pin with a number, and only that, has a port: the device file of its parallel port</source>
+            <source>a pin with a number has a port: the device file of its parallel port</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7671,6 +8499,14 @@
         </message>
         <message>
             <source>a rapid with the tool running is not above all cuts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a rate is tried at rest only, not in state {state}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a record was refused: reset first</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7978,6 +8814,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>an arc of several turns cannot be sent to a controller of this computer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>an arc scaled unevenly is no arc</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8054,6 +8894,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>approached from above, the axis stands below where it stands when approached from below</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>arcs are in XY</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8063,6 +8907,10 @@
         </message>
         <message>
             <source>ask for fewer or narrower joints</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>ask for fewer tabs, set a smaller pierce_mm, or leave more scrap there</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8146,6 +8994,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>at the profile's interval the letters are too fast for {axis}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>attach to it again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8155,6 +9007,10 @@
         </message>
         <message>
             <source>attach to the session again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>automatic mode: from here on nothing stops the lathe over its link, and there is no way back to manual mode until it is switched off</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8286,6 +9142,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>change F in the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>change the distance or the tolerance a little</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8323,6 +9183,10 @@
         </message>
         <message>
             <source>check cable and baud rate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>check cable and power; home the machine or set its zero again before its next move</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8474,6 +9338,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>choose another file, or another machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>choose another name</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8550,6 +9418,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>close it first: cncstepper disconnect</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>close it or set closed = false</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8606,11 +9478,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>cncstepper disconnect --port {port}, then connect again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>compute it in several lines</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>connect again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>connect to its port without a machine profile</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8878,10 +9758,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>disconnect there first, or send the job from there</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>does not lie flat</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8943,6 +9819,10 @@
         </message>
         <message>
             <source>draw the hole wider, spot it for drilling (spot_below_mm), or cut with a narrower kerf</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>drive a laser by a controller with grbl's laser mode</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9106,6 +9986,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>free {size} MB</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>from 1 to {found}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9131,6 +10015,10 @@
         </message>
         <message>
             <source>gap {gap_mm:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give /dev/parport0, socket://host:port, a serial device, or record:FILE</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9242,6 +10130,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give it another name, or change that one with: cncstepper machine set</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give it another number</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9323,6 +10215,10 @@
         </message>
         <message>
             <source>give the tool with the start state</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give the whole list or table, for example outputs.coolant=['mist']</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9658,6 +10554,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it takes nothing for {limit:g} s</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it was a restart itself: the first line not certainly cut is the program's {story}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9667,6 +10567,10 @@
         </message>
         <message>
             <source>it would forget the settings: write the settings that are to change one by one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>its controller's process has ended ({status})</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9730,6 +10634,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>its program has ended with M02</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>its shape '{kind}' is none of {shapes}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9759,6 +10667,10 @@
         </message>
         <message>
             <source>jog less far</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>jog to a place with more room, or test a shorter length</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10030,6 +10942,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>look at its name and rights</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>look at its switches</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10062,6 +10978,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>look at the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>look at the machine, and restart the program by hand</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10075,6 +10995,10 @@
         </message>
         <message>
             <source>look at what it says, and correct that line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>look at what it says, end other programs, or choose lower speeds</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10151,6 +11075,10 @@
         </message>
         <message>
             <source>make Q larger</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>make a profile of your own from it: cncstepper machine new NAME --from FILE</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10259,6 +11187,14 @@
         </message>
         <message>
             <source>material {number} has no {key}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>measure again, or correct steps_per_mm first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>measure again; where it is true, work steps_per_mm out with: cncstepper axis</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10374,6 +11310,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>move the tool to the work zero and set it there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>move the work zero {word} the {name} axis or make the program smaller</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10410,6 +11350,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>name a file that is not there yet, in a folder that you may write in</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>name a line that was cut before this one</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10419,6 +11363,10 @@
         </message>
         <message>
             <source>name a parallel port (/dev/parport0), or a text file with the numbers of the pins that are high</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>name a parallel port, a serial device, socket://host:port, or record:FILE</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10802,6 +11750,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>nothing answers at {name}: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>nothing answers at {name}: {text}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10839,6 +11791,10 @@
         </message>
         <message>
             <source>nothing may follow {keyword}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>nothing more is sent to the lathe: {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10911,6 +11867,10 @@
         </message>
         <message>
             <source>only a drag knife has a blade offset</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>only a pin with a number has a port: the device file of its parallel port</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11070,6 +12030,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>press the machine's own switch, or let it run to its end</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>press the machine's switch; no further line is sent</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>process must be a text</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11098,7 +12066,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>pulses are forgotten at rest only, not in state {state}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>pulses are taken back in a hold only, not in state {state}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>pulses are those of a machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>put in tool {tool:g}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11127,6 +12107,10 @@
         </message>
         <message>
             <source>raise F, or turn the spindle slower</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>raise interval_ms of the profile's signals</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11183,6 +12167,10 @@
         </message>
         <message>
             <source>real time</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>relay: {twice} is there twice</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11251,6 +12239,10 @@
         </message>
         <message>
             <source>restart the controller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>restart the program at a line before it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11346,6 +12338,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>see that the dial counts in the axis' sense, and measure again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>see what it printed, and report it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>see whether it is whole</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11383,6 +12383,10 @@
         </message>
         <message>
             <source>send the whole program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>send them to a machine whose pulses this computer makes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11459,6 +12463,10 @@
         </message>
         <message>
             <source>set the zero again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set the zero by hand</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11542,6 +12550,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>spindle, torch or beam is on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>spindle, torch or beam may still be on: look, and switch them off at the machine</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11579,6 +12591,10 @@
         </message>
         <message>
             <source>start it, or correct the URL</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>start it, or write socket://host:port</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11630,6 +12646,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>stop the program, then jog</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>stop with M5 and M0 before the new tool</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11654,6 +12674,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>switch it off first: M5</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>switch it off with M5 before it</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11667,6 +12691,14 @@
         </message>
         <message>
             <source>switch it on with M3 beside the sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>switch the lathe off and on, connect again and set its zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>switch the lathe on in manual mode before it moves; its position is reckoned, nothing reports it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11758,6 +12790,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>take up to 60 letters of a to z, digits, - and _, a letter or digit first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>taken as a flat mill: '{name}' names no shape that a table's words can tell</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11767,6 +12803,10 @@
         </message>
         <message>
             <source>test a torch, a laser, a jet or a wire</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>test with the square, which changes none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11791,6 +12831,10 @@
         </message>
         <message>
             <source>the P word is larger than the controller allows</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the USB board's controller</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12022,6 +13066,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the controller does not say its modes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the controller does not say its work system: {modes}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12062,6 +13110,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the controller of {machine} ended at its start</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the controller raised an alarm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12095,6 +13147,10 @@
         </message>
         <message>
             <source>the controller restarted when its port was opened; it counts from where it stands</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller restarted when its port was opened; it counts from where it stands. Until it is unplugged no later opening restarts it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12386,6 +13442,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the feed does not follow the spindle: write thread passes as G01 at F = pitch * rpm / 60, for a lathe that begins each run of G01 at the encoder's index (mini-lathe:thread_start=index)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the feed is higher than the machine's axes can go</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12439,6 +13499,10 @@
         </message>
         <message>
             <source>the file ended</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the file has no pulse letter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12686,6 +13750,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the lathe cannot be stopped over its link: it runs on for {0} s, to X{1} Z{2}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the lathe is in automatic mode and cannot be jogged: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the lathe jogs at up to {0} mm/min, or at {1}: it takes the slower one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the lathe takes a zero in manual mode only: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the leads fit nowhere in the scrap; the closest obstacle is {name} at X{x:.3f} Y{y:.3f}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12699,6 +13779,14 @@
         </message>
         <message>
             <source>the length offset of tool {tool} is not known</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the letters go farther than {axis} can travel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the letters move {axis}, which this machine does not have</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12779,6 +13867,10 @@
         </message>
         <message>
             <source>the lines have different numbers of heights</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the lines that would be sent mean another path than the program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12902,6 +13994,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the machine's controller does not have it: take it out, or cut the program in two there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the machine's position is unknown</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12910,11 +14006,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the measured length is far from the commanded one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the memory card cannot be mounted</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the mill does not cut over its centre: it can neither plunge nor come down beside a tab</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the mini-lathe's controller</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12966,6 +14070,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the other end has closed it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the outlines enclose nothing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12987,6 +14095,10 @@
         </message>
         <message>
             <source>the overrides are not what they were before the reset</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the parallel port's controller</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13086,6 +14198,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the port is opened 8N1: neither a socket nor a pseudo-terminal has parity (the lathe itself wants 8E1)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the port {name} is lost: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the position along {axis} is not known here</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13130,6 +14250,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the process that plays the pulses has ended; steps may be lost</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the process that proves the program ended without an answer</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13147,6 +14271,10 @@
         </message>
         <message>
             <source>the profile has no end</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the profile has no key {key}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13250,6 +14378,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the program sets its own work zero (G10)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the program waits or asks for what pulses cannot give</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13298,6 +14430,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the pulses have ended</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the pulses were stopped before they were all sent</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13307,6 +14443,10 @@
         </message>
         <message>
             <source>the pulses were stopped: no more of them came in time</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the pulses were stopped: no more of them came in time; everything is off, and steps may be lost</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13574,6 +14714,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the test leaves the travel of the axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the text</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13659,6 +14803,10 @@
         </message>
         <message>
             <source>the tool is down while it is changed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the tool is not at the work zero, where a program begins: jog it there, or set the zero here</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13854,6 +15002,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>there are: {axes}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there are: {keys}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there are: {names}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is a machine profile '{name}' already</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there is no act '{act}'</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13926,6 +15090,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>there is no relay {0}; there are {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there is no room for a helix or ramp, and the tool does not cut over its centre</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13934,7 +15102,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>there is no room for the pulses' memory: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there is no scrap for the pierce and lead-in of {chain} near X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no scrap for the pierce behind a tab of {chain} near X{x:.3f} Y{y:.3f}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13978,6 +15154,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>these diagonals belong to no rectangle of these sides</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this build of the controller has no such setting</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13990,11 +15170,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this computer cannot keep the pulse rate of this program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this computer cannot keep the rate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this computer cannot keep the rate of the program's pulses</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>this computer may fall asleep while the machine cuts ({why}): switch its sleep off</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this is a fault of this program: report it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14038,6 +15230,42 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this machine cannot be held while its program runs: its link takes no such command</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine cannot be jogged from here</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine cannot be jogged while a program is held</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine cannot be resumed over its link</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine cannot be stopped while it runs what it was sent</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine cannot do this: {word}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine cannot find its own zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine cannot go back along its cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine does not report its position: it is counted from what was sent</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this machine has no Z axis: arcs are in XY</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14046,11 +15274,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this machine has no probe</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this machine has no spindle whose speed is chosen: write M3 alone</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>this machine has nothing that is switched (knife and point have no power): take it out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine's speeds cannot be changed while its program runs</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14486,6 +15722,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use the machine's own buttons</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use the version of CNCStepper that started it</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14782,6 +16022,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write KEY=VALUE, for example axis.x.steps_per_mm=80</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write M2 or M30 as its last line</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14875,6 +16119,10 @@
         </message>
         <message>
             <source>write both, as in: NAME = mild-steel 3 mm 45A</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write each turn</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15010,6 +16258,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write the program for the dialect mini-lathe</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write the program in mm, or choose a higher feed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15086,11 +16338,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} and {1} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} by {1} to {2} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} mm each where the axes are square</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} mm/min</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{0} to {1} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} to {1} mm from here</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15151,6 +16419,10 @@
         </message>
         <message>
             <source>{count} joints do not fit on {chain}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{count} pulses do not fit: no room, or ticks that do not rise</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15318,6 +16590,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{key} leads into a value that is no table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{key} must be a list of tables</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15386,6 +16662,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{late_ms:.0f} ms without a pulse</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{late_ns:.0f} µs late</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15446,6 +16726,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{limit_ms:.0f} ms</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{line_characters} characters, {window_bytes} with spaces</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15495,6 +16779,26 @@
         </message>
         <message>
             <source>{machine} does not cut by {process}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{machine} has a controller of its own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{machine} has a laser, whose beam would not be in time with its moves</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{machine} has no axis {axis}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{machine} has no relay '{name}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{machine} takes no pulse letters</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15550,6 +16854,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{name} cannot be had: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{name} cannot be used as a serial port: {text}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15566,7 +16874,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{name} is a parallel port, and the machine is a board</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{name} is in use</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} is no port that takes pulses</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15662,6 +16978,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{number:.0f} pulses/s, the worst {worst_us:.0f} µs late</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{number:.0f} writes/s, the worst {worst_us:.0f} µs late</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15698,11 +17018,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{path} cannot be read: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{path} cannot be recorded in: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{path} cannot be written: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{path} has no pins to read: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{path} is JSON: only TOML profiles are changed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15715,6 +17047,10 @@
         </message>
         <message>
             <source>{path} is no recording of pulses, and is not written over</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{per_s:.0f} pulses/s, {stall_us:.0f} µs</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15734,6 +17070,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{port} is connected as {there}, not as {machine}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{port} is held by a job of yours, {status_file}, which is {phase}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15742,11 +17082,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{port} is held by a window or a console of yours</source>
+            <source>{port} is in use by another window's connection</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{port} is in use by another window's connection</source>
+            <source>{port} may be held by another connection of yours</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15755,6 +17095,10 @@
         </message>
         <message>
             <source>{problem} in {table}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{process} does not cut through the sheet: it needs no tabs</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15810,6 +17154,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{state}; it runs on for {left_s:.0f} s</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{style} does not drill in pecks</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15859,6 +17207,10 @@
         </message>
         <message>
             <source>{wall_mm:g} mm radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{what} cannot be sent to a controller of this computer</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16027,6 +17379,17 @@
         </message>
         <message>
             <source>Import tools…</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Machines</name>
+        <message>
+            <source>Machines…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Makes and changes machine profiles, and tests a machine</source>
             <translation type="unfinished"></translation>
         </message>
     </context>

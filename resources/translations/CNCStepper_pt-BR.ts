@@ -216,8 +216,16 @@
             <translation>Canto B</translation>
         </message>
         <message>
+            <source>Corner Distance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Corner Dwell</source>
             <translation>Pausa no canto</translation>
+        </message>
+        <message>
+            <source>Corner Feed Share</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Corner Radius</source>
@@ -646,6 +654,10 @@
         <message>
             <source>How far before and behind a corner</source>
             <translation>Quanto antes e depois de um canto</translation>
+        </message>
+        <message>
+            <source>How far before and behind a corner the feed is lower; 0: it is not</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>How far before its end the cut runs on without power</source>
@@ -1884,6 +1896,10 @@
             <translation>A parte do avanço ali</translation>
         </message>
         <message>
+            <source>The share of the feed there; a slower wire melts a wider kerf</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The share of the feed with which they are cut</source>
             <translation>A parte do avanço com que são cortados</translation>
         </message>
@@ -2108,8 +2124,8 @@
             <translation>Onde a fileira termina</translation>
         </message>
         <message>
-            <source>Where the way turns by less, the wire does not stand</source>
-            <translation>Onde o caminho vira menos, o fio não para</translation>
+            <source>Where the way turns by less, the wire neither stands nor slows down</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Where the work zero lies in this document</source>
@@ -2323,6 +2339,10 @@
             <translation>O nome de um perfil fornecido, ou o arquivo de um perfil</translation>
         </message>
         <message>
+            <source>A short sound at an alarm, an end, a pause, and for a part beyond the work surface</source>
+            <translation>Um som curto em alarme, fim, pausa e para uma peça que excede a superfície de trabalho</translation>
+        </message>
+        <message>
             <source>A sketch or wire that holds one circle; without it the numbers count</source>
             <translation>Um esboço ou fio que contenha um círculo; sem ele valem os números</translation>
         </message>
@@ -2355,8 +2375,20 @@
             <translation>Em torno do primeiro canto, no sentido anti-horário</translation>
         </message>
         <message>
+            <source>Acceleration</source>
+            <translation>Aceleração</translation>
+        </message>
+        <message>
+            <source>Acceleration in steps</source>
+            <translation>Aceleração em passos</translation>
+        </message>
+        <message>
             <source>Active</source>
             <translation>Ativa</translation>
+        </message>
+        <message>
+            <source>Add</source>
+            <translation>Adicionar</translation>
         </message>
         <message>
             <source>Add a tool to this job</source>
@@ -2443,6 +2475,10 @@
             <translation>Aplicar</translation>
         </message>
         <message>
+            <source>Arc tolerance</source>
+            <translation>Tolerância de arco</translation>
+        </message>
+        <message>
             <source>Arcs below</source>
             <translation>Arcos abaixo de</translation>
         </message>
@@ -2463,12 +2499,20 @@
             <translation>Quantos podem ser gerados no máximo, em Hz</translation>
         </message>
         <message>
+            <source>As people call the machine</source>
+            <translation>Como as pessoas chamam a máquina</translation>
+        </message>
+        <message>
             <source>At the end of {0}</source>
             <translation>No fim de {0}</translation>
         </message>
         <message>
             <source>Attached again to the controller at {0}.</source>
             <translation>Reconectado ao controlador em {0}.</translation>
+        </message>
+        <message>
+            <source>Axes</source>
+            <translation>Eixos</translation>
         </message>
         <message>
             <source>Axis</source>
@@ -2547,6 +2591,14 @@
             <translation>Ocupado</translation>
         </message>
         <message>
+            <source>By which share the lathe may be slower than its published step times</source>
+            <translation>Que fração o torno pode ser mais lento que seus tempos de passo publicados</translation>
+        </message>
+        <message>
+            <source>Bytes ahead at most</source>
+            <translation>Bytes à frente no máximo</translation>
+        </message>
+        <message>
             <source>CNCStepper has a fault: {0}</source>
             <translation>O CNCStepper tem uma falha: {0}</translation>
         </message>
@@ -2565,6 +2617,10 @@
         <message>
             <source>Change</source>
             <translation>Alterar</translation>
+        </message>
+        <message>
+            <source>Change of wait</source>
+            <translation>Mudança da espera</translation>
         </message>
         <message>
             <source>Change the programmed value while cutting, in percent.</source>
@@ -2655,6 +2711,22 @@
             <translation>Colunas</translation>
         </message>
         <message>
+            <source>Come from above</source>
+            <translation>Vir de cima</translation>
+        </message>
+        <message>
+            <source>Come from below</source>
+            <translation>Vir de baixo</translation>
+        </message>
+        <message>
+            <source>Comes from</source>
+            <translation>Vem de</translation>
+        </message>
+        <message>
+            <source>Commanded length</source>
+            <translation>Comprimento comandado</translation>
+        </message>
+        <message>
             <source>Comparing the cut with the drawing…</source>
             <translation>Comparando o corte com o desenho…</translation>
         </message>
@@ -2669,6 +2741,14 @@
         <message>
             <source>Connect to the controller at this port.</source>
             <translation>Conecta ao controlador nesta porta.</translation>
+        </message>
+        <message>
+            <source>Connect to the machine first, in the controller's panel.</source>
+            <translation>Conecte primeiro à máquina, no painel do controlador.</translation>
+        </message>
+        <message>
+            <source>Connected and idle. Take the tool out, or lift it.</source>
+            <translation>Conectada e parada. Retire a ferramenta ou levante-a.</translation>
         </message>
         <message>
             <source>Connecting…</source>
@@ -2721,6 +2801,14 @@
         <message>
             <source>Coolant</source>
             <translation>Refrigeração</translation>
+        </message>
+        <message>
+            <source>Copy of {0}</source>
+            <translation>Cópia de {0}</translation>
+        </message>
+        <message>
+            <source>Copy…</source>
+            <translation>Copiar…</translation>
         </message>
         <message>
             <source>Core diameter</source>
@@ -2815,6 +2903,10 @@
             <translation>Danificado</translation>
         </message>
         <message>
+            <source>Debounce</source>
+            <translation>Filtro de repique</translation>
+        </message>
+        <message>
             <source>Degrees, counter-clockwise</source>
             <translation>Graus, anti-horário</translation>
         </message>
@@ -2839,6 +2931,14 @@
             <translation>Profundidade até</translation>
         </message>
         <message>
+            <source>Device</source>
+            <translation>Dispositivo</translation>
+        </message>
+        <message>
+            <source>Dial</source>
+            <translation>Relógio comparador</translation>
+        </message>
+        <message>
             <source>Dialect</source>
             <translation>Dialeto</translation>
         </message>
@@ -2855,6 +2955,10 @@
             <translation>Sentido</translation>
         </message>
         <message>
+            <source>Direction before step</source>
+            <translation>Direção antes do passo</translation>
+        </message>
+        <message>
             <source>Discard</source>
             <translation>Descartar</translation>
         </message>
@@ -2869,6 +2973,10 @@
         <message>
             <source>Distance</source>
             <translation>Distância</translation>
+        </message>
+        <message>
+            <source>Does</source>
+            <translation>Faz</translation>
         </message>
         <message>
             <source>Dog-bones</source>
@@ -2907,6 +3015,14 @@
             <translation>Furação</translation>
         </message>
         <message>
+            <source>Drive (steps per mm follow from it)</source>
+            <translation>Acionamento (dele seguem os passos por mm)</translation>
+        </message>
+        <message>
+            <source>Drive the length</source>
+            <translation>Percorrer o comprimento</translation>
+        </message>
+        <message>
             <source>Duplicate operations</source>
             <translation>Duplicar operações</translation>
         </message>
@@ -2943,6 +3059,10 @@
             <translation>Editar {0}</translation>
         </message>
         <message>
+            <source>Efficiency</source>
+            <translation>Rendimento</translation>
+        </message>
+        <message>
             <source>Elapsed</source>
             <translation>Decorrido</translation>
         </message>
@@ -2953,6 +3073,10 @@
         <message>
             <source>Elliptical pocket</source>
             <translation>Bolsão elíptico</translation>
+        </message>
+        <message>
+            <source>Enable before step</source>
+            <translation>Habilitação antes do passo</translation>
         </message>
         <message>
             <source>Encoder (closed loop)</source>
@@ -3043,6 +3167,10 @@
             <translation>Avanço dos furos</translation>
         </message>
         <message>
+            <source>Feed without F</source>
+            <translation>Avanço sem F</translation>
+        </message>
+        <message>
             <source>Feeding in air</source>
             <translation>Avanço no ar</translation>
         </message>
@@ -3103,6 +3231,10 @@
             <translation>Primeiro número</translation>
         </message>
         <message>
+            <source>First wait</source>
+            <translation>Primeira espera</translation>
+        </message>
+        <message>
             <source>Fit to drawing</source>
             <translation>Ajustar ao desenho</translation>
         </message>
@@ -3137,6 +3269,10 @@
         <message>
             <source>For a mill that does not cut over its centre; 0: 10°</source>
             <translation>Para uma fresa sem corte no centro; 0: 10°</translation>
+        </message>
+        <message>
+            <source>Force</source>
+            <translation>Força</translation>
         </message>
         <message>
             <source>Form</source>
@@ -3189,6 +3325,14 @@
         <message>
             <source>From X to the lines of the pattern</source>
             <translation>De X às linhas do padrão</translation>
+        </message>
+        <message>
+            <source>From above</source>
+            <translation>De cima</translation>
+        </message>
+        <message>
+            <source>From below</source>
+            <translation>De baixo</translation>
         </message>
         <message>
             <source>From chart</source>
@@ -3291,6 +3435,10 @@
             <translation>Redução</translation>
         </message>
         <message>
+            <source>General</source>
+            <translation>Geral</translation>
+        </message>
+        <message>
             <source>Go back along the cut by this length; a machine that moves is held first.</source>
             <translation>Volta este comprimento ao longo do corte; uma máquina em movimento é parada antes.</translation>
         </message>
@@ -3325,6 +3473,10 @@
         <message>
             <source>Go up to this Z first; where none is given: the program's highest crossing rapid</source>
             <translation>Subir primeiro até este Z; sem valor: a travessia rápida mais alta do programa</translation>
+        </message>
+        <message>
+            <source>Goes back by</source>
+            <translation>Volta</translation>
         </message>
         <message>
             <source>Goes on in the controller's panel: connect, work zero, start.</source>
@@ -3391,6 +3543,14 @@
             <translation>Avanço máximo</translation>
         </message>
         <message>
+            <source>Highest speed</source>
+            <translation>Velocidade máxima</translation>
+        </message>
+        <message>
+            <source>Highest spindle speed</source>
+            <translation>Rotação máxima</translation>
+        </message>
+        <message>
             <source>Hold</source>
             <translation>Pausar</translation>
         </message>
@@ -3433,6 +3593,10 @@
         <message>
             <source>Homing</source>
             <translation>Referenciando</translation>
+        </message>
+        <message>
+            <source>Homing switch</source>
+            <translation>Chave de referência</translation>
         </message>
         <message>
             <source>Homing works only while the machine is idle or in alarm.</source>
@@ -3481,6 +3645,10 @@
         <message>
             <source>How far before and behind a corner</source>
             <translation>Quanto antes e depois de um canto</translation>
+        </message>
+        <message>
+            <source>How far before and behind a corner the feed is lower; 0: it is not</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>How far before its end the cut runs on without power</source>
@@ -3731,12 +3899,36 @@
             <translation>Em quantos passos para fora</translation>
         </message>
         <message>
+            <source>In machine coordinates</source>
+            <translation>Em coordenadas da máquina</translation>
+        </message>
+        <message>
             <source>In the program</source>
             <translation>No programa</translation>
         </message>
         <message>
             <source>In whole passes</source>
             <translation>Em passes inteiros</translation>
+        </message>
+        <message>
+            <source>Inertia</source>
+            <translation>Inércia</translation>
+        </message>
+        <message>
+            <source>Inputs</source>
+            <translation>Entradas</translation>
+        </message>
+        <message>
+            <source>Inputs that are on: {0}</source>
+            <translation>Entradas ligadas: {0}</translation>
+        </message>
+        <message>
+            <source>Interpolation</source>
+            <translation>Interpolação</translation>
+        </message>
+        <message>
+            <source>Interval of pulses</source>
+            <translation>Intervalo dos pulsos</translation>
         </message>
         <message>
             <source>Is the work zero set on the stock and the way free?</source>
@@ -3749,6 +3941,18 @@
         <message>
             <source>It is cut last already</source>
             <translation>Já é usinada por último</translation>
+        </message>
+        <message>
+            <source>It is your copy of a shipped profile, and takes its place.</source>
+            <translation>É a sua cópia de um perfil fornecido, e toma o lugar dele.</translation>
+        </message>
+        <message>
+            <source>Its language and its link: grbl, grblhal, fluidnc, linuxcnc, thesis-a …</source>
+            <translation>Sua linguagem e sua ligação: grbl, grblhal, fluidnc, linuxcnc, thesis-a …</translation>
+        </message>
+        <message>
+            <source>Jerk</source>
+            <translation>Jerk (arranque)</translation>
         </message>
         <message>
             <source>Job</source>
@@ -3773,6 +3977,10 @@
         <message>
             <source>Joints that hold the part until it is broken out</source>
             <translation>Pontes que seguram a peça até ela ser destacada</translation>
+        </message>
+        <message>
+            <source>Junction deviation</source>
+            <translation>Desvio de junção</translation>
         </message>
         <message>
             <source>Keep as mesh</source>
@@ -3801,6 +4009,10 @@
         <message>
             <source>Laser</source>
             <translation>Laser</translation>
+        </message>
+        <message>
+            <source>Laser (M4 with power)</source>
+            <translation>Laser (M4 com potência)</translation>
         </message>
         <message>
             <source>Last hole</source>
@@ -3843,12 +4055,20 @@
             <translation>Avanço por dente mínimo</translation>
         </message>
         <message>
+            <source>Least wait</source>
+            <translation>Menor espera</translation>
+        </message>
+        <message>
             <source>Leave</source>
             <translation>Sai</translation>
         </message>
         <message>
             <source>Leave out of the program</source>
             <translation>Deixar fora do programa</translation>
+        </message>
+        <message>
+            <source>Left out, it follows from the drive</source>
+            <translation>Omitido, segue do acionamento</translation>
         </message>
         <message>
             <source>Length</source>
@@ -3887,16 +4107,32 @@
             <translation>Deixa a máquina encontrar o próprio zero com os fins de curso.</translation>
         </message>
         <message>
+            <source>Level</source>
+            <translation>Nível</translation>
+        </message>
+        <message>
             <source>Levels</source>
             <translation>Níveis</translation>
+        </message>
+        <message>
+            <source>Lift before</source>
+            <translation>Levantar antes</translation>
         </message>
         <message>
             <source>Line</source>
             <translation>Linha</translation>
         </message>
         <message>
+            <source>Line at release</source>
+            <translation>Linha ao soltar</translation>
+        </message>
+        <message>
             <source>Line length</source>
             <translation>Comprimento das linhas</translation>
+        </message>
+        <message>
+            <source>Line {0}, {1}: {2}</source>
+            <translation>Linha {0}, {1}: {2}</translation>
         </message>
         <message>
             <source>Line {0}: {1}</source>
@@ -3927,6 +4163,10 @@
             <translation>Examine a porta e conecte de novo.</translation>
         </message>
         <message>
+            <source>Look-ahead</source>
+            <translation>Antecipação (look-ahead)</translation>
+        </message>
+        <message>
             <source>Looking for a Python…</source>
             <translation>Procurando um Python…</translation>
         </message>
@@ -3947,12 +4187,36 @@
             <translation>Laços no retalho, que deixam vivos os cantos externos</translation>
         </message>
         <message>
+            <source>Lower right to upper left</source>
+            <translation>Inferior direito a superior esquerdo</translation>
+        </message>
+        <message>
+            <source>Lowest speed</source>
+            <translation>Rotação mínima</translation>
+        </message>
+        <message>
+            <source>M6, by the machine</source>
+            <translation>M6, pela máquina</translation>
+        </message>
+        <message>
             <source>MDF board</source>
             <translation>MDF</translation>
         </message>
         <message>
             <source>Machine</source>
             <translation>Máquina</translation>
+        </message>
+        <message>
+            <source>Machine profile</source>
+            <translation>Perfil da máquina</translation>
+        </message>
+        <message>
+            <source>Machine test</source>
+            <translation>Teste da máquina</translation>
+        </message>
+        <message>
+            <source>Machines</source>
+            <translation>Máquinas</translation>
         </message>
         <message>
             <source>Made from</source>
@@ -3991,6 +4255,14 @@
             <translation>Material</translation>
         </message>
         <message>
+            <source>Measured</source>
+            <translation>Medido</translation>
+        </message>
+        <message>
+            <source>Mend what is marked first.</source>
+            <translation>Corrija primeiro o que está marcado.</translation>
+        </message>
+        <message>
             <source>Message</source>
             <translation>Mensagem</translation>
         </message>
@@ -4023,8 +4295,20 @@
             <translation>Névoa</translation>
         </message>
         <message>
+            <source>Motion in air</source>
+            <translation>Movimento no ar</translation>
+        </message>
+        <message>
+            <source>Motor (its torque is checked)</source>
+            <translation>Motor (o torque é verificado)</translation>
+        </message>
+        <message>
             <source>Motor angle</source>
             <translation>Ângulo do motor</translation>
+        </message>
+        <message>
+            <source>Motor of a null pulse</source>
+            <translation>Motor do pulso nulo</translation>
         </message>
         <message>
             <source>Motor speed</source>
@@ -4037,6 +4321,10 @@
         <message>
             <source>Motor's steps</source>
             <translation>Passos do motor</translation>
+        </message>
+        <message>
+            <source>Motors</source>
+            <translation>Motores</translation>
         </message>
         <message>
             <source>Move</source>
@@ -4063,12 +4351,24 @@
             <translation>Acionado por</translation>
         </message>
         <message>
+            <source>Moved mass</source>
+            <translation>Massa movida</translation>
+        </message>
+        <message>
             <source>Moves, scales, turns or rewrites the whole program</source>
             <translation>Move, escala, gira ou reescreve o programa inteiro</translation>
         </message>
         <message>
             <source>Move…</source>
             <translation>Mover…</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>Nome</translation>
+        </message>
+        <message>
+            <source>Name of the profile: letters of a to z, digits, - and _</source>
+            <translation>Nome do perfil: letras de a a z, algarismos, - e _</translation>
         </message>
         <message>
             <source>Narrow arcs</source>
@@ -4083,8 +4383,16 @@
             <translation>Novo trabalho</translation>
         </message>
         <message>
+            <source>New machine</source>
+            <translation>Nova máquina</translation>
+        </message>
+        <message>
             <source>New program</source>
             <translation>Programa novo</translation>
+        </message>
+        <message>
+            <source>New…</source>
+            <translation>Nova…</translation>
         </message>
         <message>
             <source>Next</source>
@@ -4161,6 +4469,10 @@
         <message>
             <source>Number the lines…</source>
             <translation>Numerar as linhas…</translation>
+        </message>
+        <message>
+            <source>Of a board that takes bytes: 0 to 3, or unused for a motor without an axis</source>
+            <translation>De uma placa que recebe bytes: 0 a 3, ou unused para um motor sem eixo</translation>
         </message>
         <message>
             <source>Of a bull nose; 0: not given</source>
@@ -4263,12 +4575,20 @@
             <translation>Outro canto</translation>
         </message>
         <message>
+            <source>Other diagonal (0: none)</source>
+            <translation>Outra diagonal (0: nenhuma)</translation>
+        </message>
+        <message>
             <source>Outlines of the clamps</source>
             <translation>Contornos dos grampos</translation>
         </message>
         <message>
             <source>Outputs</source>
             <translation>Saídas</translation>
+        </message>
+        <message>
+            <source>Outputs on the way back</source>
+            <translation>Saídas na volta</translation>
         </message>
         <message>
             <source>Outside corners that turn by more get a loop</source>
@@ -4311,6 +4631,10 @@
             <translation>PVC expandido</translation>
         </message>
         <message>
+            <source>Parallel port</source>
+            <translation>Porta paralela</translation>
+        </message>
+        <message>
             <source>Parts</source>
             <translation>Peças</translation>
         </message>
@@ -4329,6 +4653,10 @@
         <message>
             <source>Pause</source>
             <translation>Pausa</translation>
+        </message>
+        <message>
+            <source>Pause between pulses</source>
+            <translation>Pausa entre pulsos</translation>
         </message>
         <message>
             <source>Paused</source>
@@ -4353,6 +4681,18 @@
         <message>
             <source>Pierces</source>
             <translation>Perfurações</translation>
+        </message>
+        <message>
+            <source>Pin</source>
+            <translation>Pino</translation>
+        </message>
+        <message>
+            <source>Pin {0}: {1}</source>
+            <translation>Pino {0}: {1}</translation>
+        </message>
+        <message>
+            <source>Pins of the parallel port; a minus sign is active low</source>
+            <translation>Pinos da porta paralela; o sinal de menos é ativo em nível baixo</translation>
         </message>
         <message>
             <source>Pitch</source>
@@ -4399,8 +4739,16 @@
             <translation>Pontos mantidos</translation>
         </message>
         <message>
+            <source>Points of the pull-out curve, rpm and Nm: 0 1.2; 300 1.0</source>
+            <translation>Pontos da curva de torque, rpm e Nm: 0 1.2; 300 1.0</translation>
+        </message>
+        <message>
             <source>Port</source>
             <translation>Porta</translation>
+        </message>
+        <message>
+            <source>Port's address</source>
+            <translation>Endereço da porta</translation>
         </message>
         <message>
             <source>Position</source>
@@ -4409,6 +4757,10 @@
         <message>
             <source>Power</source>
             <translation>Potência</translation>
+        </message>
+        <message>
+            <source>Power (M3)</source>
+            <translation>Potência (M3)</translation>
         </message>
         <message>
             <source>Power on before the tool moves; 0: that of the chart</source>
@@ -4421,6 +4773,10 @@
         <message>
             <source>Preheat</source>
             <translation>Pré-aquecimento</translation>
+        </message>
+        <message>
+            <source>Preset speeds</source>
+            <translation>Rotações fixas</translation>
         </message>
         <message>
             <source>Preview</source>
@@ -4437,6 +4793,10 @@
         <message>
             <source>Process</source>
             <translation>Processo</translation>
+        </message>
+        <message>
+            <source>Processes</source>
+            <translation>Processos</translation>
         </message>
         <message>
             <source>Profile</source>
@@ -4487,16 +4847,32 @@
             <translation>Frequência</translation>
         </message>
         <message>
+            <source>Pulse width</source>
+            <translation>Largura do pulso</translation>
+        </message>
+        <message>
             <source>Pulses</source>
             <translation>Pulsos</translation>
+        </message>
+        <message>
+            <source>Pulses +</source>
+            <translation>Pulsos +</translation>
         </message>
         <message>
             <source>Pulses of</source>
             <translation>Pulsos de</translation>
         </message>
         <message>
+            <source>Pulses −</source>
+            <translation>Pulsos −</translation>
+        </message>
+        <message>
             <source>Pulses/s</source>
             <translation>Pulsos/s</translation>
+        </message>
+        <message>
+            <source>Put into the profile</source>
+            <translation>Pôr no perfil</translation>
         </message>
         <message>
             <source>Put the stock around what is selected, or around the drawings of the operations</source>
@@ -4535,8 +4911,16 @@
             <translation>Comprimento da rampa</translation>
         </message>
         <message>
+            <source>Ramps</source>
+            <translation>Rampas</translation>
+        </message>
+        <message>
             <source>Rapid</source>
             <translation>Rápido</translation>
+        </message>
+        <message>
+            <source>Rapid speed</source>
+            <translation>Velocidade rápida</translation>
         </message>
         <message>
             <source>Rapids</source>
@@ -4579,6 +4963,18 @@
             <translation>Região</translation>
         </message>
         <message>
+            <source>Relays</source>
+            <translation>Relés</translation>
+        </message>
+        <message>
+            <source>Relays and inputs</source>
+            <translation>Relés e entradas</translation>
+        </message>
+        <message>
+            <source>Relays are switched by hand only while the machine is idle.</source>
+            <translation>Os relés só são ligados à mão com a máquina parada.</translation>
+        </message>
+        <message>
             <source>Release to close the line. Esc: give up this line.</source>
             <translation>Solte para fechar a linha. Esc: desistir desta linha.</translation>
         </message>
@@ -4589,6 +4985,10 @@
         <message>
             <source>Remaining</source>
             <translation>Restante</translation>
+        </message>
+        <message>
+            <source>Remove</source>
+            <translation>Remover</translation>
         </message>
         <message>
             <source>Remove tool</source>
@@ -4651,8 +5051,16 @@
             <translation>Recuar até</translation>
         </message>
         <message>
+            <source>Reverse (M4)</source>
+            <translation>Reverso (M4)</translation>
+        </message>
+        <message>
             <source>Reverse the contours</source>
             <translation>Inverter os contornos</translation>
+        </message>
+        <message>
+            <source>Revert</source>
+            <translation>Reverter</translation>
         </message>
         <message>
             <source>Rotate…</source>
@@ -4681,6 +5089,10 @@
         <message>
             <source>S is turns per minute</source>
             <translation>S são rotações por minuto</translation>
+        </message>
+        <message>
+            <source>S-curve</source>
+            <translation>Curva S</translation>
         </message>
         <message>
             <source>Save</source>
@@ -4717,6 +5129,10 @@
         <message>
             <source>Screw speed</source>
             <translation>Rotação do fuso</translation>
+        </message>
+        <message>
+            <source>Screw's pitch</source>
+            <translation>Passo do fuso</translation>
         </message>
         <message>
             <source>Scribe</source>
@@ -4775,6 +5191,10 @@
             <translation>Enviar este reinício…</translation>
         </message>
         <message>
+            <source>Sent ahead at most</source>
+            <translation>Enviado à frente no máximo</translation>
+        </message>
+        <message>
             <source>Shape</source>
             <translation>Forma</translation>
         </message>
@@ -4799,6 +5219,18 @@
             <translation>Lado</translation>
         </message>
         <message>
+            <source>Side along X</source>
+            <translation>Lado em X</translation>
+        </message>
+        <message>
+            <source>Side along Y</source>
+            <translation>Lado em Y</translation>
+        </message>
+        <message>
+            <source>Signals and pins</source>
+            <translation>Sinais e pinos</translation>
+        </message>
+        <message>
             <source>Simplify</source>
             <translation>Simplificar</translation>
         </message>
@@ -4809,6 +5241,14 @@
         <message>
             <source>Size</source>
             <translation>Tamanho</translation>
+        </message>
+        <message>
+            <source>Size of square and circle</source>
+            <translation>Tamanho do quadrado e do círculo</translation>
+        </message>
+        <message>
+            <source>Slower than published</source>
+            <translation>Mais lento que o publicado</translation>
         </message>
         <message>
             <source>Small holes</source>
@@ -4827,6 +5267,10 @@
             <translation>Sólidos em que a ferramenta não pode tocar; as ocorrências os citam pelo número</translation>
         </message>
         <message>
+            <source>Sounds</source>
+            <translation>Sons</translation>
+        </message>
+        <message>
             <source>Spacing</source>
             <translation>Espaçamento</translation>
         </message>
@@ -4835,8 +5279,16 @@
             <translation>Velocidade</translation>
         </message>
         <message>
+            <source>Spin-up time</source>
+            <translation>Tempo até a rotação</translation>
+        </message>
+        <message>
             <source>Spindle</source>
             <translation>Spindle</translation>
+        </message>
+        <message>
+            <source>Spindle and relays</source>
+            <translation>Fuso e relés</translation>
         </message>
         <message>
             <source>Spindle turns a minute; 0: those of the job's material</source>
@@ -4851,12 +5303,24 @@
             <translation>Tempo do ponto</translation>
         </message>
         <message>
+            <source>Square</source>
+            <translation>Quadrado</translation>
+        </message>
+        <message>
+            <source>Squareness</source>
+            <translation>Esquadro</translation>
+        </message>
+        <message>
             <source>Start</source>
             <translation>Iniciar</translation>
         </message>
         <message>
             <source>Start angle</source>
             <translation>Ângulo inicial</translation>
+        </message>
+        <message>
+            <source>Start/stop wait</source>
+            <translation>Espera de partida/parada</translation>
         </message>
         <message>
             <source>Starting</source>
@@ -4869,6 +5333,10 @@
         <message>
             <source>Step ({0})</source>
             <translation>Passo ({0})</translation>
+        </message>
+        <message>
+            <source>Step times</source>
+            <translation>Tempos de passo</translation>
         </message>
         <message>
             <source>Step {0} of {1}</source>
@@ -4885,6 +5353,14 @@
         <message>
             <source>Stepper motor (open loop)</source>
             <translation>Motor de passo (malha aberta)</translation>
+        </message>
+        <message>
+            <source>Steps of the ramp</source>
+            <translation>Passos da rampa</translation>
+        </message>
+        <message>
+            <source>Steps per mm</source>
+            <translation>Passos por mm</translation>
         </message>
         <message>
             <source>Steps/mm</source>
@@ -4917,6 +5393,10 @@
         <message>
             <source>Stopping…</source>
             <translation>Parando…</translation>
+        </message>
+        <message>
+            <source>Switch it on or off.</source>
+            <translation>Ligar ou desligar.</translation>
         </message>
         <message>
             <source>Switch {0}</source>
@@ -4955,8 +5435,16 @@
             <translation>Voltar ao valor da tabela</translation>
         </message>
         <message>
+            <source>Take the dial's reading from both sides first.</source>
+            <translation>Faça primeiro a leitura do relógio dos dois lados.</translation>
+        </message>
+        <message>
             <source>Take the line numbers out</source>
             <translation>Tirar os números de linha</translation>
+        </message>
+        <message>
+            <source>Take the reading</source>
+            <translation>Registrar a leitura</translation>
         </message>
         <message>
             <source>Take the solids that are selected for clamps</source>
@@ -4973,6 +5461,14 @@
         <message>
             <source>The T word of the program</source>
             <translation>A palavra T do programa</translation>
+        </message>
+        <message>
+            <source>The angle between X and Y is {0:.4f}°: {1:.3f} mm over a metre.</source>
+            <translation>O ângulo entre X e Y é {0:.4f}°: {1:.3f} mm em um metro.</translation>
+        </message>
+        <message>
+            <source>The axis of each motor in turn; -y is one that is mounted the other way round: x y -y z</source>
+            <translation>O eixo de cada motor em ordem; -y é um montado ao contrário: x y -y z</translation>
         </message>
         <message>
             <source>The baud rate of the serial port</source>
@@ -5001,6 +5497,10 @@
         <message>
             <source>The connection is being made.</source>
             <translation>A conexão está sendo feita.</translation>
+        </message>
+        <message>
+            <source>The connection was lost during the test.</source>
+            <translation>A conexão foi perdida durante o teste.</translation>
         </message>
         <message>
             <source>The controller does something that was not asked for here.</source>
@@ -5085,6 +5585,10 @@
         <message>
             <source>The feed of the program</source>
             <translation>O avanço do programa</translation>
+        </message>
+        <message>
+            <source>The file has a new layout: its comments are not in it.</source>
+            <translation>O arquivo tem nova disposição: os comentários não estão nele.</translation>
         </message>
         <message>
             <source>The file of a cut chart of your own; empty: the chart that ships</source>
@@ -5231,6 +5735,10 @@
             <translation>O meio do círculo, a partir do zero da peça</translation>
         </message>
         <message>
+            <source>The mini-lathe's link</source>
+            <translation>A ligação do minitorno</translation>
+        </message>
+        <message>
             <source>The minor diameter that is cut</source>
             <translation>O diâmetro menor que é cortado</translation>
         </message>
@@ -5273,6 +5781,14 @@
         <message>
             <source>The points as they were drawn</source>
             <translation>Os pontos como foram desenhados</translation>
+        </message>
+        <message>
+            <source>The profile has a value that is none: mend it first.</source>
+            <translation>O perfil tem um valor inválido: corrija-o primeiro.</translation>
+        </message>
+        <message>
+            <source>The profile of the machine at this port: its relays, and how it is driven</source>
+            <translation>O perfil da máquina nesta porta: seus relés e como é acionada</translation>
         </message>
         <message>
             <source>The program has changed since: what is shown is the one before.</source>
@@ -5319,6 +5835,10 @@
             <translation>A parte do avanço ali</translation>
         </message>
         <message>
+            <source>The share of the feed there; a slower wire melts a wider kerf</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The share of the feed with which they are cut</source>
             <translation>A parte do avanço com que são cortados</translation>
         </message>
@@ -5343,6 +5863,10 @@
             <translation>A velocidade dos movimentos de corte; 0: a do material do trabalho</translation>
         </message>
         <message>
+            <source>The speed of rapids, where the language leaves it to the machine</source>
+            <translation>A velocidade dos rápidos, onde a linguagem a deixa para a máquina</translation>
+        </message>
+        <message>
             <source>The speed of the cut; 0: that of the chart</source>
             <translation>A velocidade do corte; 0: a da tabela</translation>
         </message>
@@ -5351,12 +5875,20 @@
             <translation>A velocidade de descida reta; 0: a do material do trabalho</translation>
         </message>
         <message>
+            <source>The speeds that a gear or a switch has, rising; none where any speed can be set</source>
+            <translation>As rotações que uma engrenagem ou chave tem, crescentes; nenhuma onde qualquer rotação serve</translation>
+        </message>
+        <message>
             <source>The spindle's speed in the program</source>
             <translation>A rotação do spindle no programa</translation>
         </message>
         <message>
             <source>The step of the published method</source>
             <translation>O passo do método publicado</translation>
+        </message>
+        <message>
+            <source>The test is under way: wait, or stop it.</source>
+            <translation>O teste está em andamento: espere ou pare-o.</translation>
         </message>
         <message>
             <source>The thickest chip that a tooth bears; 0: not given</source>
@@ -5419,6 +5951,10 @@
             <translation>A tocha acima da chapa enquanto perfura; 0: a altura da tabela</translation>
         </message>
         <message>
+            <source>The waits between steps from rest, in ms, none longer than the one before it</source>
+            <translation>As esperas entre passos a partir do repouso, em ms, nenhuma maior que a anterior</translation>
+        </message>
+        <message>
             <source>The way along the cut is being checked…</source>
             <translation>O caminho ao longo do corte está sendo verificado…</translation>
         </message>
@@ -5469,6 +6005,10 @@
         <message>
             <source>There is no restart to send yet.</source>
             <translation>Ainda não há reinício para enviar.</translation>
+        </message>
+        <message>
+            <source>These profiles have changes that are not saved: {0}</source>
+            <translation>Estes perfis têm mudanças não salvas: {0}</translation>
         </message>
         <message>
             <source>This is cut by: {0}. The job's process is: {1}</source>
@@ -5535,12 +6075,24 @@
             <translation>Até a linha</translation>
         </message>
         <message>
+            <source>To the start</source>
+            <translation>Ao início</translation>
+        </message>
+        <message>
             <source>Tolerance</source>
             <translation>Tolerância</translation>
         </message>
         <message>
             <source>Tool</source>
             <translation>Ferramenta</translation>
+        </message>
+        <message>
+            <source>Tool change</source>
+            <translation>Troca de ferramenta</translation>
+        </message>
+        <message>
+            <source>Tool length</source>
+            <translation>Comprimento da ferramenta</translation>
         </message>
         <message>
             <source>Tool tables in inches ({0})</source>
@@ -5567,8 +6119,28 @@
             <translation>Desliga antes</translation>
         </message>
         <message>
+            <source>Torque at speed</source>
+            <translation>Torque por rotação</translation>
+        </message>
+        <message>
+            <source>Travel</source>
+            <translation>Curso</translation>
+        </message>
+        <message>
             <source>Travel for a turn of the screw; with several starts its lead</source>
             <translation>Percurso por volta do fuso; com várias entradas, o avanço da rosca</translation>
+        </message>
+        <message>
+            <source>Travel from</source>
+            <translation>Curso de</translation>
+        </message>
+        <message>
+            <source>Travel per turn</source>
+            <translation>Avanço por volta</translation>
+        </message>
+        <message>
+            <source>Travel to</source>
+            <translation>Curso até</translation>
         </message>
         <message>
             <source>Turns</source>
@@ -5639,6 +6211,10 @@
             <translation>Jato de água</translation>
         </message>
         <message>
+            <source>What a program without F takes, and the cutting speed of a language without F</source>
+            <translation>O que vale num programa sem F, e a velocidade de corte de uma linguagem sem F</translation>
+        </message>
+        <message>
             <source>What happened to the job's own program since</source>
             <translation>O que aconteceu desde então com o programa do próprio trabalho</translation>
         </message>
@@ -5673,6 +6249,10 @@
         <message>
             <source>What the cutter is made of</source>
             <translation>De que a ferramenta é feita</translation>
+        </message>
+        <message>
+            <source>What the motor turns at a reversal before the axis moves</source>
+            <translation>O que o motor gira na inversão antes de o eixo se mover</translation>
         </message>
         <message>
             <source>What the raw material looks like</source>
@@ -5711,8 +6291,8 @@
             <translation>Não se sabe onde a mesa está: referencie a máquina ou defina de novo o zero-peça.</translation>
         </message>
         <message>
-            <source>Where the way turns by less, the wire does not stand</source>
-            <translation>Onde o caminho vira menos, o fio não para</translation>
+            <source>Where the way turns by less, the wire neither stands nor slows down</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Where the work zero lies in this document</source>
@@ -5779,6 +6359,10 @@
             <translation>Sistema de coordenadas</translation>
         </message>
         <message>
+            <source>Work out the angle</source>
+            <translation>Calcular o ângulo</translation>
+        </message>
+        <message>
             <source>Work zero</source>
             <translation>Zero-peça</translation>
         </message>
@@ -5831,6 +6415,10 @@
             <translation>um comentário</translation>
         </message>
         <message>
+            <source>a file for each tool</source>
+            <translation>um arquivo por ferramenta</translation>
+        </message>
+        <message>
             <source>a parameter</source>
             <translation>um parâmetro</translation>
         </message>
@@ -5847,8 +6435,16 @@
             <translation>acrílico fundido</translation>
         </message>
         <message>
+            <source>active low</source>
+            <translation>ativo em baixo</translation>
+        </message>
+        <message>
             <source>ae, recalculated to whole passes</source>
             <translation>ae, recalculada para passes inteiros</translation>
+        </message>
+        <message>
+            <source>all stand out equally</source>
+            <translation>todas salientes por igual</translation>
         </message>
         <message>
             <source>along the walls</source>
@@ -5943,8 +6539,28 @@
             <translation>como o programa</translation>
         </message>
         <message>
+            <source>as the thesis published it</source>
+            <translation>como publicado na dissertação</translation>
+        </message>
+        <message>
+            <source>at the lower end</source>
+            <translation>no extremo inferior</translation>
+        </message>
+        <message>
+            <source>at the upper end</source>
+            <translation>no extremo superior</translation>
+        </message>
+        <message>
+            <source>back along the cut</source>
+            <translation>volta pelo corte</translation>
+        </message>
+        <message>
             <source>back the way it came</source>
             <translation>de volta pelo mesmo caminho</translation>
+        </message>
+        <message>
+            <source>backlash {0:g} mm</source>
+            <translation>folga {0:g} mm</translation>
         </message>
         <message>
             <source>ball end mill</source>
@@ -6019,6 +6635,10 @@
             <translation>concordante</translation>
         </message>
         <message>
+            <source>constant acceleration</source>
+            <translation>aceleração constante</translation>
+        </message>
+        <message>
             <source>conventional</source>
             <translation>discordante</translation>
         </message>
@@ -6059,6 +6679,10 @@
             <translation>profundidade de uma bicada</translation>
         </message>
         <message>
+            <source>digital differential analyser</source>
+            <translation>analisador diferencial digital (DDA)</translation>
+        </message>
+        <message>
             <source>drill</source>
             <translation>broca</translation>
         </message>
@@ -6077,6 +6701,10 @@
         <message>
             <source>drills, lifting the chips out</source>
             <translation>fura, retirando o cavaco</translation>
+        </message>
+        <message>
+            <source>drives enabled</source>
+            <translation>drivers habilitados</translation>
         </message>
         <message>
             <source>dwell for P</source>
@@ -6121,6 +6749,10 @@
         <message>
             <source>flood on</source>
             <translation>jato ligado</translation>
+        </message>
+        <message>
+            <source>flood on/off</source>
+            <translation>jato liga/desliga</translation>
         </message>
         <message>
             <source>foam</source>
@@ -6183,6 +6815,10 @@
             <translation>grade</translation>
         </message>
         <message>
+            <source>ground</source>
+            <translation>terra</translation>
+        </message>
+        <message>
             <source>hardwood</source>
             <translation>madeira dura</translation>
         </message>
@@ -6193,6 +6829,10 @@
         <message>
             <source>helix</source>
             <translation>hélice</translation>
+        </message>
+        <message>
+            <source>high</source>
+            <translation>alto</translation>
         </message>
         <message>
             <source>high-speed steel</source>
@@ -6209,6 +6849,10 @@
         <message>
             <source>incremental</source>
             <translation>incremental</translation>
+        </message>
+        <message>
+            <source>input</source>
+            <translation>entrada</translation>
         </message>
         <message>
             <source>inside</source>
@@ -6251,6 +6895,10 @@
             <translation>os comprimentos são milímetros</translation>
         </message>
         <message>
+            <source>limit switch</source>
+            <translation>fim de curso</translation>
+        </message>
+        <message>
             <source>limit {0}</source>
             <translation>limite {0}</translation>
         </message>
@@ -6265,6 +6913,10 @@
         <message>
             <source>lines in one direction</source>
             <translation>linhas em um só sentido</translation>
+        </message>
+        <message>
+            <source>low</source>
+            <translation>baixo</translation>
         </message>
         <message>
             <source>make room in the folder for temporary files</source>
@@ -6289,6 +6941,10 @@
         <message>
             <source>mist on</source>
             <translation>névoa ligada</translation>
+        </message>
+        <message>
+            <source>mist on/off</source>
+            <translation>névoa liga/desliga</translation>
         </message>
         <message>
             <source>mm</source>
@@ -6335,6 +6991,10 @@
             <translation>nenhum erro</translation>
         </message>
         <message>
+            <source>no switch</source>
+            <translation>sem chave</translation>
+        </message>
+        <message>
             <source>no tool length</source>
             <translation>sem comprimento de ferramenta</translation>
         </message>
@@ -6349,6 +7009,10 @@
         <message>
             <source>not given</source>
             <translation>não informado</translation>
+        </message>
+        <message>
+            <source>nothing to correct</source>
+            <translation>nada a corrigir</translation>
         </message>
         <message>
             <source>number of the line</source>
@@ -6371,8 +7035,24 @@
             <translation>de um desenho</translation>
         </message>
         <message>
+            <source>off</source>
+            <translation>desligado</translation>
+        </message>
+        <message>
+            <source>off when pressed</source>
+            <translation>desligado ao apertar</translation>
+        </message>
+        <message>
+            <source>offsets from a table</source>
+            <translation>compensações de uma tabela</translation>
+        </message>
+        <message>
             <source>on the line</source>
             <translation>sobre a linha</translation>
+        </message>
+        <message>
+            <source>on when pressed</source>
+            <translation>ligado ao apertar</translation>
         </message>
         <message>
             <source>open a document or its 3D view</source>
@@ -6381,6 +7061,30 @@
         <message>
             <source>open one and simulate again</source>
             <translation>abra uma e simule de novo</translation>
+        </message>
+        <message>
+            <source>our planner</source>
+            <translation>nosso planejador</translation>
+        </message>
+        <message>
+            <source>output</source>
+            <translation>saída</translation>
+        </message>
+        <message>
+            <source>output 0 (M64 P0)</source>
+            <translation>saída 0 (M64 P0)</translation>
+        </message>
+        <message>
+            <source>output 1 (M64 P1)</source>
+            <translation>saída 1 (M64 P1)</translation>
+        </message>
+        <message>
+            <source>output 2 (M64 P2)</source>
+            <translation>saída 2 (M64 P2)</translation>
+        </message>
+        <message>
+            <source>output 3 (M64 P3)</source>
+            <translation>saída 3 (M64 P3)</translation>
         </message>
         <message>
             <source>outside</source>
@@ -6393,6 +7097,14 @@
         <message>
             <source>paper</source>
             <translation>papel</translation>
+        </message>
+        <message>
+            <source>pause</source>
+            <translation>pausa</translation>
+        </message>
+        <message>
+            <source>pause, by hand</source>
+            <translation>pausa, à mão</translation>
         </message>
         <message>
             <source>pauses until it is told to go on</source>
@@ -6503,6 +7215,10 @@
             <translation>borracha</translation>
         </message>
         <message>
+            <source>safety door</source>
+            <translation>porta de segurança</translation>
+        </message>
+        <message>
             <source>sandblast film</source>
             <translation>filme para jateamento</translation>
         </message>
@@ -6513,6 +7229,10 @@
         <message>
             <source>sheet</source>
             <translation>chapa</translation>
+        </message>
+        <message>
+            <source>shipped; your first change makes a copy of it</source>
+            <translation>fornecido; sua primeira mudança faz uma cópia</translation>
         </message>
         <message>
             <source>short rapids</source>
@@ -6543,6 +7263,18 @@
             <translation>fuso ligado, anti-horário</translation>
         </message>
         <message>
+            <source>spindle reversed (M4)</source>
+            <translation>fuso invertido (M4)</translation>
+        </message>
+        <message>
+            <source>spindle stop</source>
+            <translation>parada do fuso</translation>
+        </message>
+        <message>
+            <source>spindle, torch or beam (M3)</source>
+            <translation>fuso, maçarico ou feixe (M3)</translation>
+        </message>
+        <message>
             <source>spiral</source>
             <translation>espiral</translation>
         </message>
@@ -6551,12 +7283,36 @@
             <translation>aço inoxidável</translation>
         </message>
         <message>
+            <source>start</source>
+            <translation>início</translation>
+        </message>
+        <message>
+            <source>stay on</source>
+            <translation>continuam ligadas</translation>
+        </message>
+        <message>
+            <source>steps per mm {0:g} becomes {1:g}</source>
+            <translation>passos por mm {0:g} passa a {1:g}</translation>
+        </message>
+        <message>
+            <source>stop</source>
+            <translation>parada</translation>
+        </message>
+        <message>
             <source>straight cut, at the feed F</source>
             <translation>corte reto, no avanço F</translation>
         </message>
         <message>
             <source>straight down</source>
             <translation>na vertical</translation>
+        </message>
+        <message>
+            <source>switch by lines</source>
+            <translation>ligar por linhas</translation>
+        </message>
+        <message>
+            <source>table of step times</source>
+            <translation>tabela de tempos de passo</translation>
         </message>
         <message>
             <source>takes G92 back</source>
@@ -6631,8 +7387,16 @@
             <translation>ferramenta {0}</translation>
         </message>
         <message>
+            <source>usual</source>
+            <translation>usual</translation>
+        </message>
+        <message>
             <source>usual for the process</source>
             <translation>usuais do processo</translation>
+        </message>
+        <message>
+            <source>usual: {0}</source>
+            <translation>usual: {0}</translation>
         </message>
         <message>
             <source>value {0}</source>
@@ -6649,6 +7413,18 @@
         <message>
             <source>work zero {0} of 9</source>
             <translation>zero de trabalho {0} de 9</translation>
+        </message>
+        <message>
+            <source>write points as: 0 1.2; 300 1.0</source>
+            <translation>escreva os pontos assim: 0 1.2; 300 1.0</translation>
+        </message>
+        <message>
+            <source>yours</source>
+            <translation>seu</translation>
+        </message>
+        <message>
+            <source>zero set with each tool</source>
+            <translation>zero com cada ferramenta</translation>
         </message>
         <message>
             <source>zigzag</source>
@@ -6671,12 +7447,20 @@
             <translation>{0} = 0</translation>
         </message>
         <message>
+            <source>{0} direction</source>
+            <translation>direção {0}</translation>
+        </message>
+        <message>
             <source>{0} does not name this process</source>
             <translation>{0} não tem este processo</translation>
         </message>
         <message>
             <source>{0} errors</source>
             <translation>{0} erros</translation>
+        </message>
+        <message>
+            <source>{0} from below, {1} from above</source>
+            <translation>{0} de baixo, {1} de cima</translation>
         </message>
         <message>
             <source>{0} has changed in the document meanwhile; here is still what you typed</source>
@@ -6703,6 +7487,14 @@
             <translation>{0} não é uma operação e não é movido</translation>
         </message>
         <message>
+            <source>{0} is written.</source>
+            <translation>{0} foi gravado.</translation>
+        </message>
+        <message>
+            <source>{0} is {1} now: save it.</source>
+            <translation>{0} agora é {1}: salve.</translation>
+        </message>
+        <message>
             <source>{0} lines change:</source>
             <translation>{0} linhas mudam:</translation>
         </message>
@@ -6727,6 +7519,10 @@
             <translation>{0} de {1} linhas, linha {2} do arquivo, enviado até a linha {3}</translation>
         </message>
         <message>
+            <source>{0} readings: mean {1:.4f} mm, standard deviation {2:.4f} mm</source>
+            <translation>{0} leituras: média {1:.4f} mm, desvio padrão {2:.4f} mm</translation>
+        </message>
+        <message>
             <source>{0} replaced</source>
             <translation>{0} substituídos</translation>
         </message>
@@ -6741,6 +7537,10 @@
         <message>
             <source>{0} stays in its job; copy and paste it into another document</source>
             <translation>{0} fica no seu trabalho; para levá-la a outro documento, copie e cole</translation>
+        </message>
+        <message>
+            <source>{0} step</source>
+            <translation>passo {0}</translation>
         </message>
         <message>
             <source>{0} tools imported</source>
@@ -6854,6 +7654,10 @@
             <translation>'{line}' não é um bloco que só comuta, como M8, M3S9000 ou M64P0</translation>
         </message>
         <message>
+            <source>'{name}' is no name for a machine profile</source>
+            <translation>'{name}' não é nome de perfil de máquina</translation>
+        </message>
+        <message>
             <source>'{name}' names no port number</source>
             <translation>'{name}' não indica um número de porta</translation>
         </message>
@@ -6892,6 +7696,10 @@
         <message>
             <source>'{words}' is no length or angle that is known</source>
             <translation>'{words}' não é um comprimento ou ângulo conhecido</translation>
+        </message>
+        <message>
+            <source>'{word}' changes no key</source>
+            <translation>'{word}' não muda nenhuma chave</translation>
         </message>
         <message>
             <source>(nu=7, ph=3.8, pd=0.4, ch=1.5, fr=3850, kw=1.5)</source>
@@ -7138,6 +7946,10 @@
             <translation>o Mach apalpa com G31</translation>
         </message>
         <message>
+            <source>Machine profile, made by CNCStepper</source>
+            <translation>Perfil de máquina, feito pelo CNCStepper</translation>
+        </message>
+        <message>
             <source>Marlin has no end word (M30 deletes a file): leave it out</source>
             <translation>o Marlin não tem palavra de fim (M30 apaga um arquivo): omita-a</translation>
         </message>
@@ -7234,6 +8046,10 @@
             <translation>T seleciona um extrusor: faça uma pausa com M0 onde a ferramenta deve ser trocada</translation>
         </message>
         <message>
+            <source>Trial {0} pulses/s late mean {1} us worst {2} us</source>
+            <translation>Ensaio {0} pulsos/s atraso médio {1} us pior {2} us</translation>
+        </message>
+        <message>
             <source>Water jet</source>
             <translation>Jato de água</translation>
         </message>
@@ -7312,6 +8128,10 @@
         <message>
             <source>a control point needs both X and Y</source>
             <translation>um ponto de controle precisa de X e Y</translation>
+        </message>
+        <message>
+            <source>a controller with a firmware of its own</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>a coordinate is not a length in mm</source>
@@ -7438,6 +8258,10 @@
             <translation>uma entrada ou um corte atravessa uma peça</translation>
         </message>
         <message>
+            <source>a limit or door is on a pin with a number, without port: on the machine's own</source>
+            <translation>um fim de curso ou porta de segurança fica num pino com número e sem porta: na porta da própria máquina</translation>
+        </message>
+        <message>
             <source>a limit switch is pressed</source>
             <translation>um fim de curso está acionado</translation>
         </message>
@@ -7554,6 +8378,10 @@
             <translation>um driver de motor acusa falha</translation>
         </message>
         <message>
+            <source>a move that the lathe has begun goes on: switch it off, then set its zero again</source>
+            <translation>um movimento que o torno começou continua: desligue-o e depois defina o zero de novo</translation>
+        </message>
+        <message>
             <source>a move would end outside the travel (soft limit)</source>
             <translation>um movimento terminaria fora do curso (limite de software)</translation>
         </message>
@@ -7608,6 +8436,10 @@
         <message>
             <source>a pin in the configuration is wrong</source>
             <translation>um pino da configuração está errado</translation>
+        </message>
+        <message>
+            <source>a pin with a number has a port: the device file of its parallel port</source>
+            <translation>um pino com número tem uma porta: o arquivo de dispositivo da sua porta paralela</translation>
         </message>
         <message>
             <source>a pin with a number, and only that, has a port: the device file of its parallel port</source>
@@ -7672,6 +8504,14 @@
         <message>
             <source>a rapid with the tool running is not above all cuts</source>
             <translation>um rápido com a ferramenta ligada não passa acima de todos os cortes</translation>
+        </message>
+        <message>
+            <source>a rate is tried at rest only, not in state {state}</source>
+            <translation>uma taxa só é testada em repouso, não no estado {state}</translation>
+        </message>
+        <message>
+            <source>a record was refused: reset first</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>a rectangle's corner radius must not exceed half of its shorter side</source>
@@ -7978,6 +8818,10 @@
             <translation>um arco precisa de um ponto inicial conhecido</translation>
         </message>
         <message>
+            <source>an arc of several turns cannot be sent to a controller of this computer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>an arc scaled unevenly is no arc</source>
             <translation>um arco escalado de modo desigual não é mais um arco</translation>
         </message>
@@ -8054,6 +8898,10 @@
             <translation>de outro usuário</translation>
         </message>
         <message>
+            <source>approached from above, the axis stands below where it stands when approached from below</source>
+            <translation>vindo de cima, o eixo fica abaixo de onde fica vindo de baixo</translation>
+        </message>
+        <message>
             <source>arcs are in XY</source>
             <translation>os arcos ficam em XY</translation>
         </message>
@@ -8064,6 +8912,10 @@
         <message>
             <source>ask for fewer or narrower joints</source>
             <translation>peça menos microjunções, ou mais estreitas</translation>
+        </message>
+        <message>
+            <source>ask for fewer tabs, set a smaller pierce_mm, or leave more scrap there</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>ask for it again</source>
@@ -8146,6 +8998,10 @@
             <translation>no máximo {narrowest_mm:.3f} mm</translation>
         </message>
         <message>
+            <source>at the profile's interval the letters are too fast for {axis}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>attach to it again</source>
             <translation>ligue-se a ela de novo</translation>
         </message>
@@ -8156,6 +9012,10 @@
         <message>
             <source>attach to the session again</source>
             <translation>ligue-se de novo à sessão</translation>
+        </message>
+        <message>
+            <source>automatic mode: from here on nothing stops the lathe over its link, and there is no way back to manual mode until it is switched off</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>axis offsets may not be changed</source>
@@ -8286,6 +9146,10 @@
             <translation>ciclos fixos não podem ser usados</translation>
         </message>
         <message>
+            <source>change F in the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>change the distance or the tolerance a little</source>
             <translation>mude um pouco a distância ou a tolerância</translation>
         </message>
@@ -8324,6 +9188,10 @@
         <message>
             <source>check cable and baud rate</source>
             <translation>verifique o cabo e a taxa (baud)</translation>
+        </message>
+        <message>
+            <source>check cable and power; home the machine or set its zero again before its next move</source>
+            <translation>verifique o cabo e a alimentação; referencie a máquina ou defina o zero de novo antes do próximo movimento</translation>
         </message>
         <message>
             <source>check cable and power; home the machine or set its zero again before the next cut</source>
@@ -8474,6 +9342,10 @@
             <translation>escolha outro</translation>
         </message>
         <message>
+            <source>choose another file, or another machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>choose another name</source>
             <translation>escolha outro nome</translation>
         </message>
@@ -8550,6 +9422,10 @@
             <translation>feche-a antes</translation>
         </message>
         <message>
+            <source>close it first: cncstepper disconnect</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>close it or set closed = false</source>
             <translation>feche-a ou use closed = false</translation>
         </message>
@@ -8606,12 +9482,20 @@
             <translation>closed só vale para points</translation>
         </message>
         <message>
+            <source>cncstepper disconnect --port {port}, then connect again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>compute it in several lines</source>
             <translation>calcule-a em várias linhas</translation>
         </message>
         <message>
             <source>connect again</source>
             <translation>conecte de novo</translation>
+        </message>
+        <message>
+            <source>connect to its port without a machine profile</source>
+            <translation>conecte à porta dele sem perfil de máquina</translation>
         </message>
         <message>
             <source>constant surface speed became a speed a move</source>
@@ -8878,10 +9762,6 @@
             <translation>os diâmetros têm de crescer, e cada faixa ir do seu menor valor acima de 0 ao maior</translation>
         </message>
         <message>
-            <source>disconnect there first, or send the job from there</source>
-            <translation>desconecte primeiro ali, ou envie o trabalho dali</translation>
-        </message>
-        <message>
             <source>does not lie flat</source>
             <translation>não é plano</translation>
         </message>
@@ -8944,6 +9824,10 @@
         <message>
             <source>draw the hole wider, spot it for drilling (spot_below_mm), or cut with a narrower kerf</source>
             <translation>desenhe o furo mais largo, marque-o para furar (spot_below_mm), ou use um corte mais estreito</translation>
+        </message>
+        <message>
+            <source>drive a laser by a controller with grbl's laser mode</source>
+            <translation>acione o laser por um controlador com o modo laser do grbl</translation>
         </message>
         <message>
             <source>drop it</source>
@@ -9106,6 +9990,10 @@
             <translation>solte o apalpador, reinicie e referencie a máquina</translation>
         </message>
         <message>
+            <source>free {size} MB</source>
+            <translation>libere {size} MB</translation>
+        </message>
+        <message>
             <source>from 1 to {found}</source>
             <translation>de 1 a {found}</translation>
         </message>
@@ -9132,6 +10020,10 @@
         <message>
             <source>gap {gap_mm:g} mm</source>
             <translation>lacuna de {gap_mm:g} mm</translation>
+        </message>
+        <message>
+            <source>give /dev/parport0, socket://host:port, a serial device, or record:FILE</source>
+            <translation>indique /dev/parport0, socket://host:porta, um dispositivo serial ou record:ARQUIVO</translation>
         </message>
         <message>
             <source>give 2 or 3 numbers</source>
@@ -9242,6 +10134,10 @@
             <translation>dê alturas acima do fundo, e a maior como Z do bloco</translation>
         </message>
         <message>
+            <source>give it another name, or change that one with: cncstepper machine set</source>
+            <translation>dê outro nome, ou mude aquele com: cncstepper machine set</translation>
+        </message>
+        <message>
             <source>give it another number</source>
             <translation>dê a ele outro número</translation>
         </message>
@@ -9324,6 +10220,10 @@
         <message>
             <source>give the tool with the start state</source>
             <translation>dê a ferramenta com o estado inicial</translation>
+        </message>
+        <message>
+            <source>give the whole list or table, for example outputs.coolant=['mist']</source>
+            <translation>dê a lista ou tabela inteira, por exemplo outputs.coolant=['mist']</translation>
         </message>
         <message>
             <source>give the work zero and the position, or choose a place after the next rapid</source>
@@ -9658,6 +10558,10 @@
             <translation>deveria ser *{summed}</translation>
         </message>
         <message>
+            <source>it takes nothing for {limit:g} s</source>
+            <translation>não aceita nada há {limit:g} s</translation>
+        </message>
+        <message>
             <source>it was a restart itself: the first line not certainly cut is the program's {story}</source>
             <translation>ele já era um reinício: a primeira linha não certamente cortada é a {story} do programa</translation>
         </message>
@@ -9668,6 +10572,10 @@
         <message>
             <source>it would forget the settings: write the settings that are to change one by one</source>
             <translation>ele esqueceria as configurações: escreva uma a uma as que devem mudar</translation>
+        </message>
+        <message>
+            <source>its controller's process has ended ({status})</source>
+            <translation>o processo do controlador terminou ({status})</translation>
         </message>
         <message>
             <source>its directory is too large</source>
@@ -9730,6 +10638,10 @@
             <translation>seu proprietário</translation>
         </message>
         <message>
+            <source>its program has ended with M02</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>its shape '{kind}' is none of {shapes}</source>
             <translation>a sua forma '{kind}' não é nenhuma de {shapes}</translation>
         </message>
@@ -9760,6 +10672,10 @@
         <message>
             <source>jog less far</source>
             <translation>mova menos</translation>
+        </message>
+        <message>
+            <source>jog to a place with more room, or test a shorter length</source>
+            <translation>mova a um lugar com mais espaço, ou teste um comprimento menor</translation>
         </message>
         <message>
             <source>jog with `cncstepper jog`: it lets the controller give up its lines first</source>
@@ -10030,6 +10946,10 @@
             <translation>veja maiúsculas e minúsculas, ou procure também nos comentários</translation>
         </message>
         <message>
+            <source>look at its name and rights</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>look at its switches</source>
             <translation>examine os fins de curso</translation>
         </message>
@@ -10062,6 +10982,10 @@
             <translation>verifique o sistema de arquivos do controlador e tente de novo</translation>
         </message>
         <message>
+            <source>look at the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>look at the machine, and restart the program by hand</source>
             <translation>olhe a máquina e reinicie o programa à mão</translation>
         </message>
@@ -10076,6 +11000,10 @@
         <message>
             <source>look at what it says, and correct that line</source>
             <translation>veja o que ele diz e corrija essa linha</translation>
+        </message>
+        <message>
+            <source>look at what it says, end other programs, or choose lower speeds</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>look for a pendant or another program that is connected, set the zero again, then send again</source>
@@ -10152,6 +11080,10 @@
         <message>
             <source>make Q larger</source>
             <translation>aumente Q</translation>
+        </message>
+        <message>
+            <source>make a profile of your own from it: cncstepper machine new NAME --from FILE</source>
+            <translation>faça dele um perfil seu: cncstepper machine new NAME --from FILE</translation>
         </message>
         <message>
             <source>make finish_{name} smaller</source>
@@ -10260,6 +11192,14 @@
         <message>
             <source>material {number} has no {key}</source>
             <translation>o material {number} não tem {key}</translation>
+        </message>
+        <message>
+            <source>measure again, or correct steps_per_mm first</source>
+            <translation>meça de novo, ou corrija antes steps_per_mm</translation>
+        </message>
+        <message>
+            <source>measure again; where it is true, work steps_per_mm out with: cncstepper axis</source>
+            <translation>meça de novo; se for verdade, calcule steps_per_mm com: cncstepper axis</translation>
         </message>
         <message>
             <source>measure the width of its cut, or leave kerf_mm out</source>
@@ -10374,6 +11314,10 @@
             <translation>mova o controle deslizante para iniciá-lo de novo</translation>
         </message>
         <message>
+            <source>move the tool to the work zero and set it there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>move the work zero {word} the {name} axis or make the program smaller</source>
             <translation>mova o zero-peça ({word}) no eixo {name} ou diminua o programa</translation>
         </message>
@@ -10410,6 +11354,10 @@
             <translation>indique antes X e Y em um rápido acima do bloco</translation>
         </message>
         <message>
+            <source>name a file that is not there yet, in a folder that you may write in</source>
+            <translation>dê o nome de um arquivo que ainda não existe, numa pasta em que você pode gravar</translation>
+        </message>
+        <message>
             <source>name a line that was cut before this one</source>
             <translation>indique uma linha que foi cortada antes desta</translation>
         </message>
@@ -10420,6 +11368,10 @@
         <message>
             <source>name a parallel port (/dev/parport0), or a text file with the numbers of the pins that are high</source>
             <translation>indique uma porta paralela (/dev/parport0), ou um arquivo de texto com os números dos pinos em nível alto</translation>
+        </message>
+        <message>
+            <source>name a parallel port, a serial device, socket://host:port, or record:FILE</source>
+            <translation>indique uma porta paralela, um dispositivo serial, socket://host:porta ou record:ARQUIVO</translation>
         </message>
         <message>
             <source>name both axes</source>
@@ -10802,6 +11754,10 @@
             <translation>nada responde</translation>
         </message>
         <message>
+            <source>nothing answers at {name}: {error}</source>
+            <translation>nada responde em {name}: {error}</translation>
+        </message>
+        <message>
             <source>nothing answers at {name}: {text}</source>
             <translation>nada responde em {name}: {text}</translation>
         </message>
@@ -10840,6 +11796,10 @@
         <message>
             <source>nothing may follow {keyword}</source>
             <translation>nada pode vir depois de {keyword}</translation>
+        </message>
+        <message>
+            <source>nothing more is sent to the lathe: {0}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>nothing moves</source>
@@ -10912,6 +11872,10 @@
         <message>
             <source>only a drag knife has a blade offset</source>
             <translation>só uma faca de arrasto tem deslocamento da lâmina</translation>
+        </message>
+        <message>
+            <source>only a pin with a number has a port: the device file of its parallel port</source>
+            <translation>só um pino com número tem uma porta: o arquivo de dispositivo da sua porta paralela</translation>
         </message>
         <message>
             <source>only arcs of G17 can be turned about Z</source>
@@ -11070,6 +12034,14 @@
             <translation>prepare as linhas deste próprio programa</translation>
         </message>
         <message>
+            <source>press the machine's own switch, or let it run to its end</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>press the machine's switch; no further line is sent</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>process must be a text</source>
             <translation>process deve ser um texto</translation>
         </message>
@@ -11098,8 +12070,20 @@
             <translation>verifique partes do programa em separado</translation>
         </message>
         <message>
+            <source>pulses are forgotten at rest only, not in state {state}</source>
+            <translation>pulsos só são descartados em repouso, não no estado {state}</translation>
+        </message>
+        <message>
+            <source>pulses are taken back in a hold only, not in state {state}</source>
+            <translation>só se volta pelos pulsos em pausa, não no estado {state}</translation>
+        </message>
+        <message>
             <source>pulses are those of a machine</source>
             <translation>os pulsos são os de uma máquina</translation>
+        </message>
+        <message>
+            <source>put in tool {tool:g}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>put it before the way</source>
@@ -11128,6 +12112,10 @@
         <message>
             <source>raise F, or turn the spindle slower</source>
             <translation>aumente F, ou diminua a rotação do spindle</translation>
+        </message>
+        <message>
+            <source>raise interval_ms of the profile's signals</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>raise pulloff_mm in its configuration, or check the switch</source>
@@ -11184,6 +12172,10 @@
         <message>
             <source>real time</source>
             <translation>tempo real</translation>
+        </message>
+        <message>
+            <source>relay: {twice} is there twice</source>
+            <translation>relay: {twice} aparece duas vezes</translation>
         </message>
         <message>
             <source>release buttons, door and emergency stop, then restart the controller</source>
@@ -11252,6 +12244,10 @@
         <message>
             <source>restart the controller</source>
             <translation>reinicie o controlador</translation>
+        </message>
+        <message>
+            <source>restart the program at a line before it</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>restarts are written for grbl, grblHAL, FluidNC, LinuxCNC and Mach: convert it, or run it whole</source>
@@ -11346,6 +12342,14 @@
             <translation>verifique que é uma pasta, que é sua e que você pode escrever nela</translation>
         </message>
         <message>
+            <source>see that the dial counts in the axis' sense, and measure again</source>
+            <translation>veja se o relógio conta no sentido do eixo e meça de novo</translation>
+        </message>
+        <message>
+            <source>see what it printed, and report it</source>
+            <translation>veja o que ele imprimiu e relate</translation>
+        </message>
+        <message>
             <source>see whether it is whole</source>
             <translation>veja se está completo</translation>
         </message>
@@ -11384,6 +12388,10 @@
         <message>
             <source>send the whole program</source>
             <translation>envie o programa inteiro</translation>
+        </message>
+        <message>
+            <source>send them to a machine whose pulses this computer makes</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>set $0 to 2 or more</source>
@@ -11460,6 +12468,10 @@
         <message>
             <source>set the zero again</source>
             <translation>defina o zero de novo</translation>
+        </message>
+        <message>
+            <source>set the zero by hand</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>set the zero on the stock, then confirm it (--zero-confirmed)</source>
@@ -11542,6 +12554,10 @@
             <translation>spindle, refrigeração ou ferramenta seriam outros</translation>
         </message>
         <message>
+            <source>spindle, torch or beam is on</source>
+            <translation>fuso, maçarico ou feixe está ligado</translation>
+        </message>
+        <message>
             <source>spindle, torch or beam may still be on: look, and switch them off at the machine</source>
             <translation>spindle, tocha ou feixe podem ainda estar ligados: verifique e desligue-os na máquina</translation>
         </message>
@@ -11580,6 +12596,10 @@
         <message>
             <source>start it, or correct the URL</source>
             <translation>inicie-o, ou corrija a URL</translation>
+        </message>
+        <message>
+            <source>start it, or write socket://host:port</source>
+            <translation>inicie-a, ou escreva socket://host:porta</translation>
         </message>
         <message>
             <source>start nearer to the part, then unlock with $X</source>
@@ -11630,6 +12650,10 @@
             <translation>pare a máquina com os botões dela se ela precisa parar agora</translation>
         </message>
         <message>
+            <source>stop the program, then jog</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>stop with M5 and M0 before the new tool</source>
             <translation>pare com M5 e M0 antes da nova ferramenta</translation>
         </message>
@@ -11654,6 +12678,10 @@
             <translation>desligue e ligue de novo; se continuar, verifique a fiação</translation>
         </message>
         <message>
+            <source>switch it off first: M5</source>
+            <translation>desligue antes: M5</translation>
+        </message>
+        <message>
             <source>switch it off with M5 before it</source>
             <translation>desligue-o antes com M5</translation>
         </message>
@@ -11668,6 +12696,14 @@
         <message>
             <source>switch it on with M3 beside the sheet</source>
             <translation>ligue com M3 ao lado da chapa</translation>
+        </message>
+        <message>
+            <source>switch the lathe off and on, connect again and set its zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>switch the lathe on in manual mode before it moves; its position is reckoned, nothing reports it</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>switch the machine off, or unlock and home it afterwards at the machine itself</source>
@@ -11758,6 +12794,10 @@
             <translation>use a largura do corte da tabela</translation>
         </message>
         <message>
+            <source>take up to 60 letters of a to z, digits, - and _, a letter or digit first</source>
+            <translation>use até 60 letras de a a z, algarismos, - e _, primeiro letra ou algarismo</translation>
+        </message>
+        <message>
             <source>taken as a flat mill: '{name}' names no shape that a table's words can tell</source>
             <translation>tida como fresa de topo: '{name}' não nomeia uma forma que as palavras de uma tabela digam</translation>
         </message>
@@ -11768,6 +12808,10 @@
         <message>
             <source>test a torch, a laser, a jet or a wire</source>
             <translation>teste uma tocha, um laser, um jato ou um fio</translation>
+        </message>
+        <message>
+            <source>test with the square, which changes none</source>
+            <translation>teste com o quadrado, que não muda nenhum</translation>
         </message>
         <message>
             <source>the $ command is not known</source>
@@ -11792,6 +12836,10 @@
         <message>
             <source>the P word is larger than the controller allows</source>
             <translation>a palavra P é maior do que o controlador permite</translation>
+        </message>
+        <message>
+            <source>the USB board's controller</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the angle is not known at the zero of the work system</source>
@@ -12022,6 +13070,10 @@
             <translation>o controlador não informa: {system}</translation>
         </message>
         <message>
+            <source>the controller does not say its modes</source>
+            <translation>o controlador não diz seus modos</translation>
+        </message>
+        <message>
             <source>the controller does not say its work system: {modes}</source>
             <translation>o controlador não informa o sistema de coordenadas: {modes}</translation>
         </message>
@@ -12062,6 +13114,10 @@
             <translation>o controlador está iniciando</translation>
         </message>
         <message>
+            <source>the controller of {machine} ended at its start</source>
+            <translation>o controlador de {machine} terminou ao iniciar</translation>
+        </message>
+        <message>
             <source>the controller raised an alarm</source>
             <translation>o controlador entrou em alarme</translation>
         </message>
@@ -12096,6 +13152,10 @@
         <message>
             <source>the controller restarted when its port was opened; it counts from where it stands</source>
             <translation>o controlador reiniciou quando a porta foi aberta; ele conta a partir de onde está</translation>
+        </message>
+        <message>
+            <source>the controller restarted when its port was opened; it counts from where it stands. Until it is unplugged no later opening restarts it</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the controller said: {report}</source>
@@ -12386,6 +13446,10 @@
             <translation>o avanço pede de {name} mais que a sua velocidade máxima</translation>
         </message>
         <message>
+            <source>the feed does not follow the spindle: write thread passes as G01 at F = pitch * rpm / 60, for a lathe that begins each run of G01 at the encoder's index (mini-lathe:thread_start=index)</source>
+            <translation>o avanço não acompanha o fuso: escreva os passes de rosca como G01 com F = passo * rpm / 60, para um torno que começa cada sequência de G01 no índice do encoder (mini-lathe:thread_start=index)</translation>
+        </message>
+        <message>
             <source>the feed is higher than the machine's axes can go</source>
             <translation>o avanço é maior do que os eixos da máquina conseguem</translation>
         </message>
@@ -12440,6 +13504,10 @@
         <message>
             <source>the file ended</source>
             <translation>o arquivo terminou</translation>
+        </message>
+        <message>
+            <source>the file has no pulse letter</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the file has too many materials</source>
@@ -12686,6 +13754,22 @@
             <translation>a última linha não tem fim</translation>
         </message>
         <message>
+            <source>the lathe cannot be stopped over its link: it runs on for {0} s, to X{1} Z{2}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the lathe is in automatic mode and cannot be jogged: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the lathe jogs at up to {0} mm/min, or at {1}: it takes the slower one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the lathe takes a zero in manual mode only: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the leads fit nowhere in the scrap; the closest obstacle is {name} at X{x:.3f} Y{y:.3f}</source>
             <translation>as entradas e saídas não cabem em lugar nenhum da sobra; o obstáculo mais próximo é {name} em X{x:.3f} Y{y:.3f}</translation>
         </message>
@@ -12700,6 +13784,14 @@
         <message>
             <source>the length offset of tool {tool} is not known</source>
             <translation>a correção de comprimento da ferramenta {tool} não é conhecida</translation>
+        </message>
+        <message>
+            <source>the letters go farther than {axis} can travel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the letters move {axis}, which this machine does not have</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the library has too many tools</source>
@@ -12780,6 +13872,10 @@
         <message>
             <source>the lines have different numbers of heights</source>
             <translation>as linhas têm quantidades diferentes de alturas</translation>
+        </message>
+        <message>
+            <source>the lines that would be sent mean another path than the program</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the lines to send are not those that were proven</source>
@@ -12902,6 +13998,10 @@
             <translation>os botões da máquina não conduzem mais nada de volta: {error}</translation>
         </message>
         <message>
+            <source>the machine's controller does not have it: take it out, or cut the program in two there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the machine's position is unknown</source>
             <translation>a posição da máquina é desconhecida</translation>
         </message>
@@ -12910,12 +14010,20 @@
             <translation>a posição da máquina é desconhecida: veja se o spindle e as saídas estão desligados, depois referencie ou defina o zero de novo</translation>
         </message>
         <message>
+            <source>the measured length is far from the commanded one</source>
+            <translation>o comprimento medido está longe do comandado</translation>
+        </message>
+        <message>
             <source>the memory card cannot be mounted</source>
             <translation>o cartão de memória não pode ser montado</translation>
         </message>
         <message>
             <source>the mill does not cut over its centre: it can neither plunge nor come down beside a tab</source>
             <translation>a fresa não corta sobre o centro: não pode mergulhar nem descer ao lado de uma ponte</translation>
+        </message>
+        <message>
+            <source>the mini-lathe's controller</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the minor diameter does not fit the major one and the pitch</source>
@@ -12966,6 +14074,10 @@
             <translation>a operação é longa demais para um programa</translation>
         </message>
         <message>
+            <source>the other end has closed it</source>
+            <translation>a outra ponta a fechou</translation>
+        </message>
+        <message>
             <source>the outlines enclose nothing</source>
             <translation>os contornos não encerram nada</translation>
         </message>
@@ -12988,6 +14100,10 @@
         <message>
             <source>the overrides are not what they were before the reset</source>
             <translation>os ajustes de velocidade não são os de antes do reinício</translation>
+        </message>
+        <message>
+            <source>the parallel port's controller</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the parameters of the file are not in the order of their numbers</source>
@@ -13086,6 +14202,14 @@
             <translation>os pontos de uma linha à mão livre estão em alturas diferentes</translation>
         </message>
         <message>
+            <source>the port is opened 8N1: neither a socket nor a pseudo-terminal has parity (the lathe itself wants 8E1)</source>
+            <translation>a porta é aberta em 8N1: nem um socket nem um pseudoterminal tem paridade (o torno em si quer 8E1)</translation>
+        </message>
+        <message>
+            <source>the port {name} is lost: {error}</source>
+            <translation>a porta {name} foi perdida: {error}</translation>
+        </message>
+        <message>
             <source>the position along {axis} is not known here</source>
             <translation>a posição em {axis} não é conhecida aqui</translation>
         </message>
@@ -13130,6 +14254,10 @@
             <translation>o processo que conhece a peça em cada momento terminou</translation>
         </message>
         <message>
+            <source>the process that plays the pulses has ended; steps may be lost</source>
+            <translation>o processo que envia os pulsos terminou; passos podem ter sido perdidos</translation>
+        </message>
+        <message>
             <source>the process that proves the program ended without an answer</source>
             <translation>o processo que verifica o programa terminou sem resposta</translation>
         </message>
@@ -13148,6 +14276,10 @@
         <message>
             <source>the profile has no end</source>
             <translation>o perfil não tem fim</translation>
+        </message>
+        <message>
+            <source>the profile has no key {key}</source>
+            <translation>o perfil não tem a chave {key}</translation>
         </message>
         <message>
             <source>the profile is smaller than its allowance</source>
@@ -13250,6 +14382,10 @@
             <translation>o programa não para de executar: há um laço sem fim?</translation>
         </message>
         <message>
+            <source>the program sets its own work zero (G10)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the program waits or asks for what pulses cannot give</source>
             <translation>o programa espera ou pede o que os pulsos não podem dar</translation>
         </message>
@@ -13298,6 +14434,10 @@
             <translation>a verificação encontrou {errors} erro(s) no programa, o primeiro: {text}</translation>
         </message>
         <message>
+            <source>the pulses have ended</source>
+            <translation>os pulsos terminaram</translation>
+        </message>
+        <message>
             <source>the pulses were stopped before they were all sent</source>
             <translation>os pulsos foram interrompidos antes de serem todos enviados</translation>
         </message>
@@ -13308,6 +14448,10 @@
         <message>
             <source>the pulses were stopped: no more of them came in time</source>
             <translation>os pulsos foram interrompidos: os seguintes não chegaram a tempo</translation>
+        </message>
+        <message>
+            <source>the pulses were stopped: no more of them came in time; everything is off, and steps may be lost</source>
+            <translation>os pulsos foram parados: não vieram outros a tempo; tudo está desligado, e passos podem ter sido perdidos</translation>
         </message>
         <message>
             <source>the radius at the end of the arc is {at_end:.4f} mm and at its start {radius:.4f} mm</source>
@@ -13574,6 +14718,10 @@
             <translation>o destino fica fora do curso da máquina</translation>
         </message>
         <message>
+            <source>the test leaves the travel of the axis</source>
+            <translation>o teste sai do curso do eixo</translation>
+        </message>
+        <message>
             <source>the text</source>
             <translation>o texto</translation>
         </message>
@@ -13660,6 +14808,10 @@
         <message>
             <source>the tool is down while it is changed</source>
             <translation>a ferramenta está embaixo durante a troca</translation>
+        </message>
+        <message>
+            <source>the tool is not at the work zero, where a program begins: jog it there, or set the zero here</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the tool is wider than the pocket</source>
@@ -13854,6 +15006,22 @@
             <translation>há {count} linhas, nenhuma em {index}</translation>
         </message>
         <message>
+            <source>there are: {axes}</source>
+            <translation>há: {axes}</translation>
+        </message>
+        <message>
+            <source>there are: {keys}</source>
+            <translation>há: {keys}</translation>
+        </message>
+        <message>
+            <source>there are: {names}</source>
+            <translation>há: {names}</translation>
+        </message>
+        <message>
+            <source>there is a machine profile '{name}' already</source>
+            <translation>já há um perfil de máquina '{name}'</translation>
+        </message>
+        <message>
             <source>there is no act '{act}'</source>
             <translation>não existe a ação '{act}'</translation>
         </message>
@@ -13926,6 +15094,10 @@
             <translation>não existe o processo '{name}'</translation>
         </message>
         <message>
+            <source>there is no relay {0}; there are {1}</source>
+            <translation>não há relé {0}; há {1}</translation>
+        </message>
+        <message>
             <source>there is no room for a helix or ramp, and the tool does not cut over its centre</source>
             <translation>não há espaço para hélice ou rampa, e a ferramenta não corta sobre o centro</translation>
         </message>
@@ -13934,8 +15106,16 @@
             <translation>não há espaço para: {entry} em {others} de {kinds} lugares</translation>
         </message>
         <message>
+            <source>there is no room for the pulses' memory: {error}</source>
+            <translation>não há espaço para a memória dos pulsos: {error}</translation>
+        </message>
+        <message>
             <source>there is no scrap for the pierce and lead-in of {chain} near X{x:.3f} Y{y:.3f}</source>
             <translation>não há retalho para a perfuração e a entrada de {chain} perto de X{x:.3f} Y{y:.3f}</translation>
+        </message>
+        <message>
+            <source>there is no scrap for the pierce behind a tab of {chain} near X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>there is no subroutine o&lt;{seeking}&gt;</source>
@@ -13978,6 +15158,10 @@
             <translation>não havia nada para ler</translation>
         </message>
         <message>
+            <source>these diagonals belong to no rectangle of these sides</source>
+            <translation>estas diagonais não são de um retângulo com estes lados</translation>
+        </message>
+        <message>
             <source>this build of the controller has no such setting</source>
             <translation>esta versão do controlador não tem essa configuração</translation>
         </message>
@@ -13990,12 +15174,24 @@
             <translation>este comentário executaria Python na máquina</translation>
         </message>
         <message>
+            <source>this computer cannot keep the pulse rate of this program</source>
+            <translation>este computador não consegue manter a taxa de pulsos deste programa</translation>
+        </message>
+        <message>
+            <source>this computer cannot keep the rate</source>
+            <translation>este computador não sustenta a taxa</translation>
+        </message>
+        <message>
             <source>this computer cannot keep the rate of the program's pulses</source>
             <translation>este computador não consegue manter a frequência dos pulsos do programa</translation>
         </message>
         <message>
             <source>this computer may fall asleep while the machine cuts ({why}): switch its sleep off</source>
             <translation>este computador pode adormecer enquanto a máquina corta ({why}): desligue a suspensão</translation>
+        </message>
+        <message>
+            <source>this is a fault of this program: report it</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>this is no certificate</source>
@@ -14038,6 +15234,42 @@
             <translation>esta linha fica em um trecho a ser percorrido ao contrário e faz mais que mover</translation>
         </message>
         <message>
+            <source>this machine cannot be held while its program runs: its link takes no such command</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine cannot be jogged from here</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine cannot be jogged while a program is held</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine cannot be resumed over its link</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine cannot be stopped while it runs what it was sent</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine cannot do this: {word}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine cannot find its own zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine cannot go back along its cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine does not report its position: it is counted from what was sent</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this machine has no Z axis: arcs are in XY</source>
             <translation>esta máquina não tem eixo Z: os arcos ficam em XY</translation>
         </message>
@@ -14046,12 +15278,20 @@
             <translation>esta máquina não tem eixo Z: retire-o</translation>
         </message>
         <message>
+            <source>this machine has no probe</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this machine has no spindle whose speed is chosen: write M3 alone</source>
             <translation>esta máquina não tem fuso com rotação escolhida: escreva só M3</translation>
         </message>
         <message>
             <source>this machine has nothing that is switched (knife and point have no power): take it out</source>
             <translation>esta máquina não tem nada que se ligue (faca e ponta não têm potência): retire-o</translation>
+        </message>
+        <message>
+            <source>this machine's speeds cannot be changed while its program runs</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>this material number is none of a material file</source>
@@ -14486,6 +15726,10 @@
             <translation>use o lado "inside", "outside" ou "on"</translation>
         </message>
         <message>
+            <source>use the machine's own buttons</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use the version of CNCStepper that started it</source>
             <translation>use a versão do CNCStepper que a iniciou</translation>
         </message>
@@ -14782,6 +16026,10 @@
             <translation>escreva G94 antes</translation>
         </message>
         <message>
+            <source>write KEY=VALUE, for example axis.x.steps_per_mm=80</source>
+            <translation>escreva CHAVE=VALOR, por exemplo axis.x.steps_per_mm=80</translation>
+        </message>
+        <message>
             <source>write M2 or M30 as its last line</source>
             <translation>escreva M2 ou M30 como última linha</translation>
         </message>
@@ -14876,6 +16124,10 @@
         <message>
             <source>write both, as in: NAME = mild-steel 3 mm 45A</source>
             <translation>escreva os dois, como em: NAME = mild-steel 3 mm 45A</translation>
+        </message>
+        <message>
+            <source>write each turn</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>write endsub, or M99 in a subprogram of Fanuc's form</source>
@@ -15010,6 +16262,10 @@
             <translation>escreva o programa para o dialeto grblhal ou grbl</translation>
         </message>
         <message>
+            <source>write the program for the dialect mini-lathe</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write the program in mm, or choose a higher feed</source>
             <translation>escreva o programa em mm ou escolha um avanço maior</translation>
         </message>
@@ -15086,12 +16342,28 @@
             <translation>zero de {axes} definido em {system}</translation>
         </message>
         <message>
+            <source>{0} and {1} mm</source>
+            <translation>{0} e {1} mm</translation>
+        </message>
+        <message>
+            <source>{0} by {1} to {2} mm</source>
+            <translation>{0} de {1} a {2} mm</translation>
+        </message>
+        <message>
+            <source>{0} mm each where the axes are square</source>
+            <translation>{0} mm cada, com os eixos em esquadro</translation>
+        </message>
+        <message>
             <source>{0} mm/min</source>
             <translation>{0} mm/min</translation>
         </message>
         <message>
             <source>{0} to {1} mm</source>
             <translation>{0} a {1} mm</translation>
+        </message>
+        <message>
+            <source>{0} to {1} mm from here</source>
+            <translation>{0} a {1} mm daqui</translation>
         </message>
         <message>
             <source>{0} to {1} mm/min</source>
@@ -15152,6 +16424,10 @@
         <message>
             <source>{count} joints do not fit on {chain}</source>
             <translation>{count} microjunções não cabem em {chain}</translation>
+        </message>
+        <message>
+            <source>{count} pulses do not fit: no room, or ticks that do not rise</source>
+            <translation>{count} pulsos não cabem: falta espaço, ou os tempos não crescem</translation>
         </message>
         <message>
             <source>{crossing} rapid(s) lead over parts that are already free</source>
@@ -15318,6 +16594,10 @@
             <translation>{key} é longo demais</translation>
         </message>
         <message>
+            <source>{key} leads into a value that is no table</source>
+            <translation>{key} leva a um valor que não é tabela</translation>
+        </message>
+        <message>
             <source>{key} must be a list of tables</source>
             <translation>{key} deve ser uma lista de tabelas</translation>
         </message>
@@ -15386,6 +16666,10 @@
             <translation>{lacks} viraram retas, afastadas no máximo {chord_mm:g} mm</translation>
         </message>
         <message>
+            <source>{late_ms:.0f} ms without a pulse</source>
+            <translation>{late_ms:.0f} ms sem pulso</translation>
+        </message>
+        <message>
             <source>{late_ns:.0f} µs late</source>
             <translation>{late_ns:.0f} µs de atraso</translation>
         </message>
@@ -15446,6 +16730,10 @@
             <translation>{limit_mm:g} mm de altura</translation>
         </message>
         <message>
+            <source>{limit_ms:.0f} ms</source>
+            <translation>{limit_ms:.0f} ms</translation>
+        </message>
+        <message>
             <source>{line_characters} characters, {window_bytes} with spaces</source>
             <translation>{line_characters} caracteres, {window_bytes} com espaços</translation>
         </message>
@@ -15496,6 +16784,26 @@
         <message>
             <source>{machine} does not cut by {process}</source>
             <translation>{machine} não corta com {process}</translation>
+        </message>
+        <message>
+            <source>{machine} has a controller of its own</source>
+            <translation>{machine} tem um controlador próprio</translation>
+        </message>
+        <message>
+            <source>{machine} has a laser, whose beam would not be in time with its moves</source>
+            <translation>{machine} tem um laser, cujo feixe não acompanharia os movimentos</translation>
+        </message>
+        <message>
+            <source>{machine} has no axis {axis}</source>
+            <translation>{machine} não tem o eixo {axis}</translation>
+        </message>
+        <message>
+            <source>{machine} has no relay '{name}'</source>
+            <translation>{machine} não tem o relé '{name}'</translation>
+        </message>
+        <message>
+            <source>{machine} takes no pulse letters</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{match} is no number</source>
@@ -15550,6 +16858,10 @@
             <translation>{name} virou movimentos simples</translation>
         </message>
         <message>
+            <source>{name} cannot be had: {error}</source>
+            <translation>não foi possível abrir {name}: {error}</translation>
+        </message>
+        <message>
             <source>{name} cannot be used as a serial port: {text}</source>
             <translation>{name} não pode ser usado como porta serial: {text}</translation>
         </message>
@@ -15566,8 +16878,16 @@
             <translation>{name} não tem valor para {argument:g}</translation>
         </message>
         <message>
+            <source>{name} is a parallel port, and the machine is a board</source>
+            <translation>{name} é uma porta paralela, e a máquina é uma placa</translation>
+        </message>
+        <message>
             <source>{name} is in use</source>
             <translation>{name} está em uso</translation>
+        </message>
+        <message>
+            <source>{name} is no port that takes pulses</source>
+            <translation>{name} não é uma porta que receba pulsos</translation>
         </message>
         <message>
             <source>{name} is no port: {text}</source>
@@ -15662,6 +16982,10 @@
             <translation>{name} funciona no plano ZX</translation>
         </message>
         <message>
+            <source>{number:.0f} pulses/s, the worst {worst_us:.0f} µs late</source>
+            <translation>{number:.0f} pulsos/s, o pior com {worst_us:.0f} µs de atraso</translation>
+        </message>
+        <message>
             <source>{number:.0f} writes/s, the worst {worst_us:.0f} µs late</source>
             <translation>{number:.0f} escritas/s, a pior {worst_us:.0f} µs atrasada</translation>
         </message>
@@ -15698,12 +17022,24 @@
             <translation>{owner} define o zero a partir de onde a ferramenta está depois de movimentos do percurso</translation>
         </message>
         <message>
+            <source>{path} cannot be read: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{path} cannot be recorded in: {error}</source>
+            <translation>não é possível gravar em {path}: {error}</translation>
+        </message>
+        <message>
             <source>{path} cannot be written: {error}</source>
             <translation>não é possível gravar {path}: {error}</translation>
         </message>
         <message>
             <source>{path} has no pins to read: {error}</source>
             <translation>{path} não tem pinos para ler: {error}</translation>
+        </message>
+        <message>
+            <source>{path} is JSON: only TOML profiles are changed</source>
+            <translation>{path} é JSON: só perfis TOML são mudados</translation>
         </message>
         <message>
             <source>{path} is no parallel port</source>
@@ -15716,6 +17052,10 @@
         <message>
             <source>{path} is no recording of pulses, and is not written over</source>
             <translation>{path} não é uma gravação de pulsos e não é sobrescrito</translation>
+        </message>
+        <message>
+            <source>{per_s:.0f} pulses/s, {stall_us:.0f} µs</source>
+            <translation>{per_s:.0f} pulsos/s, {stall_us:.0f} µs</translation>
         </message>
         <message>
             <source>{pierce_mm:g} mm from parts</source>
@@ -15734,6 +17074,10 @@
             <translation>{plain} não tem o ajuste '{setting}'</translation>
         </message>
         <message>
+            <source>{port} is connected as {there}, not as {machine}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{port} is held by a job of yours, {status_file}, which is {phase}</source>
             <translation>{port} está ocupada por um trabalho seu, {status_file}, no estado {phase}</translation>
         </message>
@@ -15742,12 +17086,12 @@
             <translation>{port} está em uso por um processo seu que não responde</translation>
         </message>
         <message>
-            <source>{port} is held by a window or a console of yours</source>
-            <translation>{port} está ocupada por uma janela ou um console seu</translation>
-        </message>
-        <message>
             <source>{port} is in use by another window's connection</source>
             <translation>{port} está em uso pela conexão de outra janela</translation>
+        </message>
+        <message>
+            <source>{port} may be held by another connection of yours</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{port}, grbl {firmware}, begun {begin}</source>
@@ -15756,6 +17100,10 @@
         <message>
             <source>{problem} in {table}</source>
             <translation>{problem} em {table}</translation>
+        </message>
+        <message>
+            <source>{process} does not cut through the sheet: it needs no tabs</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{process} does not cut with a {shape} tool</source>
@@ -15810,6 +17158,10 @@
             <translation>{state} na peça em {work}, na máquina em {machine} mm, {moment}</translation>
         </message>
         <message>
+            <source>{state}; it runs on for {left_s:.0f} s</source>
+            <translation>{state}; ela continua por {left_s:.0f} s</translation>
+        </message>
+        <message>
             <source>{style} does not drill in pecks</source>
             <translation>{style} não fura com bicadas</translation>
         </message>
@@ -15860,6 +17212,10 @@
         <message>
             <source>{wall_mm:g} mm radius</source>
             <translation>raio de {wall_mm:g} mm</translation>
+        </message>
+        <message>
+            <source>{what} cannot be sent to a controller of this computer</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{what} while the tool is compensated</source>
@@ -16028,6 +17384,17 @@
         <message>
             <source>Import tools…</source>
             <translation>Importar ferramentas…</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Machines</name>
+        <message>
+            <source>Machines…</source>
+            <translation>Máquinas…</translation>
+        </message>
+        <message>
+            <source>Makes and changes machine profiles, and tests a machine</source>
+            <translation>Faz e muda perfis de máquina, e testa uma máquina</translation>
         </message>
     </context>
     <context>

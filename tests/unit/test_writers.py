@@ -18,6 +18,8 @@ PRIVATE = "a folder of 0700 that mkdtemp made, for one worker and its client"
 OWN_STATE = "the user's own state folder of 0700, by O_EXCL"
 BUFFER = "into memory, then whole"
 REASONS = {
+    "control/pulses/output_ports": "a recording that grows while pulses are sent, never over a file that is none",
+    "control/pulses/pulse_ring": "memory that two processes share, of a file that loses its name at once",
     "atomic_file": "the one writer",
     "cli/machine/console": "the line history of the user's own state folder, by readline",
     "control/journal/writer": "O_EXCL; a journal grows line by line and is never replaced",

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import subprocess
 import time
 from collections.abc import Iterator
@@ -12,6 +13,7 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 import pytest
+import screen_places as places
 from hand import Hand
 from PySide import QtCore, QtGui
 
@@ -23,6 +25,7 @@ from CNCStepper.errors import MissingPackage
 from CNCStepper.workbench import api
 from CNCStepper.workbench.dock.model.port_choices import VIRTUAL
 from CNCStepper.workbench.dock.model.send_steps import STEPS
+from CNCStepper.workbench.services import sounds
 
 D = "CNCStepper_Dock_"
 LONGEST_MS = 50.0
@@ -439,3 +442,58 @@ def test_a_g_code_file_goes_the_way_of_a_job(hand: Hand, dock: Any, tmp_path: Pa
     hand.wait(lambda: hand.exists(f"{D}Start") and "Connect" in hand.text(f"{D}FlowTitle"), 240, "the proof")
     assert "peça de fora.nc" in hand.text(f"{D}FlowTitle")
     hand.shot("dock-file")
+
+
+def test_relay_keys_switch_and_show_what_is_on(hand: Hand, dock: Any) -> None:
+    assert "Connect to a controller first" in hand.main(hand.find(f"{D}Relay_flood").toolTip)
+    connected(hand)
+    key = hand.find(f"{D}Relay_flood")
+    hand.main(lambda: places.scroll_to(places.find(f"{D}Relay_flood")))
+    hand.settle()
+    hand.click(f"{D}Relay_flood")
+    hand.wait(lambda: "F" in (dock.link.status.outputs or ""), 20, "flood is on")
+    hand.shot("dock-relays")
+    hand.wait(key.isChecked)
+    hand.wait(key.isEnabled)
+    hand.click(f"{D}Relay_flood")
+    hand.wait(lambda: "F" not in (dock.link.status.outputs or ""), 20, "flood is off")
+
+
+def test_what_the_machine_cannot_do_is_said_at_its_button(
+    hand: Hand, dock: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    connected(hand)
+    moment = type(dock.link).moment.fget
+
+    def lathe(link: Any) -> Any:
+        return dataclasses.replace(moment(link), cannot=("hold", "resume", "override"))
+
+    monkeypatch.setattr(type(dock.link), "moment", property(lathe))
+    hand.main(dock.refresh)
+    for name, words in (
+        ("Hold", "cannot be held"),
+        ("Resume", "cannot be resumed"),
+        ("Override_feed_10", "speeds cannot be changed"),
+    ):
+        widget = hand.find(f"{D}{name}")
+        assert not hand.main(widget.isEnabled) and words in hand.main(widget.toolTip), name
+
+
+def test_sounds_are_made_at_a_pause_and_can_be_switched_off(
+    hand: Hand, dock: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    heard: list[str] = []
+    monkeypatch.setattr(sounds, "play", heard.append)
+    hand.main(dock._sound, "pause")
+    assert heard == ["pause"]
+    hand.main(lambda: places.scroll_to(places.find(f"{D}Sounds")))
+    hand.settle()
+    hand.click(f"{D}Sounds")
+    hand.main(dock._sound, "pause")
+    hand.click(f"{D}Sounds")
+    assert heard == ["pause"]
+
+
+def test_a_sound_plays_or_the_computer_beeps(hand: Hand) -> None:
+    for name in sounds.NAMES:
+        hand.main(sounds.play, name)

@@ -37,6 +37,7 @@ COMMANDS = {
     "CNCStepper_Simulate": "Verificar e simular",
     "CNCStepper_Send": "Enviar",
     "CNCStepper_Controller": "Controlador",
+    "CNCStepper_Machines": "Máquinas…",
 }
 ENGLISH = {
     "Depth",

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import shutil
 from collections.abc import Iterator
 from typing import Any
@@ -14,7 +15,9 @@ from hand import Hand
 from PySide import QtGui
 
 from CNCStepper.machine.files.profile_files import own_folder
+from CNCStepper.machine.profile import load_machine
 from CNCStepper.workbench.dock.model.port_choices import VIRTUAL
+from CNCStepper.workbench.machines.port_picture import levels_of
 
 M, T, D = "CNCStepper_Machines", "CNCStepper_MachineTest", "CNCStepper_Dock_"
 
@@ -139,3 +142,17 @@ def test_backlash_and_squareness(hand: Hand, bench: Any) -> None:
     press(hand, "angle")
     assert "90.2390°: 4.171 mm" in hand.text(f"{T}_square_words")
     hand.shot("machine-test-square", M)
+
+
+def test_the_ports_pins_show_what_the_status_says(hand: Hand, bench: Any) -> None:
+    hand.main(bench.look, "thesis-table")
+    hand.wait(bench.test.port.isVisible, what="the port of a profile with one")
+    hand.main(lambda: places.scroll_to(bench.test.port))
+    hand.settle()
+    hand.shot("machine-test-port", M)
+    assert hand.main(bench.test.port.words, 2).startswith("Pin 2: output, X step")
+    table = load_machine("thesis-table")
+    status = dataclasses.replace(hand.main(lambda: bench.test.bench.status), outputs="SF", pins="11")
+    levels = levels_of(table, status)
+    assert levels[abs(table.signals.wired["spindle_cw"])] is True and levels[11] is True and levels[10] is False
+    assert levels_of(table, None) == {}

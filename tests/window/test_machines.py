@@ -59,6 +59,7 @@ def cut_off() -> list[str]:
     ]
 
 
+@pytest.mark.window("plain", "portuguese")
 def test_all_tabs_show_every_value_and_nothing_is_cut_off(hand: Hand, machines: Any) -> None:
     for tab in range(hand.main(machines.tabs.count)):
         hand.main(machines.tabs.setCurrentIndex, tab)

@@ -102,7 +102,7 @@ class PointType(_PlaceType):
         return "is no point: two or three numbers in mm, such as 12.5,40 or 12.5,40,-2"
 
 
-class _Named(click.ParamType):
+class Named(click.ParamType):
     """A word that one of our own readers understands; its refusal is a usage error (exit 2)."""
 
     def __init__(self, name: str, reader: Any):
@@ -120,8 +120,8 @@ class _Named(click.ParamType):
             self.fail(str(error), param, ctx)
 
 
-ToolType = _Named("SHAPE:MM", tool_from_text)
-DialectType = _Named("DIALECT", lambda name: dialect_called(name).name)
+ToolType = Named("SHAPE:MM", tool_from_text)
+DialectType = Named("DIALECT", lambda name: dialect_called(name).name)
 FilePath = InputPath()
 
 program_argument = click.argument("program", type=FilePath)
@@ -152,7 +152,7 @@ def check_stock(stock: Any, tool: Any, job_path: Path | None, required: bool = F
 def machine_option(required: bool) -> Any:
     """Return the option that names a machine profile."""
     text = "A profile's name (table-a) or its TOML file."
-    return click.option("--machine", type=_Named("PROFILE", load_machine), required=required, help=text)
+    return click.option("--machine", type=Named("PROFILE", load_machine), required=required, help=text)
 
 
 def stock_options(required: bool) -> Any:

@@ -25,6 +25,7 @@ import click
 from CNCStepper.cli.job.override import HELP as OVERRIDES
 from CNCStepper.cli.job.override import read_override
 from CNCStepper.cli.job.status_text import overrides_in_words
+from CNCStepper.control.service.service_job import ServiceJob
 from CNCStepper.control.session.client import SessionClient
 from CNCStepper.control.session.job_phase import WAITING, Phase
 from CNCStepper.control.session.status import SenderStatus
@@ -138,7 +139,7 @@ class SessionListener:
 
     def __init__(
         self,
-        client: SessionClient,
+        client: SessionClient | ServiceJob,
         asked: SenderStatus,
         on_message: Callable[[dict[str, Any]], None],
         tell: Callable[[str], None],
@@ -191,7 +192,10 @@ class PausePrompt:
     """
 
     def __init__(
-        self, client: SessionClient, on_message: Callable[[dict[str, Any]], None], tell: Callable[[str], None]
+        self,
+        client: SessionClient | ServiceJob,
+        on_message: Callable[[dict[str, Any]], None],
+        tell: Callable[[str], None],
     ) -> None:
         self.is_there = True
         self._client, self._on_message, self._tell = client, on_message, tell

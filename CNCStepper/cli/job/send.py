@@ -17,6 +17,7 @@ import click
 
 from CNCStepper.cli.common.chart_options import ChartOptions, chart_options
 from CNCStepper.cli.common.findings_output import show_findings
+from CNCStepper.cli.common.keep_open import keep_option
 from CNCStepper.cli.common.options import FilePath, program_argument, read_program
 from CNCStepper.cli.common.program_options import ProgramOptions, program_options
 from CNCStepper.cli.common.verb import Verb
@@ -98,6 +99,7 @@ class ProgramFile:
 @click.option(
     "--allow-differences", is_flag=True, help="Send though the controller's settings or offsets are not those wanted."
 )
+@keep_option
 @click.option("--unchecked", is_flag=True, help="Send without a certificate and without a check.")
 @click.option("--despite-certificate", is_flag=True, help="Send though the certificate does not fit, or has errors.")
 def command(
@@ -110,6 +112,7 @@ def command(
     by_line: bool,
     resume_pauses: bool,
     allow_differences: bool,
+    keep_min: float,
     unchecked: bool,
     despite_certificate: bool,
     given: ProgramOptions,
@@ -122,8 +125,8 @@ def command(
     first: with --machine, with --job (whose machine counts where none is given), or not at all if told so by
     --unchecked. The controller's settings, and its work zero where the proof knows it, are compared.
 
-    A machine whose pulses this computer makes, and the mini-lathe, have no controller at the port: with --machine one of
-    ours is started there. Programs in the machine's own language are sent to it as lines of grbl's, proven by reading
+    A machine whose pulses this computer makes, and the mini-lathe, have no controller at the port: with --machine one
+    of ours is started there. Programs in the machine's own language are sent to it as lines of grbl's, proven by reading
     them back; before the first line it tries the fastest rate of this program. PROGRAM may be a file of pulse letters,
     NAME.letters. What a machine cannot do (hold, stop, override) is printed before the first line.
 
@@ -132,6 +135,9 @@ def command(
     zero is that very place: move the tool to the work zero, `cncstepper zero`, then send and move nothing in between.
     After an alarm, a lost link or a sender that was killed the position is unknown too, and stays so for every later
     connection: nothing is sent before --home, `cncstepper home`, or `cncstepper zero` for all axes.
+
+    The job runs in the connection that is open at --port, and leaves one open for --keep-open minutes: until then the
+    board is not restarted by the next verb.
 
     Ctrl-C holds the machine and asks what to do; a second one stops the job. A stop here is not an emergency stop. An
     answer counts only for what it was asked about: where the job was led on meanwhile, you are asked anew. In any other
@@ -159,7 +165,7 @@ def command(
         job = driven_by(job, job.retrace.get("machine") or {}, typed_machine())
     job = replace(with_rate(job) if job.profile else job, port=port, baud=baud, allow_differences=allow_differences)
     job = replace(job, by_line=by_line, home_first=home_first)
-    conclude(watch(confirmed(job, zero_confirmed), resume_pauses))
+    conclude(watch(confirmed(job, zero_confirmed), resume_pauses, keep_min))
 
 
 def _letters(program: Path, given: ProgramOptions, certificate: Path | None) -> SendJob:

@@ -11,9 +11,11 @@ from rich.console import Console, ConsoleOptions, RenderableType, RenderResult
 from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeElapsedColumn
 from rich.text import Text
 
+from CNCStepper.cli.common.keep_open import tell_kept
 from CNCStepper.cli.job.pause_prompt import PausePrompt, why
 from CNCStepper.cli.job.status_text import live
 from CNCStepper.control.program.send_job import SendJob
+from CNCStepper.control.service.service_job import ServiceJob, start_job
 from CNCStepper.control.session.client import SessionClient
 from CNCStepper.control.session.job_phase import LEG_BEGINS, WAITING, Phase
 from CNCStepper.control.session.status import Outcome, SenderStatus
@@ -25,11 +27,19 @@ LOOK_EVERY_S = 0.05
 UNANSWERED = -1  # the number of no stand
 
 
-def watch(job: SendJob, resume_pauses: bool) -> Outcome:
-    """Start the sender's process for `job`, show its progress, answer its pauses, and return how it ended."""
-    with SessionClient.start(job) as client, Moving() as progress:
-        has_start = any(entry["act"] == "start" for entry in job.inputs)
-        return _Watch(client, progress, resume_pauses, has_start).run()
+def watch(job: SendJob, resume_pauses: bool, keep_min: float = 0.0) -> Outcome:
+    """Start `job`, show its progress, answer its pauses, and return how it ended.
+
+    It runs in the connection that is open at its port, or in one that stays open for `keep_min`; where that is 0, in a
+    sender's process of its own.
+    """
+    has_start = any(entry["act"] == "start" for entry in job.inputs)
+    with start_job(job, 60.0 * keep_min) as client:
+        with Moving() as progress:
+            outcome = _Watch(client, progress, resume_pauses, has_start).run()
+        if isinstance(client, ServiceJob) and client.is_open:
+            tell_kept(job.port, keep_min)
+        return outcome
 
 
 class Moving(Progress):
@@ -66,7 +76,7 @@ class _Live:
 
 
 class _Watch:
-    def __init__(self, client: SessionClient, progress: Moving, resume_pauses: bool, has_start: bool):
+    def __init__(self, client: SessionClient | ServiceJob, progress: Moving, resume_pauses: bool, has_start: bool):
         self._client = client
         self._progress = progress
         self._resume_pauses = resume_pauses

@@ -21,7 +21,7 @@ from CNCStepper.cli.common.verb import Verb
 from CNCStepper.cli.job.override import read_override
 from CNCStepper.cli.job.status_text import overrides_in_words
 from CNCStepper.cli.machine.jog import FEED_MM_MIN, jog_line
-from CNCStepper.cli.machine.service_client import LOOK_EVERY_S, ServiceClient, place, port_options
+from CNCStepper.cli.machine.service_client import LOOK_EVERY_S, ServiceClient, ServicePort, place, port_options
 from CNCStepper.control.session.job_phase import Phase
 from CNCStepper.control.session.status import SenderStatus
 from CNCStepper.errors import CNCStepperError, LinkError
@@ -108,7 +108,7 @@ history  help  quit    (Ctrl-D quits; Ctrl-C holds a move)"""
 
 @click.command("console", cls=Verb)
 @port_options
-def command(port: str, baud: int) -> None:
+def command(at: ServicePort) -> None:
     """Type lines to the controller at --port; each is done, with the machine at rest, before the next is asked for.
 
     Beside the controller's own lines it knows: ? ! ~ stop home unlock zero jog feed rapid spindle flood mist history
@@ -119,7 +119,7 @@ def command(port: str, baud: int) -> None:
 
     Lines also come from a pipe or a file; then the first refusal ends it with exit status 1.
     """
-    with ServiceClient(port, baud) as talk:
+    with ServiceClient(at) as talk:
         click.echo(place(talk.status))
         if sys.stdin.isatty():
             with _history():

@@ -6,19 +6,19 @@ from __future__ import annotations
 import click
 
 from CNCStepper.cli.common.verb import Verb
-from CNCStepper.cli.machine.service_client import ServiceClient, place, port_options
+from CNCStepper.cli.machine.service_client import ServiceClient, ServicePort, place, port_options
 
 
 @click.command("home", cls=Verb)
 @port_options
-def command(port: str, baud: int) -> None:
+def command(at: ServicePort) -> None:
     """Let the machine at --port find its own zero with its limit switches ($H), and wait until it has.
 
     The axes move to their switches: see that the way is free. Ctrl-C stops it; the position is unknown then.
-    Many boards restart when their port is opened anew and forget what they have found: then home with `cncstepper send
-    --home`, or from `cncstepper console`, which keeps the port open for what comes next.
+    Many boards restart when their port is opened anew and forget what they have found: the connection stays open for
+    the verbs that follow, --keep-open minutes long or until `cncstepper disconnect`.
     """
-    with ServiceClient(port, baud) as talk:
+    with ServiceClient(at) as talk:
         try:
             talk.home()
         except KeyboardInterrupt:

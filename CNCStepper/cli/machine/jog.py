@@ -10,7 +10,7 @@ import click
 
 from CNCStepper.cli.common.options import NumberType
 from CNCStepper.cli.common.verb import Verb
-from CNCStepper.cli.machine.service_client import ServiceClient, place, port_options
+from CNCStepper.cli.machine.service_client import ServiceClient, ServicePort, place, port_options
 
 WORD = re.compile(r"([XYZ])([-+]?\d+(?:\.\d*)?|[-+]?\.\d+)", re.IGNORECASE)
 FEED_MM_MIN = 1000.0
@@ -20,7 +20,7 @@ FEED_MM_MIN = 1000.0
 @click.argument("way", nargs=-1, required=True)
 @click.option("--feed", type=NumberType(kind="feed"), default=FEED_MM_MIN, show_default=True, help="Speed in mm/min.")
 @port_options
-def command(way: tuple[str, ...], feed: float, port: str, baud: int) -> None:
+def command(way: tuple[str, ...], feed: float, at: ServicePort) -> None:
     """Move the axes of the machine at --port by WAY from where they stand, in mm: X10, or X-2.5 Y3 together.
 
     The program's modes are left as they are ($J). Ctrl-C brakes at once and keeps the position. Works in any position,
@@ -31,13 +31,13 @@ def command(way: tuple[str, ...], feed: float, port: str, baud: int) -> None:
     its cut, and from there. At a pause, or while the tool is changed (M6 of grblHAL), nothing is reset, and whoever
     resumes is taken back first.
     """
-    from CNCStepper.control.session.files import session_at
+    from CNCStepper.control.service.connection_session import job_at
 
     axes_mm = _axes_mm(way)
-    if session := session_at(port):
+    if session := job_at(at.name):
         _jog_job(session, axes_mm, feed)
         return
-    with ServiceClient(port, baud) as talk:
+    with ServiceClient(at) as talk:
         jog(talk, jog_line(way, feed))
         click.echo(place(talk.status))
 
@@ -58,11 +58,11 @@ def _axes_mm(way: tuple[str, ...]) -> dict[str, float]:
 
 def _jog_job(session: Path, axes_mm: dict[str, float], feed_mm_min: float) -> None:
     """Jog the machine of a job that is held; Ctrl-C brakes."""
-    from CNCStepper.control.session.client import SessionClient
+    from CNCStepper.control.service.connection_session import attach
     from CNCStepper.recovery.retract.client import jog, step_aside
 
     way = {f"{axis.lower()}_mm": axes_mm.get(axis, 0.0) for axis in "XYZ"} | {"feed_mm_min": feed_mm_min}
-    with SessionClient.attach(session) as client:
+    with attach(session) as client:
         step_aside(client)
         try:
             click.echo(place(jog(client, way)))

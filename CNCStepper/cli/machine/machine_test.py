@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +15,7 @@ from CNCStepper.cli.common.options import NumberType
 from CNCStepper.cli.common.path_types import OutputPath
 from CNCStepper.cli.common.verb import Verbs
 from CNCStepper.cli.machine.machine import say_written
-from CNCStepper.cli.machine.service_client import ServiceClient, port_options
+from CNCStepper.cli.machine.service_client import ServiceClient, ServicePort, port_options
 from CNCStepper.errors import CNCStepperError, MachineRefusal
 from CNCStepper.machine.axis_tests import (
     USUAL_REPEATS,
@@ -45,13 +46,7 @@ repeats_option = click.option("--repeats", type=click.IntRange(1, 100), default=
 yes_option = click.option("--yes", is_flag=True, help="Write the corrected value without asking.")
 
 
-def machine_options(function: Any) -> Any:
-    """Add --machine, --port and --baud."""
-    return port_options(
-        click.option("--machine", "profile", required=True, help="The profile of this machine: a name or a path.")(
-            function
-        )
-    )
+machine_options = partial(port_options, needs_machine=True)
 
 
 class Bench:
@@ -83,10 +78,10 @@ class Bench:
         check_room(self.machine, status.mpos_mm if status.homed else None, axis, low_mm, high_mm)
 
 
-def on_bench(profile: str, port: str, baud: int, work: Callable[[Bench], None]) -> None:
+def on_bench(at: ServicePort, work: Callable[[Bench], None]) -> None:
     """Connect to the machine at a port and test it."""
-    machine = load_machine(profile)
-    with ServiceClient(port, baud) as talk:
+    machine = load_machine(at.machine)
+    with ServiceClient(at) as talk:
         work(Bench(talk, machine))
 
 
@@ -104,7 +99,7 @@ def command() -> None:
 @click.option("--back", is_flag=True, help="In the negative direction.")
 @feed_option
 @machine_options
-def pulses(axis: str, count: int, back: bool, feed: float, profile: str, port: str, baud: int) -> None:
+def pulses(axis: str, count: int, back: bool, feed: float, at: ServicePort) -> None:
     """Send COUNT pulses to one axis, in one direction."""
     from CNCStepper.control.operator.machine_test_lines import way
 
@@ -114,7 +109,7 @@ def pulses(axis: str, count: int, back: bool, feed: float, profile: str, port: s
         bench.send([way(axis, length_mm, feed)])
         click.echo(f"{axis.upper()}: {count} pulses {'back' if back else 'forward'}, {abs(length_mm):g} mm")
 
-    on_bench(profile, port, baud, work)
+    on_bench(at, work)
 
 
 @command.command("relays")
@@ -123,7 +118,7 @@ def pulses(axis: str, count: int, back: bool, feed: float, profile: str, port: s
     "--seconds", type=click.FloatRange(0.1, 60.0), default=1.0, show_default=True, help="How long each is on."
 )
 @machine_options
-def relays(names: tuple[str, ...], seconds: float, profile: str, port: str, baud: int) -> None:
+def relays(names: tuple[str, ...], seconds: float, at: ServicePort) -> None:
     """Switch the relays of the profile on and off again, one by one; only those that are named where some are."""
     from CNCStepper.control.operator.machine_test_lines import ASK_MODES, outputs_of, switching
 
@@ -141,13 +136,13 @@ def relays(names: tuple[str, ...], seconds: float, profile: str, port: str, baud
         if not chosen:
             click.echo("the profile has no relay: name them in [[relay]]")
 
-    on_bench(profile, port, baud, work)
+    on_bench(at, work)
 
 
 @command.command("inputs")
 @click.option("--seconds", type=click.FloatRange(0.1, 3600.0), default=LOOK_S, show_default=True)
 @machine_options
-def inputs(seconds: float, profile: str, port: str, baud: int) -> None:
+def inputs(seconds: float, at: ServicePort) -> None:
     """Print which inputs are on, at each change: XYZ limit switches, P probe, D door, H hold, R reset, S start."""
 
     def work(bench: Bench) -> None:
@@ -158,7 +153,7 @@ def inputs(seconds: float, profile: str, port: str, baud: int) -> None:
                 click.echo(f"inputs that are on: {pins or 'none'}")
                 last = pins
 
-    on_bench(profile, port, baud, work)
+    on_bench(at, work)
 
 
 @command.command("square")
@@ -166,7 +161,7 @@ def inputs(seconds: float, profile: str, port: str, baud: int) -> None:
 @click.option("--height", type=NumberType(kind="length"), default=None, help="Lift Z by so many mm for it.")
 @feed_option
 @machine_options
-def square(side: float, height: float | None, feed: float, profile: str, port: str, baud: int) -> None:
+def square(side: float, height: float | None, feed: float, at: ServicePort) -> None:
     """Drive a square in air, from here along X and Y in their positive directions, and back to here."""
     from CNCStepper.control.operator.machine_test_lines import square as lines
 
@@ -176,7 +171,7 @@ def square(side: float, height: float | None, feed: float, profile: str, port: s
         _in_air(bench, height, feed, lambda: bench.send(lines(side, feed)))
         click.echo(f"square of {side:g} mm at {feed:g} mm/min: done")
 
-    on_bench(profile, port, baud, work)
+    on_bench(at, work)
 
 
 @command.command("circle")
@@ -184,7 +179,7 @@ def square(side: float, height: float | None, feed: float, profile: str, port: s
 @click.option("--height", type=NumberType(kind="length"), default=None, help="Lift Z by so many mm for it.")
 @feed_option
 @machine_options
-def circle(diameter: float, height: float | None, feed: float, profile: str, port: str, baud: int) -> None:
+def circle(diameter: float, height: float | None, feed: float, at: ServicePort) -> None:
     """Drive a circle in air, clockwise, from here; its centre lies on X in the positive direction."""
     from CNCStepper.control.operator.machine_test_lines import ASK_MODES, check_no_power, modes_back
     from CNCStepper.control.operator.machine_test_lines import circle as line
@@ -198,7 +193,7 @@ def circle(diameter: float, height: float | None, feed: float, profile: str, por
         _in_air(bench, height, feed, lambda: _with_modes(bench, line(diameter, feed), back))
         click.echo(f"circle of {diameter:g} mm at {feed:g} mm/min: done")
 
-    on_bench(profile, port, baud, work)
+    on_bench(at, work)
 
 
 @command.command("travel")
@@ -212,7 +207,7 @@ def circle(diameter: float, height: float | None, feed: float, profile: str, por
 @machine_options
 def travel(
     axis: str, length: float, back: bool, repeats: int, plot: Path | None, feed: float, yes: bool,
-    profile: str, port: str, baud: int,
+    at: ServicePort,
 ) -> None:  # fmt: skip
     """Command a length, ask for the measured one, repeat, and correct the axis' steps_per_mm.
 
@@ -236,9 +231,9 @@ def travel(
             bench.send(home)
         readings = Readings(tuple(measured))
         _say_travel(axis, length, readings, plot)
-        _correct_steps(bench, profile, axis, length, readings, yes)
+        _correct_steps(bench, at.machine, axis, length, readings, yes)
 
-    on_bench(profile, port, baud, work)
+    on_bench(at, work)
 
 
 @command.command("backlash")
@@ -248,9 +243,7 @@ def travel(
 @feed_option
 @yes_option
 @machine_options
-def backlash(
-    axis: str, distance: float, repeats: int, feed: float, yes: bool, profile: str, port: str, baud: int
-) -> None:
+def backlash(axis: str, distance: float, repeats: int, feed: float, yes: bool, at: ServicePort) -> None:
     """Come to one place from both sides, ask what a dial shows there, and propose the axis' backlash_mm.
 
     Set the dial so that it counts up in the axis' positive direction.
@@ -271,9 +264,9 @@ def backlash(
         was_mm = axis_of(bench.machine, axis).backlash_mm
         click.echo(f"{axis.upper()}: backlash {play_mm:.4f} mm (profile: {was_mm:g} mm), standard deviations "
                    f"{from_below.deviation_mm:.4f} and {from_above.deviation_mm:.4f} mm")  # fmt: skip
-        _offer(profile, ("axis", axis, "backlash_mm"), round(play_mm, 4), yes)
+        _offer(at.machine, ("axis", axis, "backlash_mm"), round(play_mm, 4), yes)
 
-    on_bench(profile, port, baud, work)
+    on_bench(at, work)
 
 
 @command.command("squareness")
@@ -282,7 +275,7 @@ def backlash(
 @click.option("--diagonals", is_flag=True, help="Measure both diagonals of the rectangle, not only one (3-4-5).")
 @feed_option
 @machine_options
-def squareness(side_x: float, side_y: float, diagonals: bool, feed: float, profile: str, port: str, baud: int) -> None:
+def squareness(side_x: float, side_y: float, diagonals: bool, feed: float, at: ServicePort) -> None:
     """Drive to the corners of a rectangle, ask for its diagonals, and print the angle between X and Y.
 
     At each corner mark the tool's place on the table. With steps_per_mm right, one distance is enough: that of the ends
@@ -301,7 +294,7 @@ def squareness(side_x: float, side_y: float, diagonals: bool, feed: float, profi
         bench.send([way("y", -side_y, feed)])
         _say_squareness(side_x, side_y, diagonals)
 
-    on_bench(profile, port, baud, work)
+    on_bench(at, work)
 
 
 # --- inside --------------------------------------------------------------------------------------

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import click
 
 from CNCStepper.cli.common.verb import Verb
+from CNCStepper.cli.machine.service_client import driven_profile, profile_option
 from CNCStepper.errors import CNCStepperError
 
 if TYPE_CHECKING:
@@ -19,8 +20,9 @@ if TYPE_CHECKING:
 @click.command("ports", cls=Verb)
 @click.option("--ask", "asked", multiple=True, metavar="PORT", help="Ask what answers at this port or URL; repeatable.")
 @click.option("--baud", type=click.IntRange(min=300), default=115200, show_default=True)
+@profile_option
 @click.pass_context
-def command(context: click.Context, asked: tuple[str, ...], baud: int) -> None:
+def command(context: click.Context, asked: tuple[str, ...], baud: int, machine: str) -> None:
     """List the serial ports of this computer, or say what answers at each port given with --ask.
 
     A controller is asked with `?`, `$I`, `$$`, `$#` and `$G`, which change nothing; but many boards restart when their
@@ -30,7 +32,7 @@ def command(context: click.Context, asked: tuple[str, ...], baud: int) -> None:
     if not asked:
         _list_ports()
         return
-    answers = [_ask(port, baud) for port in asked]
+    answers = [_ask(port, baud, driven_profile(machine)) for port in asked]
     context.exit(0 if all(answers) else 1)
 
 
@@ -44,14 +46,14 @@ def _list_ports() -> None:
         click.echo("no serial port is there: plug the controller in, or give its URL (socket://HOST:PORT)", err=True)
 
 
-def _ask(port: str, baud: int) -> bool:
+def _ask(port: str, baud: int, profile: str) -> bool:
     """Print what answers at a port; return whether something did."""
     from CNCStepper.control.protocol.grbl.driver import Grbl
     from CNCStepper.control.protocol.grbl.timeouts import Timing
-    from CNCStepper.control.transport.link import open_link
+    from CNCStepper.control.transport.link import opener_of
 
     try:
-        link = open_link(port, baud)
+        link = opener_of(profile)(port, baud)
         try:
             driver = Grbl(link)
             told = _meet(port, driver, Timing())

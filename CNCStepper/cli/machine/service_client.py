@@ -1,19 +1,24 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What machine verbs share: commands to the connection service at a port, and their results.
 
-A service that runs at that port already, a window's for example, is asked; else one is started, and ends with the verb.
+A service that runs at that port already, a window's for example, is asked; else one is started. It stays open for the
+quiet time, for the next verbs, so that the board is not restarted by each.
 """
 
 from __future__ import annotations
 
 import time
 from collections.abc import Callable
-from functools import partial
+from dataclasses import dataclass
+from functools import partial, wraps
+from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
 import click
 
+from CNCStepper.cli.common.keep_open import keep_option, tell_kept
+from CNCStepper.cli.common.options import Named
 from CNCStepper.cli.job.status_text import OVERRIDES_TOLD_S, overrides_in_words
 from CNCStepper.errors import CNCStepperError, MachineRefusal
 
@@ -27,25 +32,73 @@ END_LIMIT_S = 5.0  # for a service of our own to let go of the port
 Event = dict[str, Any]
 
 
-def port_options(function: Any) -> Any:
-    """Add --port and --baud."""
+def named_machine(name: str) -> str:
+    """Return a profile's name, or the absolute path of its file; raises JobError where there is no such profile."""
+    from CNCStepper.machine.profile import load_machine, profile_names
+
+    if not name:
+        return ""
+    load_machine(name)
+    return name if name in profile_names() else str(Path(name).resolve())
+
+
+def driven_profile(machine: str) -> str:
+    """Return a profile's name or path where this computer itself is its controller, else ""."""
+    from CNCStepper.machine.controller_family import family_of
+    from CNCStepper.machine.profile import load_machine
+
+    return machine if machine and family_of(load_machine(machine)) != "grbl" else ""
+
+
+def profile_option(function: Any, is_required: bool = False) -> Any:
+    """Add --machine, which the function gets as `machine`: a name or an absolute path, "" where none is given."""
+    reader = Named("PROFILE", named_machine)
+    text = "The machine's profile, by name or TOML file; needed where this computer itself is the controller."
+    default: dict[str, Any] = {"required": True} if is_required else {"default": ""}
+    return click.option("--machine", type=reader, help=text, **default)(function)
+
+
+@dataclass(frozen=True)
+class ServicePort:
+    """Where a machine is. machine: its profile, by name or absolute path, "" where none is given.
+
+    keep_min: how many minutes its connection stays open after the verb.
+    """
+
+    name: str
+    baud: int = 115200
+    machine: str = ""
+    keep_min: float = 0.0
+
+
+def port_options(function: Any, needs_machine: bool = False) -> Any:
+    """Add --port, --baud, --machine and --keep-open; the function gets them as one `ServicePort`, `at`."""
+
+    @wraps(function)
+    def command(*arguments: Any, port: str, baud: int, machine: str, keep_min: float, **more: Any) -> Any:
+        return function(*arguments, at=ServicePort(port, baud, machine, keep_min), **more)
+
     port = click.option(
         "--port",
         required=True,
         help="A serial port (COM3, /dev/ttyUSB0; `cncstepper ports` lists them) or a URL (socket://127.0.0.1:2217, "
-        "telnet://fluidnc.local, rfc2217://host:port).",
+        "telnet://fluidnc.local, rfc2217://host:port); of a machine that this computer controls also /dev/parport0 or "
+        "record:FILE.",
     )
     baud = click.option("--baud", type=click.IntRange(min=300), default=115200, show_default=True)
-    return port(baud(function))
+    return port(baud(profile_option(keep_option(command), needs_machine)))
 
 
 class ServiceClient:
     """A conversation with the connection service at a port; prints its events and raises its refusals."""
 
-    def __init__(self, port: str, baud: int):
+    def __init__(self, at: ServicePort):
         from CNCStepper.control.service.connection_client import ConnectionClient
 
-        self.client: ConnectionClient = ConnectionClient.launch(port, baud)
+        self._at = at
+        self.client: ConnectionClient = ConnectionClient.launch(
+            at.name, at.baud, machine=driven_profile(at.machine), keep_s=60.0 * at.keep_min
+        )
 
     def __enter__(self) -> ServiceClient:
         from CNCStepper.control.service.port_owner import warn_of_closed
@@ -57,8 +110,11 @@ class ServiceClient:
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, at: TracebackType | None) -> None:
         path = self.client.session_file
-        alone = self.client.started_service
+        is_kept = self._at.keep_min > 0 and not self.is_over
+        alone = self.client.started_service and not is_kept
         self.client.leave()
+        if is_kept:
+            tell_kept(self._at.name, self._at.keep_min)
         end_s = time.monotonic() + END_LIMIT_S
         while alone and path and path.exists() and time.monotonic() < end_s:
             time.sleep(LOOK_EVERY_S)

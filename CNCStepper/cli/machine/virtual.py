@@ -42,6 +42,9 @@ def command() -> None:
 )
 @click.option("--until-left", is_flag=True, help="End when its client has left, or when none has come within 30 s.")
 @click.option(
+    "--restarts", is_flag=True, help="Restart whenever its port is opened anew, as boards do where DTR is their reset."
+)
+@click.option(
     "--faults",
     type=InputPath(exists=False),
     help="Make the faults that this TOML or JSON file lists, and report each; see docs/user-guide/sending/faults.md.",
@@ -50,7 +53,7 @@ def command() -> None:
 @click.option("--typed", is_flag=True, help="Press its input pins by what is typed here.")
 @machine_option(required=False)
 def grbl(
-    pty, tcp, speed, baud, trace, homing, firmware, until_left, faults, press, typed, machine: Machine | None
+    pty, tcp, speed, baud, trace, homing, firmware, until_left, restarts, faults, press, typed, machine: Machine | None
 ) -> None:
     """A grbl 1.1 with 128 bytes and 15 blocks, on a pseudo-terminal or a TCP port; Ctrl-C ends it.
 
@@ -86,6 +89,7 @@ def grbl(
         trace=trace,
         homing=homing,
         until_left=until_left,
+        restarts=restarts,
         firmware=FIRMWARES[firmware],
         ready=lambda address: click.echo(f"virtual {firmware} at {address}"),
         faults=plan_for_server(faults) if faults else None,

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from CNCStepper.cli.common.findings_output import save, show_findings
+from CNCStepper.cli.common.keep_open import keep_option
 from CNCStepper.cli.common.options import NumberType, PointType, program_argument, read_program, reproduce_options
 from CNCStepper.cli.common.path_types import OutputPath
 from CNCStepper.cli.common.program_options import ProgramOptions, program_options
@@ -60,6 +61,7 @@ _SENDING = (
         is_flag=True,
         help="Send though the controller's settings or offsets are not those wanted.",
     ),
+    keep_option,
     click.option(
         "--without-stock",
         is_flag=True,
@@ -80,6 +82,7 @@ class Sending:
     home_first: bool
     resume_pauses: bool
     allow_differences: bool
+    keep_min: float
     without_stock: bool
 
 
@@ -260,4 +263,4 @@ def _send(certificate: Certificate, sending: Sending) -> None:
         allow_differences=sending.allow_differences,
         home_first=sending.home_first,
     )
-    conclude(watch(confirmed(job, sending.zero_confirmed), sending.resume_pauses))
+    conclude(watch(confirmed(job, sending.zero_confirmed), sending.resume_pauses, sending.keep_min))

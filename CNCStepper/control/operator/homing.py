@@ -14,9 +14,10 @@ from CNCStepper.control.protocol.grbl.connect import ask, discard_half_line, wak
 from CNCStepper.control.protocol.grbl.driver import RESET, Grbl
 from CNCStepper.control.protocol.grbl.readiness import check_state
 from CNCStepper.control.protocol.grbl.timeouts import Timing
-from CNCStepper.errors import LinkError
+from CNCStepper.errors import LinkError, MachineRefusal
 
 HOME = "$H"
+NOT_ENABLED = "-error-5"  # the end of that refusal's code
 SHORTEST_S = 0.3  # of a homing: of four debounced switches and two ways back from them
 
 
@@ -42,6 +43,11 @@ def home(driver: Grbl, timing: Timing) -> None:
                 driver.realtime(RESET)
     driver.status = None
     wake_up(driver, timing)
+
+
+def has_begun(refusal: MachineRefusal) -> bool:
+    """Return whether a machine that `home` refuses may have moved before."""
+    return not (refusal.code.endswith(NOT_ENABLED) or refusal.code.startswith("machine-"))
 
 
 def check_took(seconds: float) -> None:

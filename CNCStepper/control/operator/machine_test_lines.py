@@ -118,7 +118,7 @@ def switching(machine: Machine, device: Device, on: bool, outputs: str = "") -> 
     return [f"M{64 if on else 65}P{device.rpartition('_')[2]}"]
 
 
-def is_on(device: Device, outputs: str | None) -> bool | None:
+def is_on(device: str, outputs: str | None) -> bool | None:
     """Return whether a status says that a device is on; None where it does not say."""
     letter = {**COOLANTS, **SPINDLES}.get(device, ("", ""))[1]
     return None if outputs is None or not letter else letter in outputs

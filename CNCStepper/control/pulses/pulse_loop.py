@@ -126,13 +126,6 @@ class PulseLoop:
         self._flowed = self._was_tried = False
         self.is_left = False
 
-    def load(self) -> None:
-        """Call the kernels once, so that their machine code is there before the first pulse."""
-        words, reals = new_state()
-        words[HEAD] = 1
-        self._play_to(_still_rows(1, 1.0), words, reals, 0, SLICE_NS)
-        self._writer.late_ns()
-
     def run(self) -> None:
         """Play until the end, which leaves everything off; raises LinkError for a lost port and for late pulses."""
         try:
@@ -313,6 +306,16 @@ class PulseLoop:
 
     def _new_pacer(self, bins: memoryview) -> Pacer:
         return Pacer(self._port, self._writer.keep_ns, self._begin_ns, bins, self._port.sleep_ns)
+
+
+def load_kernels(writer: Writer) -> None:
+    """Call the kernels once, so that their machine code is there before the first pulse; the writer is as it was."""
+    words, reals = new_state()
+    words[HEAD] = 1
+    due, masks = np.empty(1, np.int64), np.empty((2, 1), np.uint8)
+    play(*_still_rows(1, 1.0), words, reals, 0, SLICE_NS, due, *masks)
+    writer.writes(due, *masks)
+    writer.late_ns()
 
 
 def _still_rows(count: int, wait_ns: float) -> tuple[np.ndarray, ...]:

@@ -18,11 +18,10 @@ does not end at rest, the player brakes to its end, and goes on as soon as more 
 
 from __future__ import annotations
 
-import hashlib
 import json
-import os
 import subprocess
 import sys
+import threading
 import time
 from contextlib import suppress
 from math import hypot
@@ -31,11 +30,9 @@ from typing import Any
 
 import numpy as np
 
-from CNCStepper.atomic_file import write_whole
 from CNCStepper.control.processes.python_finder import command, environment
-from CNCStepper.control.pulses.output_ports import RECORD, SOCKET, open_output
+from CNCStepper.control.pulses.output_ports import RECORD, SOCKET
 from CNCStepper.control.pulses.pacing import (
-    HOME,
     MOST_LONGER,
     NS_PER_S,
     TRIAL_S,
@@ -44,13 +41,21 @@ from CNCStepper.control.pulses.pacing import (
     jitter_of,
     stall_ns,
 )
+from CNCStepper.control.pulses.player_process import (
+    answer,
+    gone,
+    is_board,
+    leave_port_idle,
+    line_of,
+    places_file,
+    writer_of,
+)
 from CNCStepper.control.pulses.ports import high_pins, is_parallel_port
 from CNCStepper.control.pulses.pulse_ring import (
     ACKNOWLEDGED,
     AHEAD,
     AT_HOLD,
     BACK,
-    BEGIN_NS,
     CLOSE,
     COMMAND,
     FAILED,
@@ -62,7 +67,6 @@ from CNCStepper.control.pulses.pulse_ring import (
     LATE_NS,
     NO_INPUTS,
     PEAK_PER_S,
-    PLACES,
     RELAYS,
     RESUME,
     ROWS,
@@ -79,14 +83,9 @@ from CNCStepper.control.pulses.pulse_ring import (
     PulseRing,
 )
 from CNCStepper.control.pulses.pulse_ring import TRIAL_S as TRIAL_LENGTH
-from CNCStepper.control.session.files import session_folder
-from CNCStepper.control.session.status import error_from_json
-from CNCStepper.control.transport.port_identity import identify
-from CNCStepper.errors import LinkError, MachineRefusal, Text
+from CNCStepper.errors import MachineRefusal, Text
 from CNCStepper.machine.profile import Machine
 from CNCStepper.motion.planner.buffers import TICKS_PER_S
-from CNCStepper.motion.signals.parallel_port import RegisterWriter, idle_registers
-from CNCStepper.motion.signals.port_bytes import BoardWriter
 from CNCStepper.motion.signals.pulse_player import (
     ENDS_AT_REST,
     FEED_SHARE,
@@ -101,14 +100,13 @@ from CNCStepper.motion.signals.pulse_player import (
     SENT,
 )
 
-BOARD = "usb-board"
 LEAST_SHARE = 0.1
 LEAST_ACCELERATION, MOST_ACCELERATION = 1e-3, 1e9  # mm/s²: sums of them stay exact enough
 REST_STEPS = 3.0  # a path that went so many steps of all axes before a pulse has stood on the way
 AT_REST_S = 0.025  # a path that is so near its stop may end
 BUSY_PULSES = 32  # over which the fastest rate is taken
 LONGER = 1.5  # of the time that a trial may take where no motor follows
-ANSWER_LIMIT_S, END_LIMIT_S = 120.0, 10.0  # kernels may have to be compiled; a way to a stop may be long
+ANSWER_LIMIT_S, END_LIMIT_S = 300.0, 10.0  # kernels may have to be compiled; a way to a stop may be long
 LOOK_S = 0.002
 NS_PER_TICK = NS_PER_S / TICKS_PER_S
 
@@ -122,7 +120,7 @@ class PulseOutput:
     def __init__(self, worker: subprocess.Popen, ring: PulseRing, port: str, machine: Machine, places: Path | None):
         self._worker, self._ring, self._port, self._machine, self._places = worker, ring, port, machine, places
         self._words, self._reals, self._rows = ring.words, ring.reals, ring.rows
-        self._writer = _writer(machine)
+        self._writer = writer_of(machine)
         self._declared = [0] * PLAYED_AXES
         self._is_first = True  # the next row is the first one, or the first one behind a `drop`
         self._tick = 0
@@ -138,21 +136,31 @@ class PulseOutput:
         Waits until the port is open and the kernels are loaded. Raises LinkError where the port cannot be had,
         MachineRefusal where a motor has no pin.
         """
-        _writer(machine)  # refuses pins before a process is started
+        writer_of(machine)  # refuses pins before a process is started
         ring = PulseRing.create()
-        places = _places_file(port) if is_board(machine) else None
+        places = places_file(port) if is_board(machine) else None
         starts = command(sys.executable, "CNCStepper.workers.pulse_output")
         worker = subprocess.Popen(starts, stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=environment())
         output = cls(worker, ring, port, machine, places)
         try:
             output._tell_what()
-            _answer(_line_of(worker), "ready")
+            limit = threading.Timer(ANSWER_LIMIT_S, worker.kill)
+            limit.start()
+            try:
+                answer(line_of(worker), "ready")
+            finally:
+                limit.cancel()
         except BaseException:
             output._end()
             raise
         finally:
             ring.forget_name()
         return output
+
+    @property
+    def process(self) -> int:
+        """The number of the player's process."""
+        return int(self._worker.pid)
 
     @property
     def room(self) -> int:
@@ -226,7 +234,7 @@ class PulseOutput:
         if self._is_first:
             waits[0], rests[0] = 0.0, True
         acceleration = np.clip(acceleration_mm_s2, LEAST_ACCELERATION, MOST_ACCELERATION).astype(np.float64)
-        changes = 2.0 * acceleration * np.minimum(way_mm, self._step_mm)
+        changes = 2.0 * acceleration * np.where(rests, self._step_mm, np.minimum(way_mm, self._step_mm))
         self._write(step, back, speed, waits, changes, rests * IS_REST + np.asarray(is_rapid, bool) * IS_RAPID)
         stops_from = max(2.0 * changes[-1] ** 0.5, acceleration[-1] * AT_REST_S)
         self._words[ENDS_AT_REST] = speed[-1] <= stops_from
@@ -320,8 +328,8 @@ class PulseOutput:
         if self._is_closed or (self._words[STATE] != FAILED and self._worker.poll() is None):
             return
         try:
-            _answer(_line_of(self._worker), "done")
-            self._error = _gone()
+            answer(line_of(self._worker), "done")
+            self._error = gone()
         except Exception as error:
             self._error = error
         if self._worker.wait() < 0 or getattr(self._error, "code", "") == "pulse-worker":
@@ -426,56 +434,4 @@ class PulseOutput:
         self._worker.stdout.close()
 
     def _leave_port_idle(self) -> None:
-        """Write what a worker that was killed could not: registers without an active line, or a board's places."""
-        if is_board(self._machine):
-            if self._places:
-                count = len(self._machine.signals.motors) + 1
-                places = self._words[PLACES : PLACES + count].tolist()
-                with suppress(OSError):
-                    write_whole(self._places, json.dumps({"places": places}).encode("ascii"))
-            return
-        with suppress(LinkError, OSError):  # the port itself may be what was lost
-            port = open_output(self._port, False, int(self._words[BEGIN_NS]), again=True)
-            port.write(*idle_registers(self._machine.signals))
-            port.close()
-
-
-def is_board(machine: Machine) -> bool:
-    """Return whether a machine's pulses go out as a board's bytes, not as a parallel port's registers."""
-    return machine.controller.partition(":")[0] == BOARD
-
-
-def _writer(machine: Machine) -> RegisterWriter | BoardWriter:
-    signals = machine.signals
-    if is_board(machine):
-        return BoardWriter(signals.motors, signals.null_motor)
-    return RegisterWriter(signals, len(machine.axes))
-
-
-def _places_file(port: str) -> Path | None:
-    """Return where a board's places in its motors' sequences are kept from job to job; None for a virtual one."""
-    if port.startswith((RECORD, SOCKET)) or os.path.realpath(port).startswith("/dev/pts/"):
-        return None
-    digest = hashlib.sha256(identify(port).key.encode("utf-8")).hexdigest()[:16]
-    return session_folder() / f"{digest}.places"
-
-
-def _line_of(worker: subprocess.Popen) -> bytes:
-    assert worker.stdout
-    line: bytes = worker.stdout.readline()
-    return line
-
-
-def _answer(line: bytes, wanted: str) -> dict[str, Any]:
-    """Return what the worker says; raises its error, or LinkError where it ended without a word."""
-    said = json.loads(line) if line.endswith(b"\n") else {}
-    if "error" in said:
-        raise error_from_json(said["error"])
-    if wanted not in said:
-        raise _gone()
-    content: dict[str, Any] = said[wanted]
-    return content
-
-
-def _gone() -> LinkError:
-    return LinkError("pulse-worker", "the process that plays the pulses has ended; steps may be lost", advice=HOME)
+        leave_port_idle(self._port, self._machine, self._places, self._words)

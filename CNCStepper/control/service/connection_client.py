@@ -86,18 +86,18 @@ YIELD_S = 0.005  # the thread of the window goes on first
 Launched = tuple[Path, subprocess.Popen | None]
 
 
-def launch(port: str, baud: int, folder: Path | None) -> Future[Launched]:
+def launch(port: str, baud: int, folder: Path | None, machine: str = "") -> Future[Launched]:
     """Return a future of the service's file at `port` and its process; None when it runs already.
 
     Its exception is MissingPackage when no Python can be the service's, MachineRefusal while a job that was sent from a
-    command line has the port, or LinkError when it cannot be started.
+    command line has the port, or a service for another machine than `machine`, LinkError when it cannot be started.
     """
     answer: Future[Launched] = Future()
 
     def work() -> None:
         time.sleep(YIELD_S)
         try:
-            path, process = _launched(port, baud, folder or session_folder())
+            path, process = _launched(port, baud, folder or session_folder(), machine)
         except CNCStepperError as error:
             answer.set_exception(error)
             return
@@ -114,12 +114,32 @@ def launch(port: str, baud: int, folder: Path | None) -> Future[Launched]:
     return answer
 
 
-def _launched(port: str, baud: int, folder: Path) -> Launched:
+def _launched(port: str, baud: int, folder: Path, machine: str) -> Launched:
     if there := service_at(port, folder):
+        _check_machine(there, port, machine)
         return there, None
     check_no_job(port, folder)
     path = new_session(folder, SERVICE)
-    return path, start(find_python(), WORKER, path, port, str(baud))
+    return path, start(find_python(), WORKER, path, port, str(baud), machine)
+
+
+def _check_machine(file: Path, port: str, machine: str) -> None:
+    """Raise MachineRefusal where the service of a file drives another machine than is asked for."""
+    try:
+        there = str((read_private(file) or {}).get("machine", ""))
+    except (OSError, ValueError):  # its process writes it again; whoever attaches waits for that
+        return
+    if machine not in ("", there):
+        raise MachineRefusal(
+            "port-machine",
+            Text(
+                "{port} is connected as {there}, not as {machine}",
+                port=port,
+                there=there or "a controller with a firmware of its own",
+                machine=machine,
+            ),
+            advice=Text("cncstepper disconnect --port {port}, then connect again", port=port),
+        )
 
 
 __all__ = ["ConnectionClient", "running_services"]
@@ -134,10 +154,18 @@ class ConnectionClient:
 
     phase: "starting", "connecting", "connected" or "gone": then `error` says why, None when it was left.
     status: the last one heard. outcome: of the last job, None while one runs. Not for several threads.
+    keep_s: for how long the connection stays open when this client is gone; None leaves that to the other clients.
     """
 
-    def __init__(self, port: str, launched: Future[Launched] | None = None, session_file: Path | None = None):
+    def __init__(
+        self,
+        port: str,
+        launched: Future[Launched] | None = None,
+        session_file: Path | None = None,
+        keep_s: float | None = None,
+    ):
         self.port = port
+        self.keep_s = keep_s
         self.session_file = session_file
         self.phase = "starting"
         self.status = SenderStatus()
@@ -154,9 +182,21 @@ class ConnectionClient:
         self._told_phase = "starting"
 
     @classmethod
-    def launch(cls, port: str, baud: int = 115_200, folder: Path | None = None) -> ConnectionClient:
-        """Start a connection service for a port and return at once; attach to it if one runs there already."""
-        return cls(port, launch(port, baud, folder))
+    def launch(
+        cls,
+        port: str,
+        baud: int = 115_200,
+        folder: Path | None = None,
+        machine: str = "",
+        keep_s: float | None = None,
+    ) -> ConnectionClient:
+        """Start a connection service for a port and return at once; attach to it if one runs there already.
+
+        machine: the profile, by name or file, of a machine without a controller of its own; "" else.
+        """
+        file = Path(machine)
+        profile = str(file.resolve()) if machine and file.is_file() else machine  # one name for one profile
+        return cls(port, launch(port, baud, folder, profile), keep_s=keep_s)
 
     @classmethod
     def attach(cls, session_file: Path) -> ConnectionClient:
@@ -172,7 +212,7 @@ class ConnectionClient:
 
     @property
     def started_service(self) -> bool:
-        """Whether the service was started for this client; it ends when its last client leaves."""
+        """Whether the service was started for this client; it ends when its last client leaves, or is kept open."""
         return self._process is not None
 
     def poll(self) -> list[dict[str, Any]]:
@@ -197,6 +237,11 @@ class ConnectionClient:
         """Let the job of a certificate's file, or of a `SendJob` as JSON, run; its port and consents do not count."""
         self.outcome = None
         self.ask("run", file=str(job_file), zero_confirmed=zero_confirmed, allow_differences=allow_differences)
+
+    def send(self, job_file: Path, zero_confirmed: bool, allow_differences: bool) -> None:
+        """Let a job run as a sender of its own would: homed first where it says so, from a restart if confirmed."""
+        self.outcome = None
+        self.ask("send", file=str(job_file), zero_confirmed=zero_confirmed, allow_differences=allow_differences)
 
     def hold(self) -> None:
         """Ask for a feed hold; a jog ends."""
@@ -252,7 +297,7 @@ class ConnectionClient:
         self.ask("override", kind=kind, step=str(percent_step))
 
     def leave(self) -> None:
-        """Detach for good: the service ends as soon as no job runs and nothing moves."""
+        """Detach for good: the service ends as soon as no job runs and nothing moves, or `keep_s` later."""
         if self._socket:
             self._socket.send({"token": self._token, "command": "leave"})
         self.detach()
@@ -315,7 +360,8 @@ class ConnectionClient:
         self.phase, self._caught_up = "connecting", False
         self._token = address.token
         self._socket = LineSocket(address)
-        self._socket.send({"token": self._token, "command": "attach"})
+        keep = {} if self.keep_s is None else {"keep_s": self.keep_s}
+        self._socket.send({"token": self._token, "command": "attach"} | keep)
 
     def _read_address(self, path: Path) -> Address | None:
         """Return where the service listens, None while its file does not say so."""

@@ -19,8 +19,10 @@ from pathlib import Path
 from typing import Any
 
 from CNCStepper.control.journal.writer import Journal
+from CNCStepper.control.operator import homing
 from CNCStepper.control.operator.actions import fresh_status
 from CNCStepper.control.operator.buttons import Buttons, buttons_of
+from CNCStepper.control.preflight.checks import check_counts_from_here
 from CNCStepper.control.program.bundle import copy_private
 from CNCStepper.control.program.certificate import sendable
 from CNCStepper.control.program.send_job import SendJob
@@ -38,6 +40,7 @@ from CNCStepper.control.session.status import REFUSED, Outcome, SenderStatus
 from CNCStepper.control.stream.job_run import MAY_HAVE_RESTARTED, JobRun, Refuse, Stopped, Tell
 from CNCStepper.control.stream.pause_id import PauseCounter
 from CNCStepper.control.stream.position_trust import (
+    AT_HOME,
     LOST,
     PositionTrust,
     check_program,
@@ -46,14 +49,15 @@ from CNCStepper.control.stream.position_trust import (
     trust_at_lost_link,
 )
 from CNCStepper.control.stream.status_snapshot import forward_messages
-from CNCStepper.control.transport.link import Link, open_link, open_unless
-from CNCStepper.errors import CNCStepperError, JobError, Text
+from CNCStepper.control.transport.link import Link, Opener, open_unless, opener_of, restart_text
+from CNCStepper.errors import CNCStepperError, JobError, MachineRefusal, Text
 from CNCStepper.state import WORK_SYSTEMS
 
 
 class ConnectionService:
     """One connection; `run` blocks until it ends, `ask`, `stop` and `status` may be called from any thread.
 
+    machine: the profile, by name or file, of a machine without a controller of its own. opener: None opens the port.
     tell, refuse, ended: hear what happens, as of a `JobRun`, and how a job ended. alone_s: how long nobody has
     been there; a service that is alone and has nothing to do ends. journals: the folder for those of its jobs; None
     keeps none. kept: what was held of the position before, and is from now on; None begins with nothing. during_job:
@@ -67,8 +71,9 @@ class ConnectionService:
         port: str,
         baud: int = 115_200,
         *,
+        machine: str = "",
         job_file: Path,
-        opener: Callable[[str, int], Link] = open_link,
+        opener: Opener | None = None,
         timing: Timing | None = None,
         clock: Callable[[], float] = time.monotonic,
         tell: Tell = lambda kind, text: None,
@@ -82,7 +87,7 @@ class ConnectionService:
         self.port = port
         self._baud = baud
         self._job_file = job_file
-        self._opener = opener
+        self._opener = opener or opener_of(machine)
         self._timing = timing or Timing()
         self._tell = tell
         self._refuse = refuse
@@ -100,6 +105,8 @@ class ConnectionService:
         self._trust: PositionTrust | None = (
             None  # with which the job began: its own resets at standstill do not change it
         )
+        self._is_sent = False  # the job, from a command line
+        self._greeted = False  # as the port was opened
         self._last_done: SendJob | None = None  # what a start button lets run again
         self._stands = PauseCounter()
         self._connected = False
@@ -138,7 +145,7 @@ class ConnectionService:
         try:
             self._driver = driver = Grbl(link, self._clock, self._listen, MotionInterlock(self._is_lost))
             self._idle = IdleController(driver, self._timing, self._tell, self._refuse)
-            self._connect(driver, self._idle)
+            self._connect(driver, self._idle, link)
             self._serve(driver, self._idle)
         except Stopped:  # while connecting: nothing was sent
             return
@@ -154,10 +161,10 @@ class ConnectionService:
 
     # --- the loop ------------------------------------------------------------------------------
 
-    def _connect(self, driver: Grbl, idle: IdleController) -> None:
-        greeted = connect.has_greeting(connect.wake_up(driver, self._timing, locked=True))
+    def _connect(self, driver: Grbl, idle: IdleController, link: Link) -> None:
+        self._greeted = greeted = connect.has_greeting(connect.wake_up(driver, self._timing, locked=True))
         if greeted:
-            self._tell("warning", "the controller restarted when its port was opened; it counts from where it stands")
+            self._tell("warning", restart_text(link))
         self._learn(driver, idle)
         idle.meet(self._kept.trust, greeted)
         self._connected = True
@@ -219,8 +226,11 @@ class ConnectionService:
 
     def _execute_command(self, command: Command, idle: IdleController) -> None:
         try:
-            if command.name == "run":
-                self._run_file(idle, **command.values)
+            if command.name in ("run", "send"):
+                self._run_file(idle, **command.values, is_sent=command.name == "send")
+            elif command.name == "disconnect":
+                idle.check_at_rest()
+                self._ending = True
             elif command.name == "again" and self._last_done:
                 self._tell("job", self._last_done.file)
                 self._run_job(idle, self._last_done)
@@ -261,8 +271,10 @@ class ConnectionService:
         may_run = self._last_done and self._run is None and self._idle and self._idle.phase == "idle"
         return Command("again") if may_run else None
 
-    def _run_file(self, idle: IdleController, file: str, zero_confirmed: bool, allow_differences: bool) -> None:
-        """Let the job of a file run; however it ends, its outcome is told."""
+    def _run_file(
+        self, idle: IdleController, file: str, zero_confirmed: bool, allow_differences: bool, is_sent: bool
+    ) -> None:
+        """Let the job of a file run; however it ends, its outcome is told. is_sent: from a command line."""
         self._tell("job", file)
         own = {"port": self.port, "baud": self._baud}
         consents = {"zero_confirmed": zero_confirmed, "allow_differences": allow_differences}
@@ -273,7 +285,7 @@ class ConnectionService:
             known = idle.trust.position_known is not False
             self._ended(Outcome(REFUSED, error.text, known, replace(self.status(), phase=REFUSED), error))
             return
-        self._run_job(idle, job)
+        self._run_job(idle, job, is_sent)
 
     def _copied(self, file: Path, instead: dict[str, Any]) -> SendJob:
         """Return the job of a file, with other values for some fields, from a copy that nobody else writes.
@@ -296,8 +308,8 @@ class ConnectionService:
             draft.unlink(missing_ok=True)
         return sendable(self._job_file, private=True, **instead)
 
-    def _run_job(self, idle: IdleController, job: SendJob) -> None:
-        self._trust = trust = idle.trust
+    def _run_job(self, idle: IdleController, job: SendJob, is_sent: bool = False) -> None:
+        self._trust, self._is_sent = idle.trust, is_sent
         self._run = run = JobRun(
             job,
             self._inbox,
@@ -319,7 +331,7 @@ class ConnectionService:
                 idle.lose_position()
             outcome = replace(outcome, position_known=outcome.position_known and idle.trust.position_known is not False)
         else:
-            idle.trust = trust_after_job(trust, outcome.position_known)
+            idle.trust = trust_after_job(self._trust, outcome.position_known)
         self._last_done = job if outcome.done else None
         self._ended(outcome)
 
@@ -329,12 +341,41 @@ class ConnectionService:
         self._buttons.wire(buttons_of(self._run.job.inputs))
         self._run.driver = self._driver
         self._idle.check_no_jog()
+        if self._is_sent and self._run.job.home_first:
+            self._home_first(self._driver, self._idle)
         check_state(fresh_status(self._driver, self._timing))
-        check_program(self._idle.trust)
+        restarted = self._is_sent and self._counts_restart(self._driver)
+        check_program(self._trust or LOST)
         found = connect.learn(self._driver, self._timing)
         self._take_zero(found.offsets, found.modes)
         self._kept.keep(LOST)  # until the job has ended well
-        return found
+        return replace(found, greeted=restarted)
+
+    def _counts_restart(self, driver: Grbl) -> bool:
+        """Return whether a restarted machine is trusted for this job: it stands where its zero was confirmed."""
+        trust = self._trust
+        if trust is None or not is_lost(trust) or is_lost(trust, restart_counts=True):
+            return False
+        if self._greeted:
+            check_counts_from_here(driver)
+        self._trust = trust._replace(position_known=True, counts_from_here=False)
+        return True
+
+    def _home_first(self, driver: Grbl, idle: IdleController) -> None:
+        """Let the machine find its own zero before the job; until it has, and where it does not, its place is lost."""
+        before = idle.trust
+        self._tell("message", "the machine finds its own zero")
+        idle.trust = self._trust = LOST
+        self._kept.keep(LOST)
+        try:
+            homing.home(driver, self._timing)
+        except MachineRefusal as refusal:
+            if not homing.has_begun(refusal):
+                with suppress(CNCStepperError):  # the greeting of the reset after it costs nothing
+                    connect.wake_up(driver, self._timing, locked=True)
+                idle.trust = self._trust = before
+            raise
+        idle.trust = self._trust = AT_HOME
 
     # --- the end -------------------------------------------------------------------------------
 

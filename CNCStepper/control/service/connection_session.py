@@ -6,12 +6,12 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import Any, Self
 
 from CNCStepper.control.processes.process_file import is_alive
 from CNCStepper.control.service.connection_client import ConnectionClient
 from CNCStepper.control.session.client import ANSWER_LIMIT_S, LOOK_EVERY_S, SessionClient
-from CNCStepper.control.session.files import SERVICE, running_services, sessions
+from CNCStepper.control.session.files import SERVICE, running_services, service_at, session_at, sessions
 from CNCStepper.control.session.status import Outcome, SenderStatus
 from CNCStepper.control.session.unreachable import silent
 from CNCStepper.errors import LinkError
@@ -36,6 +36,16 @@ class ConnectionSession:
         return cls(ConnectionClient.attach(session_file), limit_s)
 
     @property
+    def port(self) -> str:
+        """The port of the machine, as it was named when it was opened."""
+        return self._client.port
+
+    @property
+    def session_file(self) -> Path:
+        """The service's file."""
+        return self._client.session_file or Path()
+
+    @property
     def outcome(self) -> Outcome | None:
         """How the service's last job ended; None while one runs, and before the first."""
         return self._client.outcome
@@ -49,6 +59,10 @@ class ConnectionSession:
     def hold(self) -> None:
         """Ask for a feed hold."""
         self._client.hold()
+
+    def resume(self, stand: int | None = None) -> None:
+        """Resume from the pause with that id in `SenderStatus`; None: from any."""
+        self._client.resume(stand)
 
     def stop(self) -> None:
         """Ask to end the job safely."""
@@ -78,7 +92,7 @@ class ConnectionSession:
         """Detach; the service goes on."""
         self._client.detach()
 
-    def __enter__(self) -> ConnectionSession:
+    def __enter__(self) -> Self:
         return self
 
     def __exit__(self, *error: object) -> None:
@@ -102,6 +116,14 @@ def jobs_running(folder: Path | None = None) -> list[Path]:
         except LinkError:
             silent_services += [service] if is_alive(service) else []  # else it has ended meanwhile
     return sorted(running or silent_services, key=lambda path: path.name)
+
+
+def job_at(port: str, folder: Path | None = None) -> Path | None:
+    """Return the file of the session, or of the service, that runs a job at a port; None where none runs."""
+    if session := session_at(port, folder):
+        return session
+    service = service_at(port, folder)
+    return service if service and _runs_a_job(service) else None
 
 
 def _runs_a_job(service: Path) -> bool:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Finds the owner of a machine's port: a running or paused job, or a connection service of this user.
 
-A second opening would get nothing from a serial port, and from a network port a connection that breaks at once: both
-look as if the cable were at fault.
+A service without a job is shared by all. A second opening would get nothing from a serial port, and from a network
+port a connection that breaks at once: both look as if the cable were at fault.
 """
 
 from __future__ import annotations
@@ -13,16 +13,19 @@ from pathlib import Path
 from CNCStepper.control.processes.process_file import is_alive
 from CNCStepper.control.service.connection_client import check_no_job, check_over, port_held_by_job
 from CNCStepper.control.service.connection_session import ConnectionSession
-from CNCStepper.control.session.files import closed_files, service_near
+from CNCStepper.control.session.files import closed_files, service_at, service_near
 from CNCStepper.control.session.unreachable import closed
 from CNCStepper.errors import LinkError, MachineRefusal, Text
 
 
 def check_free(port: str, folder: Path | None = None) -> None:
-    """Raise MachineRefusal when a job or a connection service of this user holds the port."""
+    """Raise MachineRefusal when a job of this user holds the port, or a connection service that may be at its host.
+
+    A service at this very port that runs no job is the way to it.
+    """
     check_no_job(port, folder)
     if service := service_near(port, folder):
-        _check_service(service, port)
+        _check_service(service, port, is_there=service == service_at(port, folder))
 
 
 def warn_of_closed(tell: Callable[[str], None], folder: Path | None = None) -> None:
@@ -31,7 +34,7 @@ def warn_of_closed(tell: Callable[[str], None], folder: Path | None = None) -> N
         tell(str(closed(path)))
 
 
-def _check_service(service: Path, port: str) -> None:
+def _check_service(service: Path, port: str, is_there: bool) -> None:
     try:
         with ConnectionSession.attach(service) as client:
             status = client.status()
@@ -40,8 +43,9 @@ def _check_service(service: Path, port: str) -> None:
         return
     if status.total:
         raise port_held_by_job(service, port, status)
-    raise MachineRefusal(
-        "port-held",
-        Text("{port} is held by a window or a console of yours", port=port),
-        advice="disconnect there first, or send the job from there",
-    )
+    if not is_there:
+        raise MachineRefusal(
+            "port-held",
+            Text("{port} may be held by another connection of yours", port=port),
+            advice="close it first: cncstepper disconnect",
+        )

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from CNCStepper.control.operator.buttons import Buttons, buttons_of
-from CNCStepper.control.operator.homing import home
+from CNCStepper.control.operator.homing import has_begun, home
 from CNCStepper.control.preflight.checks import check_counts_from_here
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.protocol.grbl import connect
@@ -29,10 +29,8 @@ from CNCStepper.control.stream.position_trust import (
     trust_at_connect,
 )
 from CNCStepper.control.stream.status_snapshot import forward_messages
-from CNCStepper.control.transport.link import Link, open_link, open_unless
+from CNCStepper.control.transport.link import Opener, open_unless, opener_of, restart_text
 from CNCStepper.errors import MachineRefusal
-
-NO_HOMING = "-error-5"  # homing is not enabled
 
 
 class Sender:
@@ -40,8 +38,8 @@ class Sender:
 
     tell(kind, text): hears what happens, on the sender's thread, and must not block; kinds are
     "phase", "message" (the controller's or the program's words) and "warning". refuse(command, error): hears, as
-    quietly, what cannot be obeyed now. journal: None keeps none. kept: what was held of the position before, and is
-    afterwards; None begins with nothing.
+    quietly, what cannot be obeyed now. opener: None opens the job's port. journal: None keeps none. kept: what was held
+    of the position before, and is afterwards; None begins with nothing.
     """
 
     commands: tuple[str, ...] = JOB_COMMANDS
@@ -50,7 +48,7 @@ class Sender:
         self,
         job: SendJob,
         *,
-        opener: Callable[[str, int], Link] = open_link,
+        opener: Opener | None = None,
         timing: Timing | None = None,
         clock: Callable[[], float] = time.monotonic,
         tell: Tell = lambda kind, text: None,
@@ -59,7 +57,7 @@ class Sender:
         kept: PositionTrustFile | None = None,
     ):
         self.job = job
-        self._opener = opener
+        self._opener = opener or opener_of(job.profile)
         self._timing = timing or Timing()
         self._clock = clock
         self._tell = tell
@@ -114,7 +112,7 @@ class Sender:
         found = self._homed(driver) if self.job.home_first else connect.handshake(driver, self._timing)
         self._trust = trust_at_connect(self._trust, driver, self._greeted)
         if self._greeted:
-            self._tell("warning", "the controller restarted when its port was opened; it counts from where it stands")
+            self._tell("warning", restart_text(link))
             check_counts_from_here(driver)
         check_program(self._trust, restart_counts=True)
         self._kept.keep(LOST)  # until the job has ended well
@@ -137,7 +135,7 @@ class Sender:
         try:
             home(driver, self._timing)
         except MachineRefusal as refusal:
-            if refusal.code.endswith(NO_HOMING) or refusal.code.startswith("machine-"):  # it has not begun
+            if not has_begun(refusal):
                 self._trust = before
             raise
         self._trust, self._greeted = AT_HOME, False

@@ -18,6 +18,7 @@ _NUMBER = (int, float)
 _STAND = (int, type(None))  # the number of the stand that is answered to; None: whichever there is
 _WAY = {"x_mm": _NUMBER, "y_mm": _NUMBER, "z_mm": _NUMBER, "feed_mm_min": _NUMBER}
 
+_JOB = {"file": str, "zero_confirmed": bool, "allow_differences": bool}
 JOB_COMMANDS = (
     "hold",
     "resume",
@@ -38,7 +39,9 @@ VALUES: dict[str, dict[str, Any]] = {  # of each command: its values and their t
     "by_line": {"on": bool},
     "tell_place": {"file": str},
     "retrace": {"file": str},
-    "run": {"file": str, "zero_confirmed": bool, "allow_differences": bool},
+    "run": _JOB,
+    "send": _JOB,  # the same from a command line
+    "disconnect": {},
     "jog": _WAY,
     "jog_on": _WAY | {"press": str},
     "jog_cancel": {},

@@ -4,6 +4,7 @@
 One JSON object a line, both ways:
 
     -> {"token": ..., "command": "attach" | "status" | "leave" | one of `Served.commands`, its values...}
+       "attach" with "keep_s": for how long this client wants the connection to stay open once it is gone
     <- {"event": "status", "status": {...}}      {"event": "accepted", "command": ...}
        {"event": "message" | "warning" | "phase" | "job", "text": ...}
        {"event": "refused", "text": ..., "command": ..., "error": {...}}
@@ -50,6 +51,7 @@ ACCEPT_LIMIT = 64  # connections taken in one turn, so that a flood of them keep
 NO_ROOM_PAUSE_S = 0.01  # where the system gives this process no further socket
 SILENCE_LIMIT_S = 5.0  # of a peer that has not shown the token
 CLOSE_LIMIT_S = 1.0
+LONGEST_KEEP_S = 86_400.0  # that a client can ask for
 
 
 class Served(Protocol):
@@ -68,13 +70,17 @@ class Served(Protocol):
 
 
 class Peer:
-    """One connection; `known` after it has shown the token, `attached` when it wants all events."""
+    """One connection; `known` after it has shown the token, `attached` when it wants all events.
+
+    keep_s: for how long it wants the connection to the machine to outlive it; None: it leaves that to the others.
+    """
 
     def __init__(self, connection: socket.socket):
         self.connection = connection
         self.since_s = time.monotonic()
         self.known = False
         self.attached = False
+        self.keep_s: float | None = None
         self.inbox = b""
         self.backlog = Backlog()
         self.sending = memoryview(b"")
@@ -106,6 +112,8 @@ class SessionServer:
         self._peers: dict[socket.socket, Peer] = {}  # the oldest first
         self._alone_since_s = time.monotonic()  # of no use while a client is attached
         self._left = False  # by the client that was attached last, for good
+        self._keep_s = 0.0  # what the client that asked for it last wants
+        self._kept_until_s = -inf  # nobody is missed before
         self._selector = selectors.DefaultSelector()
         self._ended = threading.Event()
         self._last_status: Any = None
@@ -140,14 +148,22 @@ class SessionServer:
         self._news.put({"event": "refused", "command": command.name, **why})
 
     def notify_outcome(self, outcome: Outcome) -> None:
-        """Pass on how a job ended; never blocks."""
+        """Pass on how a job ended; never blocks. The time for which the connection is kept begins anew."""
+        if self._keep_s:
+            self._keep_for(self._keep_s)
         self._news.put({"event": "outcome", "outcome": outcome.to_json()})
 
     def alone_s(self) -> float:
-        """Return how long no client has been attached; infinite when the last one has left for good."""
-        if self._is_attended():
+        """Return how long no client has been attached; infinite when the last one has left for good.
+
+        While a client that is gone wants the connection kept, it is 0.
+        """
+        if self._is_attended() or time.monotonic() < self._kept_until_s:
             return 0.0
         return inf if self._left else time.monotonic() - self._alone_since_s
+
+    def _keep_for(self, keep_s: float) -> None:
+        self._kept_until_s = max(self._kept_until_s, time.monotonic() + keep_s)
 
     def _is_attended(self) -> bool:
         return any(peer.attached for peer in list(self._peers.values()))
@@ -271,10 +287,11 @@ class SessionServer:
         assert self._served
         command = request.get("command")
         if command == "leave":
-            self._drop(peer)
-            self._left = not self._is_attended()
+            self._leave(peer)
         elif command == "attach":
             peer.attached, self._left = True, False
+            peer.keep_s = _keep_s(request)
+            self._keep_s = self._keep_s if peer.keep_s is None else peer.keep_s
             peer.backlog.add_all(self._history)
             peer.backlog.add("attached", self._status_line())  # of another kind: no later status takes its place
         elif command == "status":
@@ -282,6 +299,13 @@ class SessionServer:
         else:
             answer = self._asked(request)
             peer.backlog.add(answer["event"], line_of(answer))
+
+    def _leave(self, peer: Peer) -> None:
+        """Let a client go for good; one that keeps nothing, as a window that disconnects, ends what others kept."""
+        self._drop(peer)
+        self._left = not self._is_attended()
+        if self._left and peer.keep_s is None:
+            self._keep_s, self._kept_until_s = 0.0, -inf
 
     def _asked(self, request: dict[str, Any]) -> dict[str, Any]:
         assert self._served
@@ -345,3 +369,13 @@ class SessionServer:
             if peer.attached:
                 self._alone_since_s = time.monotonic()
                 self._left = False  # one that crashed may come back
+                if peer.keep_s:
+                    self._keep_for(peer.keep_s)
+
+
+def _keep_s(request: dict[str, Any]) -> float | None:
+    """Return for how long a client wants the connection kept, within bounds; None where it does not say."""
+    keep_s = request.get("keep_s")
+    if not isinstance(keep_s, (int, float)) or isinstance(keep_s, bool) or not keep_s >= 0:
+        return None
+    return float(min(keep_s, LONGEST_KEEP_S))

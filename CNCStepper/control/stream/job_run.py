@@ -423,9 +423,13 @@ class JobRun:
             if error
             else Text("stopped as asked after {acknowledged} lines", acknowledged=self.status().acknowledged)
         )
+        state = self._cannot_stop or (KEPT if known else LOST)
+        left_s = driver.status.left_s if driver.status else None
+        if left_s:
+            state = Text("{state}; it runs on for {left_s:.0f} s", state=state, left_s=left_s)
         return self._outcome(
             FAILED if error else STOPPED,
-            Text("{why}. Now {state}", why=why, state=self._cannot_stop or (KEPT if known else LOST)),
+            Text("{why}. Now {state}", why=why, state=state),
             known and not self._cannot_stop,
             error,
         )

@@ -38,18 +38,18 @@ class ControllerPort:
         assert process.stdin and process.stdout
         self._process = process
         self._input, self._output = process.stdin, process.stdout
-        self._socket, self._carried = socket.socketpair()
-        self._socket.setblocking(False)
+        self._heard, self._carried = socket.socketpair()
+        self._heard.setblocking(False)
         threading.Thread(target=self._carry, name="controller", daemon=True).start()
 
     def fileno(self) -> int:
         """Return what `select` can wait on."""
-        return self._socket.fileno()
+        return self._heard.fileno()
 
     def read(self, most: int) -> bytes:
         """Return what has come, b"" where nothing has; raises OSError once the process has ended."""
         try:
-            data = self._socket.recv(most)
+            data = self._heard.recv(most)
         except BlockingIOError:
             return b""
         if not data:
@@ -76,7 +76,7 @@ class ControllerPort:
         except subprocess.TimeoutExpired:
             self._process.kill()
             self._process.wait()
-        self._socket.close()
+        self._heard.close()
         self._output.close()
 
     def _carry(self) -> None:

@@ -21,6 +21,7 @@ import time
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 from CNCStepper.control.transport.controller_link import LINE_BAUD, has_no_controller, open_controller
@@ -42,13 +43,15 @@ class Link:
     """An open port; reads wait at most their limit and end early when `wake` is called.
 
     `port` is a pyserial port, or anything with its read, write and close, opened with timeout 0. baud: the rate of
-    the line that the bytes take. woken: whether `wake` ended the last `read`. queue_bytes: how many bytes may wait
+    the line that the bytes take. woken: whether `wake` ended the last `read`. spares_board: whether this opening was
+    the first of its port, and has seen to it that no later one restarts the board. queue_bytes: how many bytes may wait
     before the line. filling_bytes: how many of them are written at a time.
     Every failure of the port is a LinkError with code "link-lost".
     """
 
     def __init__(self, port: Any, name: str, baud: int = BAUD, clock: Callable[[], float] = time.monotonic):
         self.name = name
+        self.spares_board = False
         self.woken = False
         self._is_lost = False
         self._port = port
@@ -180,7 +183,27 @@ def open_link(name: str, baud: int = BAUD, machine: str = "") -> Link:
     except (OSError, ValueError, TypeError, AttributeError) as error:  # a bad URL ends in any of these
         raise port_refusal(name, error) from error
     _send_at_once(port)
-    return Link(TelnetPort(port) if is_telnet else port, name, baud)
+    link = Link(TelnetPort(port) if is_telnet else port, name, baud)
+    link.spares_board = _keep_dtr(port)
+    return link
+
+
+Opener = Callable[[str, int], Link]
+
+
+def opener_of(machine: str) -> Opener:
+    """Return what opens the port of a profile's machine, by name or file; "" has a controller of its own."""
+    return partial(open_link, machine=machine) if machine else open_link
+
+
+def restart_text(link: Link) -> str:
+    """Return what to say of a controller that restarted when its port was opened."""
+    if getattr(link, "spares_board", False):
+        return Text(
+            "the controller restarted when its port was opened; it counts from where it stands. Until it is unplugged "
+            "no later opening restarts it"
+        )
+    return "the controller restarted when its port was opened; it counts from where it stands"
 
 
 def port_names() -> list[tuple[str, str]]:
@@ -217,6 +240,30 @@ def _send_at_once(port: Any) -> None:
         connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         if (connection.gettimeout() or 0.0) > WRITE_LIMIT_S:  # rfc2217 waits longer for a far end that takes nothing
             connection.settimeout(WRITE_LIMIT_S)
+
+
+def _keep_dtr(port: Any) -> bool:
+    """Let the closing of a serial port leave DTR as it is, so that the next opening makes no edge of it (HUPCL).
+
+    The edge restarts boards that have DTR wired to their reset. Return whether closing would have changed it; False
+    for what is no serial port of this system, or does not take it.
+    """
+    try:
+        import termios
+    except ImportError:  # Windows
+        return False
+    descriptor = _descriptor(port)
+    if descriptor is None:
+        return False
+    try:
+        attributes = termios.tcgetattr(descriptor)
+        if not attributes[2] & termios.HUPCL:
+            return False
+        attributes[2] &= ~termios.HUPCL
+        termios.tcsetattr(descriptor, termios.TCSANOW, attributes)
+    except (OSError, termios.error):  # a socket, or a pseudo-terminal that refuses it
+        return False
+    return True
 
 
 def port_refusal(name: str, error: Exception) -> CNCStepperError:

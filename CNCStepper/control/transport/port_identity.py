@@ -4,6 +4,7 @@
     /dev/ttyUSB0, /dev/serial/by-id/..., ./table -> ttyUSB0    resolved path; on USB the board and its serial number
     COM3, com3, \\\\.\\COM3                                      COM3
     socket://Localhost:2217/, telnet://[::1]:2217              resolved addresses and TCP port
+    /dev/parport0, record:./writes.csv                         resolved path, of a record with its scheme
 
 Boards of one kind without serial numbers look alike: they are told apart by the sockets that they are plugged into, and
 `may_be` says where one may have moved. Hosts of different names are one where all their addresses are the same; with
@@ -31,6 +32,7 @@ LOOK_UP_S = 1.0
 DEFAULT_PORTS = {"telnet": 23}
 NETWORK = ("socket", "telnet", "rfc2217")
 WRAPPERS = ("spy", "alt")  # pyserial's: a name within
+RECORD = "record:"  # a file that takes what would go to a port
 THIS_COMPUTER = "localhost"
 LINKS = ("/dev/serial/by-id", "/dev/serial/by-path")
 SHORTEST_SERIAL = 6  # "0001" and the like stand in whole series of adapters
@@ -128,6 +130,8 @@ def identify(name: str) -> PortIdentity:
     """Return what a port's name or URL means now; a name that means nothing stands for itself."""
     scheme, separator, rest = name.strip().partition("://")
     scheme = scheme.lower()
+    if name.strip().startswith(RECORD):
+        return PortIdentity(frozenset([RECORD + os.path.realpath(name.strip().removeprefix(RECORD))]))
     if not separator:
         return _device(name.strip())
     if scheme in WRAPPERS:

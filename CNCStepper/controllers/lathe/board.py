@@ -57,6 +57,7 @@ class LatheBoard:
         self._ring, self._lines = RxRing(FIRMWARE.receive_bytes), LineReader(FIRMWARE)
         self._line_in_hand: str | None = None
         self.time_s, self._checked_s = 0.0, 0.0
+        self._jog_said = ""  # of the last jog: a held one comes in many pieces
         self._was_refused = self._lost = False  # a record, until a reset; the port, for good
         self._output = bytearray()
         self._greet()
@@ -134,7 +135,7 @@ class LatheBoard:
             STATUS: self._report,
             HOLD: self._hold,
             DOOR: self._hold,
-            JOG_CANCEL: lambda: self.manual.stop(self.time_s),
+            JOG_CANCEL: self._cancel_jogs,
             START: self._go_on,
             RESET: self._reset,
         }
@@ -144,8 +145,15 @@ class LatheBoard:
         left_s = self.program.left_s(self.time_s)
         self._send(self._answers.status(self.state, self.places_mm, speed_mm_s * 60.0, self._ring.free, left_s))
 
-    def _hold(self) -> None:
+    def _cancel_jogs(self) -> None:
+        """End the jog under way; jogs that came behind it are answered, and not made."""
         self.manual.stop(self.time_s)
+        while (line := self._read_line()) is not None and line.startswith("$J"):
+            self._line_in_hand = None
+            self._send("ok")
+
+    def _hold(self) -> None:
+        self._cancel_jogs()
         if self.program.moving or self.program.waits:
             self.program.held = True
             self._say_what_is_left()
@@ -196,14 +204,23 @@ class LatheBoard:
 
     def _next_line(self) -> str | None:
         """Return the next line that can be taken now, None where there is none."""
-        if self._line_in_hand is None:
-            self._line_in_hand = self._lines.next_line(self._ring)
-        line = self._line_in_hand
-        is_jog = line is not None and line.startswith("$J")
-        if line is None or not (self.manual.has_room if is_jog else self.program.has_room or line.startswith("$")):
+        line = self._read_line()
+        if line is None or not self._has_room(line):
             return None
         self._line_in_hand = None
         return line
+
+    def _read_line(self) -> str | None:
+        """Return the line in hand, the next one of the buffer where there is none; None where that has none."""
+        if self._line_in_hand is None:
+            self._line_in_hand = self._lines.next_line(self._ring)
+        return self._line_in_hand
+
+    def _has_room(self, line: str) -> bool:
+        """Return whether there is room for what a line asks."""
+        if line.startswith("$J"):
+            return self.program.begun or self.manual.has_room(self.time_s)
+        return line.startswith("$") or self.program.has_room
 
     def _answer(self, line: str) -> None:
         try:
@@ -233,8 +250,9 @@ class LatheBoard:
         if self.state not in ("Idle", "Jog"):
             raise refused(NOT_IDLE)
         jog, said = jog_of(line, self._machine, self._answers.zero_mm, self.places_mm)
-        if said:
+        if said and said != self._jog_said:
             self._say(said)
+        self._jog_said = said
         if jog:
             self.manual.add(jog, self.time_s)
 

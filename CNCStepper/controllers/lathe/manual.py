@@ -24,7 +24,7 @@ from CNCStepper.controllers.lathe.outward_line import OutwardLine
 
 STOP = b"P"
 RAPIDS, FEEDS = (b"A", b"B", b"C", b"D"), (b"E", b"F", b"G", b"H")  # X-, X+, Z-, Z+
-MOST_WAITING = 15  # jogs
+JOG_AHEAD_S = 1.0  # what is still to go before one more jog is taken: nobody may be there any more to cancel it
 
 
 @dataclass(frozen=True)
@@ -65,10 +65,10 @@ class Manual:
         """Whether the lathe moves by hand, or is about to."""
         return self._jog is not None or bool(self._waiting)
 
-    @property
-    def has_room(self) -> bool:
-        """Whether one more jog may wait."""
-        return len(self._waiting) < MOST_WAITING
+    def has_room(self, now_s: float) -> bool:
+        """Return whether one more jog may wait."""
+        soon = self._jog is None or self._made is not None or self._release_s() - now_s < JOG_AHEAD_S
+        return soon and not self._waiting
 
     def add(self, jog: Jog, now_s: float) -> None:
         """Jog, behind those that wait; one that goes on in the same way makes the one before it longer."""

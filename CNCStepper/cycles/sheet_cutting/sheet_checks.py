@@ -59,7 +59,7 @@ def _rules(cycle: SheetModel, setup: Setup, kerf_mm: float, thickness_mm: float)
         cycle.small_holes_of(process),
         cycle.arcs,
         cycle.corners_of(process),
-        cycle.tabs,
+        cycle.tabs if process.passes else None,
         cycle.power_ramp,
     )
 
@@ -90,14 +90,23 @@ def _require_process(cycle: SheetModel, setup: Setup) -> None:
             advice=Text("use one of: {shapes}", shapes=", ".join(process.shapes)),
         )
     graded = process.name == "laser"
-    for key, given in (("marks", cycle.marks), ("power_ramp", cycle.power_ramp), ("dynamic_power", cycle.dynamic_power),
-                       ("tabs", cycle.tabs)):  # fmt: skip
+    for key, given in (
+        ("marks", cycle.marks),
+        ("power_ramp", cycle.power_ramp),
+        ("dynamic_power", cycle.dynamic_power),
+    ):
         if given and not graded and not (key == "marks" and process.power == "none"):
             raise CycleError(
                 "process-key",
                 Text("{key} needs a laser: {process} has one power and pierces anew", key=key, process=process.title),
                 advice=Text("leave {key} out", key=key),
             )
+    if cycle.tabs and process.entry != "pierce":
+        raise CycleError(
+            "process-key",
+            Text("{process} does not cut through the sheet: it needs no tabs", process=process.title),
+            advice=Text("leave {key} out", key="tabs"),
+        )
     if cycle.blade_offset_mm and process.name != "drag-knife":
         raise CycleError("process-key", "only a drag knife has a blade offset", advice="leave blade_offset_mm out")
     if process.power == "none" and not setup.has_z:

@@ -19,7 +19,7 @@ from CNCStepper.cycles.sheet_cutting.chains import Chain, narrow_warnings, neste
 from CNCStepper.cycles.sheet_cutting.chord_pieces import ChordPieces, points_of
 from CNCStepper.cycles.sheet_cutting.corner_loops import knife_way, loops_at, where_clear
 from CNCStepper.cycles.sheet_cutting.cut_precedence import precedence
-from CNCStepper.cycles.sheet_cutting.lead_places import Item, lead_ins, lead_outs
+from CNCStepper.cycles.sheet_cutting.lead_places import LEAST, Item, lead_ins, lead_outs
 from CNCStepper.cycles.sheet_cutting.lead_room import LeadRoom
 from CNCStepper.cycles.sheet_cutting.rapids import cut_order, rapid_ways
 from CNCStepper.cycles.sheet_cutting.sheet_checks import Measures, measures_of
@@ -27,6 +27,7 @@ from CNCStepper.cycles.sheet_cutting.sheet_model import SheetModel
 from CNCStepper.cycles.sheet_cutting.slow_places import slow_places
 from CNCStepper.cycles.sheet_cutting.strokes import Stroke, even, strokes
 from CNCStepper.cycles.sheet_cutting.torch_moves import Cut
+from CNCStepper.cycles.sheet_cutting.torch_tabs import tabbed_paths
 from CNCStepper.errors import Text
 from CNCStepper.geometry.curve import Curve, joined
 
@@ -91,7 +92,7 @@ class _Planner:
         self.side = 1 if cycle.good_side == "right" else -1
         self.warnings: list[str] = []
         self.parts: list[BaseGeometry] = []
-        self.crossing, self.rapids_mm, self.loops = 0, 0.0, 0
+        self.crossing, self.rapids_mm, self.loops, self.held = 0, 0.0, 0, 0
         kerf_mm = measures.kerf_mm
         closed = [index for index, chain in enumerate(chains) if not chain.is_open]
         self.outlines = ChordPieces([chains[index].curve for index in closed], closed)
@@ -119,9 +120,14 @@ class _Planner:
         """Return how much is cut, pierced and travelled."""
         cut_mm = sum(curve.length_mm for cut in cuts for curve in _powered(cut))
         figures = {"contours": float(len(cuts)), "pierces": float(len(cuts)), "cut_length_mm": cut_mm}
-        figures |= {"rapids_mm": self.rapids_mm, "parts": float(len(self.parts)), "kerf_mm": self.measures.kerf_mm}
+        figures |= {
+            "rapids_mm": self.rapids_mm,
+            "parts": float(len(self.parts) - self.held),
+            "kerf_mm": self.measures.kerf_mm,
+        }
         small = [item for item in self.items if self.measures.rules.is_small(item.chain)]
         figures |= {"small_holes": float(len(small)), "rapids_over_free_parts": float(self.crossing)}
+        figures |= {"held_parts": float(self.held)} if self.cycle.tabs else {}
         return figures | ({"loops": float(self.loops)} if self.cycle.loops else {})
 
     def _loop_corners(self) -> None:
@@ -160,6 +166,8 @@ class _Planner:
     def _begun(self, room: LeadRoom, lead_in: Lead) -> list[Cut]:
         """Return each cut from its lead-in on, in the order of the items."""
         closed = [number for number, item in enumerate(self.items) if item.path.closed]
+        tabbed = self._tabbed()
+        closed = [number for number in closed if number not in tabbed]
         begins: list[tuple[float, Curve | None]] = [(0.0, None)] * len(self.items)
         if lead_in.kind != "none" and closed:
             for number, begun in zip(closed, lead_ins(self.items, closed, lead_in, room, self.side), strict=True):
@@ -168,10 +176,44 @@ class _Planner:
         if self.cycle.lead_out.kind != "none" and closed:
             outs |= self._lead_outs(room, closed, [begins[number][0] for number in closed])
         paths = [self._way(item.path, place_mm) for item, (place_mm, _) in zip(self.items, begins, strict=True)]
+        if tabbed:
+            paths, begins, outs = self._with_tabs(tabbed, paths, begins, outs, room, lead_in)
         rules = self.measures.rules
         slow = slow_places(paths, rules.arcs, rules.corners, rules.kerf_mm, rules.side)
         return [self._cut(item.chain, strokes(paths[number], item.chain, slow[number], rules), begins[number][1],
                           outs[number]) for number, item in enumerate(self.items)]  # fmt: skip
+
+    def _tabbed(self) -> list[int]:
+        """Return the items that a torch cuts in several stretches; a laser goes over its joints without power."""
+        if self.cycle.tabs is None or self.setup.process.passes:
+            return []
+        return [number for number, item in enumerate(self.items) if item.chain.is_part]
+
+    def _with_tabs(
+        self,
+        tabbed: list[int],
+        paths: list[Curve],
+        begins: list[tuple[float, Curve | None]],
+        outs: dict[int, Curve | None],
+        room: LeadRoom,
+        lead_in: Lead,
+    ) -> tuple[list[Curve], list[tuple[float, Curve | None]], dict[int, Curve | None]]:
+        """Return paths and leads with the stretches of each tabbed item in its place, and make these the items."""
+        assert self.cycle.tabs is not None
+        least_mm = max(room.pierce_mm - room.kerf_mm / 2.0, LEAST * room.kerf_mm)
+        lengths_mm = (lead_in.radius_mm or lead_in.length_mm, least_mm)
+        runs: list[tuple[int, Curve, Curve | None, Curve | None]] = []
+        for number, path in enumerate(paths):
+            if number not in tabbed:
+                runs.append((number, path, begins[number][1], outs[number]))
+                continue
+            taken = [lead for _, lead in begins if lead is not None] + [lead for _, _, lead, _ in runs if lead]
+            stretches = tabbed_paths(self.items, number, self.cycle.tabs, lengths_mm, room, self.side, taken)
+            runs += [(number, stretch, lead, None) for stretch, lead in stretches]
+        self.items = [replace(self.items[number], path=path) for number, path, _, _ in runs]
+        self.part_of = self.part_of[[number for number, *_ in runs]]
+        leads: list[tuple[float, Curve | None]] = [(0.0, lead) for _, _, lead, _ in runs]
+        return [path for _, path, _, _ in runs], leads, dict(enumerate(out for *_, out in runs))
 
     def _lead_outs(self, room: LeadRoom, closed: list[int], places_mm: list[float]) -> dict[int, Curve | None]:
         overcut_mm = self.cycle.overcut_mm
@@ -215,8 +257,9 @@ class _Planner:
         pieces: list[shapely.Polygon | None] = [None] * len(cuts)
         inner = points_of([item.path for item in self.items], ROUGH_MM)
         for chain in sorted(last, key=last.__getitem__):
-            if self.chains[chain].is_part and not held:
+            if self.chains[chain].is_part:
                 self.parts.append(whole[chain])
+        self.held = len(self.parts) if held else 0
         for place, number in enumerate(numbers):
             if self.items[number].path.closed and not (held and self.items[number].chain.is_part):
                 pieces[place] = shapely.Polygon(inner[number])

@@ -138,6 +138,7 @@ class Dialect:
     dwell_unit_s: float = 1.0  # what one of that letter is after G4
     feed_unit_mm_min: float = 1.0  # what F1 is in a metric text; the front has turned it into mm/min already
     default_feed_mm_min: float = 0.0  # in force until an F comes
+    needs_own_feed: bool = False  # a program must name its feed: the default cannot reach the machine
     feed_is_setting: bool = False  # of the machine: a program needs no F for it
     has_z: bool = True
     power: str = "speed"  # "speed": M3 with S; "switch": M3 without S is on; "always": on from the program's begin

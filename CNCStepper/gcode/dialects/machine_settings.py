@@ -67,6 +67,14 @@ def _outputs(dialect: Dialect, value: str) -> Dialect:
     return replace(dialect, codes={**dialect.codes, **rs274_codes(" ".join(OUTPUT_CODES))})
 
 
+def as_sent(dialect: Dialect) -> Dialect:
+    """Return the dialect as a program is read that a machine is to run: a feed that is only set must reach it.
+
+    A controller that reads the file itself is sent nothing else, and would take the feed of an earlier program.
+    """
+    return replace(dialect, needs_own_feed=dialect.reads_files and dialect.default_feed_mm_min > 0.0)
+
+
 _VALUES: dict[str, tuple[tuple[str, ...], Callable[[Dialect, str], Dialect]]] = {
     "z": (("none",), _z),
     "spindle": (("switch", "none", "always"), _spindle),

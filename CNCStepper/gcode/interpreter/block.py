@@ -205,15 +205,23 @@ def check_feed(model: Model, motion: int, plan: Plan | None = None, values: Sequ
     """Refuse a feed move while no feed is set, or in inverse time without its own F."""
     name, mode = MOTION_NAMES[motion], model.state.feed_mode
     if mode == "per_minute" and model.state.feed_mm_min <= 0:
-        raise ProgramError(
-            "no-feed", Text("{name} has no feed", name=name), value=name, advice="write an F word above 0 before"
-        )
+        raise ProgramError("no-feed", Text("{name} has no feed", name=name), value=name, advice=_feed_advice(model))
     if mode == "per_turn" and (model.state.feed_mm_turn <= 0 or model.state.spindle_rpm <= 0):
         what = Text("{name} has no feed: a feed per turn needs F and a spindle that turns", name=name)
         raise ProgramError("no-feed", what, value=name, advice="write F and S above 0 before")
     if mode == "inverse_time" and plan and not ("F" in plan.slots and values[plan.slots["F"]] > 0):
         what = Text("in inverse time every {name} needs its own F above 0", name=name)
         raise ProgramError("no-feed", what, value=name, advice="add F, or write G94 before")
+
+
+def _feed_advice(model: Model) -> str:
+    """Return what to do where no feed is set: a controller that reads files is sent nothing that is not in them."""
+    if not model.feed_of_file_mm_min:
+        return "write an F word above 0 before"
+    return Text(
+        "write F{feed:.6g} into the file: its controller reads it itself, and would take an earlier feed",
+        feed=model.feed_of_file_mm_min / model.scale,
+    )
 
 
 def _way_length(begin: tuple[float, ...], end: tuple[float, ...], arc: Arc | None) -> float:

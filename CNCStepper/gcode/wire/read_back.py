@@ -10,7 +10,8 @@ from itertools import repeat
 import numpy as np
 
 from CNCStepper.errors import Place, ProgramError
-from CNCStepper.gcode.dialects import Dialect
+from CNCStepper.gcode.dialects import Dialect, dialect_named
+from CNCStepper.gcode.dialects.machine_settings import as_sent
 from CNCStepper.gcode.interpreter.flow.program_flow import refusals, run_whole
 from CNCStepper.gcode.interpreter.flow.subprogram_files import library_of
 from CNCStepper.gcode.interpreter.interpret import interpret
@@ -39,6 +40,7 @@ def read_back(
     progress: called with the share of the lines that is reached, from 0 to 1. Raises ProgramError naming line and
     column in the file.
     """
+    dialect_name = as_sent(dialect_named(dialect_name))
     reader = Interpreter(start, dialect_name, file)
     library = library_of(file, start)
     try:
@@ -140,6 +142,7 @@ def refused_lines(
     A refused line changes nothing, so reading goes on after it, up to the first that leads elsewhere; what only fails
     in the wire text comes last.
     """
+    dialect_name = as_sent(dialect_named(dialect_name))
     reader = Interpreter(start, dialect_name, file)
     count = 0
     for error in refusals(reader, text, library_of(file, start)):

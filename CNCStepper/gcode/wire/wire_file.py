@@ -29,6 +29,7 @@ import numpy as np
 
 from CNCStepper.errors import Place, ProgramError
 from CNCStepper.gcode.dialects import Dialect, dialect_named
+from CNCStepper.gcode.dialects.machine_settings import as_sent
 from CNCStepper.gcode.interpreter.flow.o_words import is_plain
 from CNCStepper.gcode.interpreter.program_file import FileReading, LineStore, byte_pieces, encoding_of, text_pieces
 from CNCStepper.gcode.syntax.text_format import BOM
@@ -74,7 +75,7 @@ class WireFile:
     ):
         self._path, self._sink, self._progress = path, sink, progress
         self._name = name or str(path)
-        self._language = dialect_named(dialect)
+        self._language = as_sent(dialect_named(dialect))
         self._reading = _Reading(path, start, self._language, name=name)
         self._encoder = WireEncoder(self._language, self._name)
         self._take_up = BacklashCompensation(play, self._language, start, self._name) if play else None

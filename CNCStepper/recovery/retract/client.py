@@ -20,7 +20,7 @@ from pathlib import Path
 from typing import Any
 
 from CNCStepper.control.protocol.grbl.firmware import TOOL
-from CNCStepper.control.service.connection_session import ConnectionSession
+from CNCStepper.control.service.connection_session import ConnectionSession, attach
 from CNCStepper.control.session.client import SessionClient
 from CNCStepper.control.session.job_phase import LEG_BEGINS
 from CNCStepper.control.session.status import SenderStatus
@@ -112,14 +112,14 @@ class ButtonClient(threading.Thread):
     def run(self) -> None:
         """Look at what is wanted, and do it."""
         try:
-            with SessionClient.attach(self._file) as client:
+            with attach(self._file) as client:
                 while client.outcome is None:
                     self._look(client)
                     time.sleep(BUTTONS_EVERY_S)
         except LinkError as error:
             self._tell(Text("the machine's buttons lead nothing back any more: {error}", error=error))
 
-    def _look(self, client: SessionClient) -> None:
+    def _look(self, client: SessionClient | ConnectionSession) -> None:
         try:
             lead(client, client.status())
         except LinkError:
@@ -129,7 +129,7 @@ class ButtonClient(threading.Thread):
                 self._tell(str(error))
 
 
-def lead(client: SessionClient, status: SenderStatus) -> None:
+def lead(client: SessionClient | ConnectionSession, status: SenderStatus) -> None:
     """Begin the way that a status wants; raises what the proof or the session refuses."""
     if status.phase not in LEG_BEGINS or (status.wanted_back_mm is None and not status.wanted_rest):
         return
@@ -142,7 +142,7 @@ AT_REST = ("Idle", TOOL)
 BEGUN_S = 0.5  # within which a jog shows in the status
 
 
-def step_aside(client: SessionClient) -> None:
+def step_aside(client: SessionClient | ConnectionSession) -> None:
     """Make a held machine idle, where it is not; raises MachineRefusal for one that moves, JobError, ProgramError."""
     status = client.status()
     if status.phase not in LEG_BEGINS:
@@ -154,7 +154,7 @@ def step_aside(client: SessionClient) -> None:
         back.wait_for_leg()
 
 
-def jog(client: SessionClient, way: dict[str, float]) -> SenderStatus:
+def jog(client: SessionClient | ConnectionSession, way: dict[str, float]) -> SenderStatus:
     """Jog a machine that is idle, or waits for a new tool, and return its status then; raises what is refused.
 
     way: x_mm, y_mm, z_mm and feed_mm_min.
@@ -170,7 +170,7 @@ def jog(client: SessionClient, way: dict[str, float]) -> SenderStatus:
     return client.status()
 
 
-def set_zero(client: SessionClient, axes: str) -> SenderStatus:
+def set_zero(client: SessionClient | ConnectionSession, axes: str) -> SenderStatus:
     """Set the zero of axes at a machine paused between two lines; raises refusals."""
     client.status()  # past the events of before
     client.ask("set_zero", axes=axes)

@@ -7,7 +7,8 @@
                      |-up |     |       |
 
 A pulse counts once it has been long enough. It is lost where set-up, width or gap is certainly too short, and where the
-drives are switched off. "Certainly": by the earliest and latest times at which the edges can have come.
+drives are switched off. "Certainly": by the earliest and latest times at which the edges can have come. Before the
+first write both registers are 0, as when a computer is switched on.
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ import numpy as np
 from CNCStepper.kernels import njit
 from CNCStepper.machine.wiring import Signals
 from CNCStepper.virtual.motors.arrivals import NOTHING, Records
+from CNCStepper.virtual.parport.pins import pin_levels
 
 GOOD, SHORT_PULSE, SHORT_GAP, SHORT_SETUP, DRIVES_OFF = range(5)
 VERDICTS = {
@@ -74,7 +76,7 @@ class Drives:
         count = len(self.wiring.motors)
         self._memory = np.zeros((count, 3), np.int64)
         self._times = np.full((count, 4), -math.inf)
-        self._levels = np.full(1, -1, np.int64)  # of the pins, before
+        self._levels = pin_levels(*np.zeros((2, 1), np.uint8)).astype(np.int64)  # of the pins, before
         self.take(np.empty(0, np.uint32), NOTHING)  # compiles the kernel before a client comes
 
     def take(self, levels: np.ndarray, records: Records) -> Pulses:
@@ -112,8 +114,6 @@ def read_edges(
     last = before[0]
     for row in range(len(levels)):
         level = levels[row]
-        if last < 0:  # how the pins stand when the cable is plugged in is no edge
-            last = level
         changed = level ^ last
         last = level
         if changed == 0:

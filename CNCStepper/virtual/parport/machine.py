@@ -51,7 +51,7 @@ class Parport:
         self._drives, self._wrong = Drives(signals), PinFaults()
         self._arrivals = Arrivals(WRITE_BYTES)
         self._relays = dict.fromkeys((name for name in self._pins if _is_relay(name)), False)
-        self._levels = 0
+        self._levels = int(pin_levels(*np.zeros((2, 1), np.uint8))[0])
         self._carried_s = carried_s
         self._dead_until_s: dict[int, float] = {}  # motors that stall or have no supply
         self._output, self._path, self._notes = bytearray(), list[np.ndarray](), list[tuple[float, str]]()
@@ -205,13 +205,11 @@ class Parport:
 
     def _lose(self, pulses: Pulses, good: np.ndarray) -> None:
         """Count and note the pulses that are not good."""
-        found: Counter[tuple[str, str]] = Counter()
         for row in np.flatnonzero(~good):
-            reason = VERDICTS.get(int(pulses.verdict[row]), "the motor does not turn")
-            found[self._names[pulses.motor[row]], reason] += 1
-        at_s = float(pulses.at_s[~good][0])
-        self._notes += [(at_s, f"motor {motor} lost {count} pulses: {why}") for (motor, why), count in found.items()]
-        self.lost += found
+            name, verdict = self._names[pulses.motor[row]], int(pulses.verdict[row])
+            reason = VERDICTS.get(verdict, "the motor does not turn")
+            self.lost[name, reason] += 1
+            self._notes.append((float(pulses.at_s[row]), f"motor {name} loses a pulse: {reason}"))
 
 
 def _is_relay(signal: str) -> bool:

@@ -2,8 +2,8 @@
 """The virtual grbl as a program: a board, its serial line and its clock behind a port.
 
 The board is powered up when the first client comes, so that the client reads the greeting. Later
-clients find it as the last one left it: opening the port does not reset it (a real board does, where
-the serial adapter's DTR line is wired to its reset).
+clients find it as the last one left it: opening the port does not reset it, unless `restarts` asks for
+what a real board does where the serial adapter's DTR line is wired to its reset.
 
 Simulated time runs `speed` times as fast as the clock on the wall, in small steps with a look at the
 port between them. A server that was kept waiting by the system does not make up for the time lost,
@@ -41,7 +41,7 @@ NOBODY_CAME_S = 30.0  # after which a server that serves until it is left ends
 class Server:
     """Runs a board behind a port until `stop` is called or, with `until_left`, its client has left or none came.
 
-    each_step: called between two steps of the board.
+    each_step: called between two steps of the board. reopened: called when a later client opens the port.
     """
 
     def __init__(
@@ -52,6 +52,7 @@ class Server:
         trace: Trace | None = None,
         until_left: bool = False,
         each_step: Callable[[], None] = lambda: None,
+        reopened: Callable[[], None] = lambda: None,
     ):
         self._link = link
         self._port = port
@@ -59,6 +60,8 @@ class Server:
         self._trace = trace
         self._until_left = until_left
         self._each_step = each_step
+        self._reopened = reopened
+        self._is_open = True  # once the first client has come
         self._stopping = False
         self._step_s = min(max(STEP_S * speed, SHORTEST_STEP_S), LONGEST_STEP_S)
 
@@ -76,10 +79,17 @@ class Server:
             due_s += min(now - last, LONGEST_LAG_S) * self._speed
             last = now
             due_s = self._advance(due_s)
+            self._look_who_is_there()
             if isinstance(self._link, FaultyLink) and self._link.take_cut():
                 self._port.hang_up()
             if self._trace and self._link.quiet:
                 self._trace.flush()
+
+    def _look_who_is_there(self) -> None:
+        connected = self._port.connected
+        if connected and not self._is_open:
+            self._reopened()
+        self._is_open = connected
 
     @property
     def _was_left(self) -> bool:
@@ -125,6 +135,7 @@ def serve(
     homing: bool = False,
     probe_height_mm: float | None = None,
     until_left: bool = False,
+    restarts: bool = False,
     firmware: Firmware = GRBL,
     ready: Callable[[str], None] | None = None,
     faults: FaultPlan | None = None,
@@ -133,7 +144,8 @@ def serve(
 ) -> None:
     """Be a board on `machine` until SIGTERM or SIGINT comes.
 
-    With `until_left` it also ends when its client has left, or none has come within 30 s.
+    With `until_left` it also ends when its client has left, or none has come within 30 s; with `restarts` the board
+    powers up anew at each opening of its port.
 
     pty: path that becomes a link to a pseudo-terminal. tcp: "HOST:PORT", port 0 for any that is free.
     speed: simulated seconds in a real one. baud: of the serial line, in simulated time. trace: CSV file
@@ -156,7 +168,7 @@ def serve(
         stack.callback(port.close)
         line = Link(board, baud)
         link = FaultyLink(line, faults, outside=kill_sender, told=told) if faults else line
-        server = Server(link, port, speed, record, until_left, each_step)
+        server = Server(link, port, speed, record, until_left, each_step, board.power_up if restarts else _nothing)
         stack.enter_context(stopped_by_signals(server.stop))
         if ready:
             ready(port.address)

@@ -43,11 +43,10 @@ class StepTrace:
                 self._rests = False
 
     def rest(self, time_s: float, places: tuple[float, ...]) -> None:
-        """Write where the axes rest, once, and put all on disk."""
+        """Write where the axes rest, once."""
         if not self._rests:
             self._write(max(time_s, self._last_s), places)
             self._rests = True
-        self._file.flush()
 
     def flush(self) -> None:
         """Put on disk what has been noted so far."""

@@ -21,6 +21,34 @@ from CNCStepper.virtual.server.twin_faults import FaultyTwin, Twin
 WORK_S = 0.005  # of real time, between two looks at what has come
 NOBODY_CAME_S = 30.0  # after which a server that serves until it is left ends
 FLUSH_S = 0.2
+SAME_NOTE_S = 1.0  # of real time: the same note within it is counted and not told again
+Tell = Callable[[float, str], None]
+
+
+class Notes:
+    """Tells each note once, and then once a second how often it came again: a reader that waits is not flooded."""
+
+    def __init__(self, tell: Tell):
+        self._tell = tell
+        self._told: dict[str, tuple[float, int]] = {}  # when, on the wall's clock, and how often since
+
+    def note(self, time_s: float, text: str) -> None:
+        """Take a note of a machine's time."""
+        if text in self._told:
+            told_s, count = self._told[text]
+            self._told[text] = told_s, count + 1
+        else:
+            self._tell(time_s, text)
+            self._told[text] = time.monotonic(), 0
+
+    def sum_up(self, time_s: float, ends: bool = False) -> None:
+        """Tell how often the notes of a second ago came again; all of them where it ends."""
+        now_s = time.monotonic()
+        for text, (told_s, count) in list(self._told.items()):
+            if ends or now_s - told_s > SAME_NOTE_S:
+                del self._told[text]
+                if count:
+                    self._tell(time_s, f"{text} ({count} times more)")
 
 
 class TwinServer:
@@ -38,7 +66,7 @@ class TwinServer:
         trace: StepTrace | None = None,
         record: ByteRecord | None = None,
         until_left: bool = False,
-        note: Callable[[float, str], None] = lambda time_s, text: None,
+        note: Tell = lambda time_s, text: None,
         each_step: Callable[[], None] = lambda: None,
     ):
         self._twin = twin
@@ -46,8 +74,8 @@ class TwinServer:
         self._speed = speed
         self._trace, self._record = trace, record
         self._until_left = until_left
-        self._note, self._each_step = note, each_step
-        self._stopping = self._had_client = self._was_connected = False
+        self._notes, self._each_step = Notes(note), each_step
+        self._stopping = self._ends = self._had_client = self._was_connected = False
         self._begin_s = time.monotonic()
         self._since_s = self._flushed_s = 0.0
 
@@ -63,6 +91,7 @@ class TwinServer:
             self._advance()
             if self._until_left and self._was_left(nobody_s):
                 break
+        self._ends = True
         self._twin.advance(self._now_s())
         self._write_out()
 
@@ -133,16 +162,16 @@ class TwinServer:
         if self._trace:
             self._trace.note(path)
         for time_s, text in self._twin.take_notes():
-            self._note(time_s, text)
-        now = time.monotonic()
-        if self._trace and self._twin.quiet:
+            self._notes.note(time_s, text)
+        self._notes.sum_up(self._twin.time_s, ends=self._ends)
+        rests, now = self._twin.quiet, time.monotonic()
+        if self._trace and rests:
             self._trace.rest(self._twin.time_s, self._twin.places_mm)
-        if self._stopping or now - self._flushed_s > FLUSH_S:
+        if rests or self._ends or now - self._flushed_s > FLUSH_S:
             self._flushed_s = now
-            if self._trace:
-                self._trace.flush()
-            if self._record:
-                self._record.flush()
+            for file in (self._record, self._trace):
+                if file:
+                    file.flush()
 
 
 def serve_twin(
@@ -155,7 +184,7 @@ def serve_twin(
     record: str | Path | None = None,
     until_left: bool = False,
     ready: Callable[[str], None] = lambda address: None,
-    note: Callable[[float, str], None] = lambda time_s, text: None,
+    note: Tell = lambda time_s, text: None,
     each_step: Callable[[], None] = lambda: None,
 ) -> None:
     """Be a machine behind a port until SIGTERM or SIGINT comes.

@@ -12,6 +12,8 @@ from typing import Any
 from CNCStepper.control.service.connection_client import ConnectionClient
 from CNCStepper.control.service.work_zero import start_of
 from CNCStepper.errors import CNCStepperError
+from CNCStepper.machine.controller_family import OWN, family_of
+from CNCStepper.machine.profile import load_machine
 from CNCStepper.state import Start
 from CNCStepper.workbench.dock.model.controller_state import ControllerSnapshot, sentences
 from CNCStepper.workbench.dock.model.port_choices import VIRTUAL
@@ -35,14 +37,19 @@ class Link:
 
     # --- coming and going ------------------------------------------------------------------------
 
-    def open(self, port: str, baud: int, speed: float = 1.0) -> None:
-        """Begin to connect to a port; `speed` is that of the virtual grbl, which is started first."""
+    def open(self, port: str, baud: int, speed: float = 1.0, profile: str = "") -> None:
+        """Begin to connect to a port; `speed` is that of the virtual grbl, which is started first.
+
+        profile: of the machine there; it counts where this computer itself is the controller. Raises JobError where it
+        cannot be read.
+        """
         self._forget()
         self.port, self._baud = port, baud
         if port == VIRTUAL:
             self._virtual = VirtualMachine(speed)
         else:
-            self.client = ConnectionClient.launch(port, baud)
+            is_own = bool(profile) and family_of(load_machine(profile)) in OWN
+            self.client = ConnectionClient.launch(port, baud, machine=profile if is_own else "")
 
     def attach(self, session_file: Path) -> None:
         """Take up a controller's process that runs already."""
@@ -123,6 +130,7 @@ class Link:
             job=status.total > 0,
             homing=status.homing,
             position_known=status.position_known,
+            cannot=status.cannot,
         )
 
     def _await_virtual(self, virtual: VirtualMachine) -> None:

@@ -14,6 +14,7 @@ from CNCStepper.workbench.dock.connection import Link, error_text
 from CNCStepper.workbench.dock.job_sending import FileSending, Sending
 from CNCStepper.workbench.dock.model import settings
 from CNCStepper.workbench.dock.model.controller_state import RULES, face, why_not
+from CNCStepper.workbench.dock.model.relay_keys import sound_between
 from CNCStepper.workbench.dock.model.send_steps import why_not_confirm
 from CNCStepper.workbench.dock.restart_offer import RestartOffer
 from CNCStepper.workbench.dock.retract_client import COMMANDS, RetractRun
@@ -24,13 +25,15 @@ from CNCStepper.workbench.dock.views.hold_and_progress_view import JobView, Paus
 from CNCStepper.workbench.dock.views.jog_view import JogView
 from CNCStepper.workbench.dock.views.keyboard import KeyboardArea
 from CNCStepper.workbench.dock.views.override_view import OverrideView
+from CNCStepper.workbench.dock.views.relay_view import RelayView
 from CNCStepper.workbench.dock.views.retract_view import RetractView
 from CNCStepper.workbench.dock.views.send_steps_view import FlowView
 from CNCStepper.workbench.dock.views.state_view import PositionView, StateView
 from CNCStepper.workbench.proving.latest_proof import Sender
-from CNCStepper.workbench.services import messages
+from CNCStepper.workbench.services import messages, sounds
 from CNCStepper.workbench.services.findings_list import FindingsList
 from CNCStepper.workbench.services.message_translation import translated
+from CNCStepper.workbench.services.sounds import BEYOND, END
 from CNCStepper.workbench.services.translation import tr
 
 POLL_MS = 50
@@ -51,7 +54,7 @@ class Panel(KeyboardArea):
         self.link, self.log = link, LogView()
         lengths, point = settings.lengths(), settings.decimal_point()
         self.findings = widgets.named(FindingsList(), "Findings")
-        self.sending = Sending(self, self.link, self.findings.show, self.connect_chosen, self.refresh)
+        self.sending = Sending(self, self.link, self._show_findings, self.connect_chosen, self.refresh)
         self.connection = ConnectionView(self.connect_chosen, self._leave, self._ports)
         self.state = StateView()
         self.flow = FlowView(self.findings, self.sending.confirm_step, self.sending.away)
@@ -62,6 +65,14 @@ class Panel(KeyboardArea):
         self.halt, self.job = PauseView(self.backing.command), JobView()
         self.jog = JogView(lengths, point, self.link.command)
         self.overrides = OverrideView(lambda kind, step: self.link.command("override", kind, step))
+        self.relays = RelayView(lambda line: self.link.command("type", line))
+        self.relays.show_machine(self.connection.profile)
+        self.connection.machine.activated.connect(messages.guarded(self._machine_chosen))
+        self.sounds = widgets.named(QtGui.QCheckBox(tr("Sounds")), "Sounds")
+        self.sounds.setToolTip(tr("A short sound at an alarm, an end, a pause, and for a part beyond the work surface"))
+        self.sounds.setChecked(settings.sounds_on())
+        self.sounds.clicked.connect(messages.guarded(lambda: settings.switch_sounds(self.sounds.isChecked())))
+        self._before = self.link.moment
         self.home = widgets.button("Home", tr("Home"), lambda: self.link.command("home"), icon="Home")
         self.unlock = widgets.button("Unlock", tr("Unlock"), lambda: self.link.command("unlock"), icon="Unlock")
         self.console = ConsoleView(lambda line: self.link.command("type", line))
@@ -95,8 +106,9 @@ class Panel(KeyboardArea):
         """Begin to connect to the port that is chosen, and remember it."""
         port, baud = self.connection.port, self.connection.baud_rate
         settings.remember_port(port, baud)
+        self.relays.show_machine(self.connection.profile)
         try:
-            self.link.open(port, baud, self.connection.times_faster)
+            self.link.open(port, baud, self.connection.times_faster, self.connection.profile)
         except CNCStepperError as error:
             messages.error(error)
         self.refresh()
@@ -107,7 +119,7 @@ class Panel(KeyboardArea):
         shown = face(moment)
         self.state.show_face(shown, tr(shown.sentence))
         views: tuple[Any, ...] = (self.connection, self.file_sending, self.recovery.view, self.position)
-        for view in (*views, self.halt, self.jog, self.overrides, self.console):
+        for view in (*views, self.halt, self.jog, self.overrides, self.relays, self.console):
             view.lock(moment)
         for name, button in (("home", self.home), ("unlock", self.unlock)):
             widgets.lock(button, why_not(name, moment), RULES[name].does)
@@ -121,16 +133,26 @@ class Panel(KeyboardArea):
         events = self.link.poll()
         for event in events:
             self._on_message(event)
+            self.relays.take(event)
+            if event["event"] == "outcome" and not event.get("past"):
+                self._sound(END)
             self.sending.take(event)
         self.sending.advance()
         self.backing.advance()
         self.recovery.advance()
         mark = (self.link.moment, self.sending.flow.step)
+        self._sound(sound_between(self._before, mark[0]))
+        self._before = mark[0]
         if events or mark != self._mark:
             if mark[1] != self._mark[1]:  # a new step must be seen
                 self.area.verticalScrollBar().setValue(0)
             self._mark = mark
             self.refresh()
+
+    def _show_findings(self, findings: Any) -> None:
+        self.findings.show(findings)
+        if any(finding.code == "travel" for finding in findings):
+            self._sound(BEYOND)
 
     def _on_message(self, event: dict[str, Any]) -> None:
         """Let the console say what belongs to a typed line, and the log what concerns all."""
@@ -143,11 +165,21 @@ class Panel(KeyboardArea):
 
     def _show_status(self, status: Any, job_runs: bool) -> None:
         self.position.show_status(status)
+        self.relays.show_outputs(status and status.outputs)
         self.overrides.show_overrides(overrides_of(status), status and status.outputs)
         if status is not None and job_runs:
             self.job.show_job(Path(status.file).name, status, self.sending.program_lines)
         elif not job_runs:
             self.job.hide()
+
+    def _machine_chosen(self) -> None:
+        settings.remember_machine(self.connection.profile)
+        self.relays.show_machine(self.connection.profile)
+        self.refresh()
+
+    def _sound(self, name: str) -> None:
+        if name and settings.sounds_on():
+            sounds.play(name)
 
     def _leave(self) -> None:
         self.link.leave()
@@ -172,7 +204,8 @@ class Panel(KeyboardArea):
             [self.flow, self.job, self.back, self.file_sending.button, self.recovery.view, self.position],
             [widgets.caption(tr("Jog")), self.jog, widgets.row(self.home, self.unlock)],
             [widgets.caption(tr("Overrides")), self.overrides],
-            [widgets.caption(tr("Messages")), self.log],
+            [widgets.caption(tr("Relays")), self.relays],
+            [widgets.row(widgets.caption(tr("Messages")), self.sounds), self.log],
             [widgets.caption(tr("Console")), self.console],
         )
         for number, section in enumerate(sections):

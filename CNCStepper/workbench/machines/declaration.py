@@ -14,8 +14,9 @@ from pydantic.fields import FieldInfo
 from CNCStepper.machine.profile import AXIS_NAMES, Machine
 from CNCStepper.quantities import Bounds
 
-NUMBER, WHOLE, TEXT, CHECK, CHOICE = "number", "whole", "text", "check", "choice"
+NUMBER, WHOLE, EITHER, TEXT, CHECK, CHOICE = "number", "whole", "either", "text", "check", "choice"
 SET, WORDS, NUMBERS, POINTS = "set", "words", "numbers", "points"  # several choices; words in order; lists
+# EITHER is a whole number or a word
 Path = tuple[str, ...]
 PINS: Path = ("signals", "pins")
 
@@ -81,7 +82,9 @@ def _row(path: Path, field: FieldInfo) -> Row:
 
 def _kind(kinds: set[Any], most: int) -> tuple[str, tuple[str, ...]]:
     """Return the kind of values of some types; most: how long a list may be."""
-    one = next(iter(kinds)) if len(kinds) == 1 else str
+    if len(kinds) > 1:
+        return (EITHER if int in kinds else TEXT), ()
+    one = next(iter(kinds))
     if get_origin(one) is Literal:
         return CHOICE, tuple(map(str, get_args(one)))
     if get_origin(one) in (tuple, list):

@@ -20,6 +20,7 @@ from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.wiring import STANDARD_PINS, Signals
 from CNCStepper.workbench.machines.declaration import (
     CHECK,
+    EITHER,
     NUMBER,
     NUMBERS,
     PINS,
@@ -161,6 +162,8 @@ class Draft:
             if place[:length] in known:
                 return place[:length]
         words = message_of(problem)
+        if listed := [key for key in self.lists if words.startswith(f"{key}:")]:
+            return (listed[0],)
         named = [path for path in known if path[: len(place)] == place and path[-1] in words]
         first = min(named, key=lambda path: (words.index(path[-1]), path), default=())
         return first or min((path for path in known if place and path[: len(place)] == place), default=())
@@ -201,7 +204,7 @@ def value_of(text: str, row: Row) -> Any:
         return _number(text)
     if row.kind == WHOLE:
         return _whole(text)
-    return int(text) if row.path == ("pin",) and text.isdecimal() else text  # an input's: a letter or a number
+    return int(text) if row.kind == EITHER and text.isdecimal() else text
 
 
 def _number(text: str) -> float | int:

@@ -52,6 +52,7 @@ LABELS = {  # by key, or by table and key where the same key is two things
     "encoder_gear_ratio": later("Encoder's gear"),
     "min_rpm": later("Lowest speed"),
     "max_rpm": later("Highest spindle speed"),
+    "preset_rpm": later("Preset speeds"),
     "spin_up_s": later("Spin-up time"),
     "spindle.laser": later("Laser (M4 with power)"),
     "coolant": later("Coolant"),
@@ -60,6 +61,11 @@ LABELS = {  # by key, or by table and key where the same key is two things
     "direction_setup_us": later("Direction before step"),
     "enable_lead_us": later("Enable before step"),
     "motors": later("Motors"),
+    "interval_ms": later("Interval of pulses"),
+    "null_motor": later("Motor of a null pulse"),
+    "ahead_s": later("Sent ahead at most"),
+    "ahead_bytes": later("Bytes ahead at most"),
+    "slower": later("Slower than published"),
     "base": later("Port's address"),
     "pin": later("Pin"),
     "act": later("Does"),
@@ -72,6 +78,9 @@ LABELS = {  # by key, or by table and key where the same key is two things
     "device": later("Device"),
 }
 HINTS = {
+    "preset_rpm": later("The speeds that a gear or a switch has, rising; none where any speed can be set"),
+    "null_motor": later("Of a board that takes bytes: 0 to 3, or unused for a motor without an axis"),
+    "slower": later("By which share the lathe may be slower than its published step times"),
     "controller": later("Its language and its link: grbl, grblhal, fluidnc, linuxcnc, thesis-a …"),
     "feed_mm_min": later("What a program without F takes, and the cutting speed of a language without F"),
     "rapid_mm_min": later("The speed of rapids, where the language leaves it to the machine"),
@@ -91,6 +100,9 @@ CHOICES = {
     "tool_length.touch_off": later("zero set with each tool"),
     "tool_length.table": later("offsets from a table"),
     "tool_length.none": later("all stand out equally"),
+    "interpolation.planner": later("our planner"),
+    "interpolation.dda": later("digital differential analyser"),
+    "interpolation.published": later("as the thesis published it"),
     "ramp.trapezoid": later("constant acceleration"),
     "ramp.s_curve": later("S-curve"),
     "ramp.table": later("table of step times"),
@@ -106,6 +118,8 @@ CHOICES = {
     "act.flood": later("flood on/off"),
     "act.mist": later("mist on/off"),
     "act.spindle_stop": later("spindle stop"),
+    "act.limit": later("limit switch"),
+    "act.door": later("safety door"),
     "act.switch": later("switch by lines"),
     "level.high": later("on when pressed"),
     "level.low": later("off when pressed"),
@@ -124,10 +138,10 @@ SIGNAL_PARTS = {
     "enable": later("drives enabled"),
 }
 GROUPS = {
-    "axis": later("Axes"),
     "drive": later("Drive (steps per mm follow from it)"),
     "motor": later("Motor (its torque is checked)"),
     "waits": later("Step times"),
+    "link": later("The mini-lathe's link"),
 }
 
 

@@ -16,13 +16,14 @@ from PySide import QtCore, QtGui
 from CNCStepper.control.operator import machine_test_lines as lines
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.machine.axis_tests import axis_of, length_of_pulses_mm
+from CNCStepper.machine.controller_family import family_of
 from CNCStepper.machine.profile import AXIS_NAMES, Machine
 from CNCStepper.machine.relays import relays_of
-from CNCStepper.machine.wiring import INPUT_PINS
 from CNCStepper.workbench.machines.bench import Bench
 from CNCStepper.workbench.machines.declaration import Path
 from CNCStepper.workbench.machines.labels import choice_label
 from CNCStepper.workbench.machines.measured import Play, Travel, squareness_words
+from CNCStepper.workbench.machines.port_picture import PortPicture, levels_of, pins_of
 from CNCStepper.workbench.panels.fields import ERROR_COLOUR, note_label
 from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.services.messages import guarded
@@ -64,6 +65,8 @@ class MachineTest(QtGui.QWidget):
         grid.addWidget(self.picture, 2, 1)
         for place in range(2):
             grid.setColumnStretch(place, 1)
+        self.port = PortPicture()
+        column.addWidget(self.port, 0, QtCore.Qt.AlignmentFlag.AlignHCenter)
         column.addStretch(1)
         self.bench.changed.connect(guarded(self.refresh))
 
@@ -92,6 +95,9 @@ class MachineTest(QtGui.QWidget):
             button.clicked.connect(guarded(partial(self._switch, relay, button)))
             self._relay_row.addWidget(button, place // 2, place % 2)
             self._relays[relay.name] = button
+        self.port.setVisible(family_of(machine) == "parport")
+        if machine:
+            self.port.show_pins(*pins_of(machine))
         self.refresh()
 
     def refresh(self) -> None:
@@ -112,16 +118,10 @@ class MachineTest(QtGui.QWidget):
             on = lines.is_on(relay.device, status.outputs if status else None)
             if on is not None and relay.name in self._relays:
                 self._relays[relay.name].setChecked(on)
+        self.port.show_levels(levels_of(machine, status) if machine else {})
         self.travel_words.setText(self.travel.words(machine) if machine else "")
         self.play_words.setText(self.play.words())
         self.travel_take.setEnabled(bool(machine and self.travel.correction(machine)))
-
-    @property
-    def levels(self) -> dict[int, bool]:
-        """The levels of the port's input pins, where the status carries them."""
-        pins = self.bench.status.pins if self.bench.status else ""
-        numbers = {int(word) for word in pins.replace(",", " ").split() if word.isdecimal()}
-        return {pin: pin in numbers for pin in INPUT_PINS} if numbers else {}
 
     # --- the boxes ---------------------------------------------------------------------------------
 
@@ -163,7 +163,7 @@ class MachineTest(QtGui.QWidget):
         self.measured = _number(f"{NAME}_measured", 100.0, FARTHEST_MM, 4, " mm")
         self.travel_words = _words(f"{NAME}_travel_words", self)
         form.addRow(tr("Axis"), self.travel_axis)
-        form.addRow(tr("Length"), self.travel_length)
+        form.addRow(tr("Commanded length"), self.travel_length)
         start = self._button("start", tr("To the start"), self._to_start)
         along = self._button("along", tr("Drive the length"), self._drive)
         form.addRow(_row(start, along))

@@ -7,19 +7,24 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from typing import Any
 
 from PySide import QtCore, QtGui
 
-from CNCStepper.machine.wiring import INPUT_PINS, OUTPUT_PINS
+from CNCStepper.control.operator.machine_test_lines import is_on
+from CNCStepper.control.session.status import SenderStatus
+from CNCStepper.machine.profile import Machine
+from CNCStepper.machine.wiring import DEVICES, INPUT_PINS, OUTPUT_PINS
+from CNCStepper.workbench.machines.labels import choice_label, signal_label
 from CNCStepper.workbench.services.translation import tr
 
 UPPER, LOWER = tuple(range(13, 0, -1)), tuple(range(25, 13, -1))
 OUTPUT, INPUT, GROUND = "#5e97d3", "#36b56c", "#6b7785"
 ON = "#f7b92f"
 SHELL, FACE, INK = "#a9b3bd", "#f3f6f9", "#1b3556"
-PITCH_PX, RADIUS_PX, NAME_PX, ROW_PX = 46, 11, 74, 46
+PITCH_PX, RADIUS_PX, NAME_PX, ROW_PX = 46, 11, 110, 46
 SIZE = (13 * PITCH_PX + 30, 2 * NAME_PX + 2 * ROW_PX + 24)
 
 
@@ -123,3 +128,21 @@ class PortPicture(QtGui.QWidget):
 
 def _near(place: Any, pointer: Any) -> bool:
     return bool((place.x() - pointer.x()) ** 2 + (place.y() - pointer.y()) ** 2 <= RADIUS_PX**2)
+
+
+def pins_of(machine: Machine) -> tuple[dict[int, str], set[int]]:
+    """Return the names of what is wired to each pin, and the pins that are active low."""
+    wired = machine.signals.wired
+    names = {abs(pin): signal_label(name) for name, pin in wired.items()}
+    names |= {entry.pin: choice_label(("act",), entry.act) for entry in machine.input if isinstance(entry.pin, int)}
+    return names, {abs(pin) for pin in wired.values() if pin < 0}
+
+
+def levels_of(machine: Machine, status: SenderStatus | None) -> dict[int, bool]:
+    """Return the pins whose level follows from a status: those of spindle and coolant, and inputs by their numbers."""
+    if status is None:
+        return {}
+    known = {pin: is_on(device, status.outputs) for device, pin in machine.signals.wired.items() if device in DEVICES}
+    levels = {abs(pin): on != (pin < 0) for pin, on in known.items() if on is not None}
+    high = {int(number) for number in re.findall(r"\d+", status.pins)}
+    return levels | ({pin: pin in high for pin in INPUT_PINS} if high else {})

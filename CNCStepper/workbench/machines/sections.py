@@ -64,7 +64,7 @@ class FormSection(Section):
         column.addLayout(form)
         group = ""
         for row in rows:
-            table = row.path[-2] if len(row.path) > 2 else ""
+            table = row.path[-2] if len(row.path) > 1 else ""
             if table != group and table in GROUPS:
                 form.addRow(_caption(tr(GROUPS[table])))
             group = table
@@ -92,9 +92,9 @@ class AxesSection(Section):
         groups = set[str]()
         for row in rows:
             below = row.path[2:]
-            if len(below) > 1 and below[0] not in groups:
+            if len(below) > 1 and below[0] in GROUPS.keys() - groups:
                 groups.add(below[0])
-                grid.addWidget(_caption(tr(GROUPS.get(below[0], below[0]))), grid.rowCount(), 0, 1, 4)
+                grid.addWidget(_caption(tr(GROUPS[below[0]])), grid.rowCount(), 0, 1, 4)
             if below not in lines:
                 lines[below] = grid.rowCount()
                 grid.addWidget(_label(row), lines[below], 0)

@@ -19,7 +19,7 @@ from CNCStepper.control.pulses.pulse_loop import PulseLoop
 from CNCStepper.control.pulses.pulse_output import PulseOutput
 from CNCStepper.control.pulses.pulse_ring import PulseRing
 from CNCStepper.machine.profile import Machine, load_machine
-from CNCStepper.motion.planner.buffers import TICKS_PER_S
+from CNCStepper.motion.planner.buffers import TICKS_PER_S, UNLIMITED
 from CNCStepper.motion.signals.parallel_port import RegisterWriter
 from CNCStepper.motion.signals.pulse_player import SENSE
 
@@ -122,6 +122,14 @@ def machine(**signals: Any) -> Machine:
     return table.model_copy(update={"axis": axes, "signals": type(table.signals)(**(times | signals))})
 
 
+def pulses(count: int, per_s: float, step: int = 1, first: int = 1) -> tuple[Any, ...]:
+    """Return columns of steady pulses of one mask, whose motors may start and stop at once."""
+    ticks = np.arange(first, first + count) * round(TICKS_PER_S / per_s)
+    ones = np.ones(count)
+    speed, acceleration = (per_s / 80 * ones).astype(np.float32), np.full(count, UNLIMITED, np.float32)
+    return ticks, (step * ones).astype(np.uint8), np.zeros(count, np.uint8), speed, acceleration, ones < 0
+
+
 @dataclass(frozen=True)
 class Pulse:
     """A decoded pulse: when it rose, which axes stepped, which of them backwards, and the player's sense."""
@@ -171,11 +179,11 @@ def random_plan(dice: random.Random, moves: int) -> Plan:
         counts = [dice.choice((0, dice.randint(-60, 60), dice.randint(-300, 300))) for _ in range(3)]
         if not any(counts):
             counts[0] = 1
-        rapid, top = dice.random() < 0.4, dice.choice((3.0, 10.0, 40.0))
+        rapid, top = dice.random() < 0.4, dice.choice((8.0, 20.0, 40.0))
         leaves = min(top, 8.0) if dice.random() < 0.5 and moves else 0.0
         clock_s, entry = _add_move(rows, clock_s, counts, rapid, (entry, max(top, entry), leaves))
         if entry == 0.0 and dice.random() < 0.5:
-            clock_s += dice.choice((0.02, 0.3, 2.0))
+            clock_s += dice.choice((0.02, 0.3))
     seconds, step, back, speed, is_rapid, way = map(np.array, zip(*rows, strict=True))
     ticks = np.maximum.accumulate(np.round(seconds * TICKS_PER_S).astype(np.int64) + np.arange(len(rows)))
     masks = step.astype(np.uint8), back.astype(np.uint8)

@@ -108,6 +108,12 @@ def test_a_killed_process_is_a_lost_link(link: Link) -> None:
     assert lost.value.code == "link-lost" and time.monotonic() - begin_s < 5.0
 
 
+def test_nothing_that_is_written_waits(link: Link) -> None:
+    link.write(b"$$\n")
+    time.sleep(0.01)
+    assert link.waiting_bytes() == 0
+
+
 def test_wake_ends_a_read(link: Link) -> None:
     link.wake()
     begin_s = time.monotonic()

@@ -20,8 +20,8 @@ from helpers.control.service_bench import Person, Visit
 from helpers.controllers.families import FAMILIES, board_of, machine_of
 
 SQUARE = ("G21G90G94", "G1X20F1500", "G1Y20", "G1X0", "G1Y0")
-BRIEF_S = {"grbl": 3.0, "parport": 4.0, "parport-dda": 12.0, "board": 4.0}  # of the teeth, more than is queued
-TEETH = ("G21G90G94", "G1X0F1500", *(f"G1X{number / 2}Y{number % 3 / 4}" for number in range(1, 160)))
+BRIEF_S = {"grbl": 3.0, "parport": 6.0, "parport-dda": 16.0, "board": 6.0}  # of the teeth, more than is queued
+TEETH = ("G21G90G94", "G1X0F1500", *(f"G1X{number / 2}Y{number % 3 / 4}" for number in range(1, 260)))
 
 
 @pytest.fixture(params=FAMILIES)
@@ -194,7 +194,7 @@ def test_what_the_journal_knows_restarts_the_program(visit: Visit, family: str, 
 
     again.receive(second)
     assert again.outcomes[0].kind == DONE, again.outcomes[0].text
-    assert again.table.board.axes.position_mm[:2] == pytest.approx([79.5, 0.0], abs=0.026)
+    assert again.table.board.axes.position_mm[:2] == pytest.approx([129.5, 0.25], abs=0.026)
 
 
 @pytest.mark.parametrize("own", [name for name in FAMILIES if name != "grbl"])

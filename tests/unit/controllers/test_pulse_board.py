@@ -126,6 +126,12 @@ def test_a_relay_is_switched_by_its_name(talk: Talk) -> None:
     assert talk.output.on == {"output_1"}
 
 
+def test_a_relay_has_the_name_of_its_profile_too() -> None:
+    talk = Talk(wired(relay=[{"name": "Main oxygen", "device": "output_0"}]), wired=RELAYS)
+    assert talk.line("$P=main oxygen") == "ok" and talk.output.on == {"output_0"}
+    assert talk.line("$P=-OUTPUT_0") == "ok" and not talk.output.on
+
+
 def test_letters_are_played_at_the_profiles_interval() -> None:
     machine = wired(signals={"motors": ["x", "y"], "pins": PINS, "pulse_us": 400, "gap_us": 600})
     talk = Talk(machine, wired=RELAYS)
@@ -247,9 +253,9 @@ def test_the_end_of_the_output_is_told_and_locks(talk: Talk) -> None:
     talk.line("G21G90G1X50F900")
     talk.pass_time(0.5)
     here = talk.output.position_steps
-    talk.output.error = LinkError("pulses-late", "a pulse came 4 ms late", advice="home the machine")
+    talk.output.error = LinkError("pulses-late", "a pulse came 4 ms late: ç [µs]", advice="home the machine")
     said = talk.say(b"", 0.01)
-    assert said[0].startswith("[MSG:a pulse came 4 ms late") and said[1] == "ALARM:3"
+    assert said[0].startswith("[MSG:a pulse came 4 ms late: ? (us)") and said[1] == "ALARM:3"
     assert talk.status()[""] == "Alarm" and talk.status()["MPos"].startswith(f"{here[0] / 40:.3f}")
     assert talk.output.closed
     assert talk.say(b"\x18")[-1] == "[MSG:'$H'|'$X' to unlock]"

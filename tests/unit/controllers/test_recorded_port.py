@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from CNCStepper.control.transport.link import Link, open_link
+from CNCStepper.errors import LinkError
 from helpers.controllers.recorded_port import pulses_of
 from helpers.controllers.thesis_programs import line_pulses, moves_of
 
@@ -119,6 +120,33 @@ def test_a_hold_brakes_and_no_pulse_is_lost(link: Link, recording: Path) -> None
     assert [steps / STEPS_PER_MM for steps in pulses[stood - 1][3]] == pytest.approx(place[:2], abs=1e-6)
     speed_steps_s = [1 / (after[0] - before[0]) for before, after in pairwise(pulses[:stood])]
     assert max(speed_steps_s[-5:]) < 0.35 * max(speed_steps_s), "it was slow before it stood"
+
+
+def test_a_controller_that_is_killed_leaves_a_machine_that_brakes_with_everything_off(
+    link: Link, recording: Path
+) -> None:
+    send(link, "M8")
+    link.write(f"G21G90G94G1X300Y100F{FEED}\n".encode())
+    until(link, b"ok\r\n")
+    time.sleep(0.4)
+    link._port._process.kill()
+    with pytest.raises(LinkError) as lost:
+        until(link, b"never")
+    assert lost.value.code == "link-lost"
+    end_s = time.monotonic() + LIMIT_S
+    while _last_registers(recording) != ALL_OFF:
+        assert time.monotonic() < end_s, _last_registers(recording)
+        time.sleep(0.05)
+    pulses = pulses_of(recording)
+    assert pulses[-1][3][0] < 3000
+    waits_s = [after[0] - before[0] for before, after in pairwise(pulses)]
+    assert min(waits_s[-5:]) > 2 * min(waits_s), "it was slow before it stood"
+
+
+def _last_registers(recording: Path) -> tuple[int, ...]:
+    """Return the registers of the last whole row, () where there is none yet."""
+    rows = recording.read_text("utf-8").rpartition("\n")[0].splitlines()[1:]
+    return tuple(map(int, rows[-1].split(",")[1:])) if rows else ()
 
 
 def test_relays_leave_the_port_as_it_was(link: Link, recording: Path) -> None:

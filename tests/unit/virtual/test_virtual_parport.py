@@ -78,10 +78,13 @@ def test_active_low_lines_and_reversed_motors():
     assert twin.places_mm[0] == 0.0
 
 
-def test_what_stands_when_the_cable_is_plugged_in_is_no_pulse():
+def test_before_the_first_write_the_registers_are_0():
     twin = Parport(machine())
-    play(twin, [write(0.0, X | Y), write(0.01, 0)])
-    assert twin.places_mm == (0.0, 0.0, 0.0)
+    play(twin, [write(0.01, X), write(0.02, 0)])
+    assert twin.places_mm == (1.0, 0.0, 0.0)
+    twin = Parport(machine({"x_step": -2, "x_direction": 3}))  # low at first, so that its pulse ends
+    play(twin, [write(0.01, X), write(0.02, 0), write(0.03, X)])
+    assert twin.places_mm == (1.0, 0.0, 0.0)
 
 
 @pytest.mark.parametrize(
@@ -96,7 +99,7 @@ def test_pulses_that_the_drive_cannot_see_are_lost_and_counted(writes, reason):
     twin = Parport(machine(pulse_us=10, direction_setup_us=10))
     play(twin, [write(0.0, 0), *writes, *pulse(0.05, X)])
     assert dict(twin.lost) == {("x", reason): 1} and twin.places_mm[0] == 1.0
-    assert [text for _, text in twin.take_notes()] == [f"motor x lost 1 pulses: {reason}"]
+    assert [text for _, text in twin.take_notes()] == [f"motor x loses a pulse: {reason}"]
 
 
 def test_pulses_too_close_are_lost():

@@ -23,9 +23,32 @@ from CNCStepper.virtual.parport.machine import Parport
 from CNCStepper.virtual.server.ports import TcpPort
 from CNCStepper.virtual.server.step_trace import StepTrace
 from CNCStepper.virtual.server.twin_faults import PARPORT_KINDS, TWIN_KINDS
-from CNCStepper.virtual.server.twin_server import TwinServer
+from CNCStepper.virtual.server.twin_server import Notes, TwinServer
 
 LIMIT_S = 20.0
+STEPS_PER_MM = 40
+PROFILE = f"""
+name = "wired"
+controller = "thesis-a"
+[planner]
+junction_deviation_mm = 0.02
+arc_tolerance_mm = 0.002
+[axis.x]
+steps_per_mm = {STEPS_PER_MM}
+max_rate_mm_min = 1800
+acceleration_mm_s2 = 100
+travel_min_mm = 0
+travel_max_mm = 1000
+[axis.y]
+steps_per_mm = {STEPS_PER_MM}
+max_rate_mm_min = 1800
+acceleration_mm_s2 = 100
+travel_min_mm = 0
+travel_max_mm = 600
+[signals]
+motors = ["x", "y"]
+pins = {{ x_step = 2, x_direction = 3, y_step = 4, y_direction = 5, enable = 17 }}
+"""
 COMMAND = (sys.executable, "-u", "-m", "CNCStepper.cli.main", "virtual")
 ON = 0b0011  # control register: pins 1 and 14 low, the enable on 17 high: all three are turned round
 
@@ -56,6 +79,11 @@ def rows(trace: Path) -> np.ndarray:
 
 def files(folder: Path) -> tuple[str, ...]:
     return "--trace", str(folder / "trace.csv"), "--record", str(folder / "bytes")
+
+
+def wired(folder: Path) -> tuple[str, str]:
+    (folder / "wired.toml").write_text(PROFILE)
+    return "--machine", str(folder / "wired.toml")
 
 
 def connect(address: str) -> socket.socket:
@@ -118,7 +146,7 @@ def test_a_killed_twin_leaves_what_it_had(tmp_path):
 
 @contextmanager
 def parport(tmp_path: Path, *options: str) -> Iterator[tuple[socket.socket, subprocess.Popen[str]]]:
-    base = ("--tcp", "127.0.0.1:0", "--until-left", *files(tmp_path), *options)
+    base = ("--tcp", "127.0.0.1:0", "--until-left", *wired(tmp_path), *files(tmp_path), *options)
     with twin("parport", *base, stdin=subprocess.PIPE) as (address, running), connect(address) as client:
         yield client, running
 
@@ -136,14 +164,15 @@ def test_parport_over_tcp_counts_every_pulse_and_sends_its_inputs(tmp_path):
         running.stdin.flush()
         assert client.recv(1) == b"\x90"
     path = rows(tmp_path / "trace.csv")
-    assert path[-1, 1] * 40 == pytest.approx(5000) and (np.diff(path[:, 1]) >= 0).all()
+    assert path[-1, 1] * STEPS_PER_MM == pytest.approx(5000) and (np.diff(path[:, 1]) >= 0).all()
     assert (tmp_path / "bytes").stat().st_size == 2 + 4 * 5000
 
 
 def test_a_closed_port_is_a_fault_and_another_client_may_come(tmp_path):
     plan = tmp_path / "plan.toml"
     plan.write_text('[[fault]]\nkind = "close"\nat_byte = 8\n[[fault]]\nkind = "dead_pin"\npin = 2\nat_byte = 40\n')
-    with twin("parport", "--tcp", "127.0.0.1:0", "--faults", str(plan), *files(tmp_path)) as (address, running):
+    options = ("--tcp", "127.0.0.1:0", "--faults", str(plan), *wired(tmp_path), *files(tmp_path))
+    with twin("parport", *options) as (address, running):
         with connect(address) as client:
             client.sendall(bytes((0, ON)) + pulses(2))
             assert client.recv(1) == b"\x80" and client.recv(1) == b""  # hung up
@@ -155,7 +184,7 @@ def test_a_closed_port_is_a_fault_and_another_client_may_come(tmp_path):
         assert running.stdout
         told = [running.stdout.readline() for _ in range(2)]
     assert ["close at byte 8" in told[0], "dead_pin 2 at byte 40" in told[1]] == [True, True]
-    assert 2 <= rows(tmp_path / "trace.csv")[-1, 1] * 40 < 26
+    assert 2 <= rows(tmp_path / "trace.csv")[-1, 1] * STEPS_PER_MM < 26
 
 
 @pytest.mark.parametrize(
@@ -196,6 +225,22 @@ def test_a_trace_tells_rests_and_ends_at_rest(tmp_path):
     trace.close()
     want = [[0, 0], [0.95, 0], [1, 0.5], [1.01, 1], [2.95, 1], [3, 1.5], [4, 1.5]]
     assert rows(tmp_path / "t.csv")[:, :2] == pytest.approx(np.array(want))
+
+
+def test_the_same_note_is_told_once_and_then_counted(monkeypatch):
+    now, told = [0.0], list[str]()
+    monkeypatch.setattr("time.monotonic", lambda: now[0])
+    notes = Notes(lambda time_s, text: told.append(f"{time_s:g} {text}"))
+    for n in range(5):
+        notes.note(float(n), "motor x loses a pulse")
+    notes.note(5.0, "flood on")
+    notes.sum_up(5.0)
+    assert told == ["0 motor x loses a pulse", "5 flood on"]
+    now[0] = 1.5
+    notes.sum_up(6.0)
+    notes.note(7.0, "flood on")
+    notes.sum_up(8.0, ends=True)
+    assert told[2:] == ["6 motor x loses a pulse (4 times more)", "7 flood on"]
 
 
 def test_server_reads_with_the_spans_of_its_looks(tmp_path):

@@ -131,8 +131,11 @@ def test_a_table_that_is_emptied_is_left_out() -> None:
 
 
 def test_pins_relays_and_inputs() -> None:
+    assert draft("table-a").standard_pin("x_step") == 2
     one = draft("thesis-table")
-    assert one.standard_pin("x_step") == 2
+    one.pins.clear()
+    one.lists["relay"].clear()
+    one.lists["input"].clear()
     one.pins.update({"x_step": "-3", "x_direction": "4"})
     assert one.standard_pin("y_step") is None
     one.lists["relay"].append({"name": "light", "device": "output_1"})
@@ -142,6 +145,8 @@ def test_pins_relays_and_inputs() -> None:
     assert content["signals"]["pins"] == {"x_step": -3, "x_direction": 4}
     assert content["relay"] == [{"name": "light", "device": "output_1"}]
     assert content["input"] == [{"pin": 11, "act": "pause", "port": "/dev/parport0"}]
+    one.lists["relay"].append({"name": "lamp", "device": "output_1"})
+    assert "twice" in str(one.judged()[1][("relay",)])
     one.pins["y_step"] = "11"
     one.lists["input"].append({"pin": "Q", "act": "stop", "debounce_ms": "x"})
     problems = one.judged()[1]

@@ -138,6 +138,7 @@ class Status:
     state: "Idle", "Run", "Hold", "Jog", "Alarm", "Door", "Check", "Home", "Sleep", "Tool". substate: the
     number after the colon. buffer: free planner blocks and free bytes. feed and spindle as reported.
     outputs: what is on, known with the overrides only: S or C for the spindle's sense, F flood, M mist.
+    left_s: how long a machine that cannot be stopped still works on what it was sent.
     """
 
     state: str
@@ -151,6 +152,7 @@ class Status:
     overrides: tuple[int, ...] | None = None
     pins: str = ""
     outputs: str | None = None
+    left_s: float | None = None
 
     @property
     def name(self) -> str:
@@ -255,4 +257,6 @@ def _fields(fields: list[str]) -> dict:
             values["outputs"] = text
         elif name == "Pn":
             values["pins"] = text
+        elif name == "Left":
+            values["left_s"] = decimal(text)
     return values

@@ -17,6 +17,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import IO, Any, Protocol
 
+from CNCStepper.control.protocol.lathe.jog_guard import JogGuard, guard_of
 from CNCStepper.control.transport.link import load_pyserial, port_refusal
 from CNCStepper.errors import LinkError, Text
 from CNCStepper.safe_text import printable
@@ -47,18 +48,22 @@ class LathePort(Protocol):
 
 
 class SerialPort:
-    """A port of pyserial, opened with timeout 0."""
+    """A port of pyserial, opened with timeout 0; guard: releases a jog if this process is killed."""
 
-    def __init__(self, port: Any, name: str, note: str = ""):
+    def __init__(self, port: Any, name: str, note: str = "", guard: JogGuard | None = None):
         self.note = note
-        self._port, self._name = port, name
+        self._port, self._name, self._guard = port, name, guard
 
     def write(self, data: bytes) -> None:
         """Send all of `data`; raises LinkError where the port is gone."""
+        if self._guard:
+            self._guard.before(data)
         try:
             self._port.write(data)
         except (OSError, ValueError) as error:
             raise _lost(self._name, error) from error
+        if self._guard:
+            self._guard.after(data)
 
     def check(self) -> None:
         """Raise LinkError where the port is gone; what comes in is thrown away, since the lathe says nothing."""
@@ -69,8 +74,10 @@ class SerialPort:
 
     def close(self) -> None:
         """Send what waits, and give the port back."""
-        with suppress(OSError, ValueError):
+        with suppress(Exception):  # termios' own errors are no OSError; the port may be gone
             self._port.flush()
+        if self._guard:
+            self._guard.close()
         with suppress(OSError, ValueError):
             self._port.close()
 
@@ -121,7 +128,14 @@ def open_port(name: str) -> LathePort:
         )
     except (OSError, ValueError, TypeError, AttributeError) as error:  # a bad URL ends in any of these
         raise port_refusal(name, error) from error
-    return SerialPort(port, name, "" if has_parity else NO_PARITY)
+    return SerialPort(port, name, "" if has_parity else NO_PARITY, guard_of(_descriptor(port)))
+
+
+def _descriptor(port: Any) -> int | None:
+    try:
+        return int(port.fileno())
+    except (AttributeError, OSError):
+        return None
 
 
 def _recording(path: Path) -> RecordingPort:

@@ -115,8 +115,9 @@ class Model:
     (G7). run: the words of canned cycles that stick while one is modal; to_initial: G98. parameters: the program's
     own, shared by the copies; a refused block's are rolled back. path_calls: what a trace says when the path mode in
     force comes back. tools: the tool table; loaded: the entry of the tool in the spindle. saved: modes kept by M70
-    and M73, by level of call. feed_number: what the last F said, whatever the units since. far_plane: "G17.1" and
-    its like, in which only lines are read, or "". overrides: what may change speeds while the program runs. bare: read
+    and M73, by level of call. feed_number: what the last F said, whatever the units since. feed_of_file_mm_min:
+    what must be written into a file that has no F, 0 where that is not known. far_plane: "G17.1" and its like, in which
+    only lines are read, or "". overrides: what may change speeds while the program runs. bare: read
     as LinuxCNC's stand-alone interpreter reads, whose probe never trips. stands: where the machine stands, if that is
     not `position` (`stand_alone_position.py`).
     """
@@ -130,6 +131,7 @@ class Model:
         "ended",
         "far_plane",
         "feed_number",
+        "feed_of_file_mm_min",
         "further",
         "further_offset",
         "g92",
@@ -195,6 +197,7 @@ class Model:
     spline_ij: tuple[float, float]
     saved: dict[int, Modes]
     feed_number: float
+    feed_of_file_mm_min: float
     far_plane: str
     overrides: frozenset[str]
     largest_rpm: float
@@ -300,12 +303,13 @@ def model_at(start: Start, dialect: Dialect, bare: bool = False) -> Model:
         tool=start.tool,
         arc_centres=dialect.arc_centres,
         distance=dialect.distance,
-        feed_mm_min=dialect.default_feed_mm_min,
+        feed_mm_min=0.0 if dialect.needs_own_feed else dialect.default_feed_mm_min,
         spindle="cw" if dialect.power == "always" else "off",
         spindle_rpm=POWER_ON if dialect.power == "always" else start.spindle_rpm,
     )
     model.motion = dialect.first_motion
-    model.feed_number = dialect.default_feed_mm_min
+    model.feed_number = model.state.feed_mm_min
+    model.feed_of_file_mm_min = dialect.default_feed_mm_min if dialect.needs_own_feed else 0.0
     model.parameters = parameters_at(start)
     model.unit_mm = start.machine_unit_mm
     model.tools = _tools(start)

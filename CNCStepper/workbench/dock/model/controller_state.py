@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from CNCStepper.control.protocol.grbl.capabilities import missing, reason
 from CNCStepper.control.session.job_phase import CONNECTED, JOB_RUNS, Phase
 from CNCStepper.control.session.job_phase import WAITING as STANDING
 from CNCStepper.workbench.services.translation import later
@@ -22,7 +23,7 @@ class ControllerSnapshot:
     phase: "off" (no controller), "starting", "connecting", "unreached" (no connection came about), "gone" (it ended by
     itself), or the service's phase. machine_state: as grbl writes it. message: the program's words at a pause, the
     sentence of an alarm or of what ended the connection. job: whether a job is on its way; a machine may be
-    held without one. homing, position_known: None while it is not known.
+    held without one. homing, position_known: None while it is not known. cannot: what this machine cannot do at all.
     """
 
     phase: str = "off"
@@ -31,6 +32,7 @@ class ControllerSnapshot:
     job: bool = False
     homing: bool | None = None
     position_known: bool | None = None
+    cannot: tuple[str, ...] = ()
 
     @property
     def connected(self) -> bool:
@@ -165,6 +167,11 @@ RULES = {
         later("Change the programmed value while cutting, in percent."),
         later("Overrides work only while the machine is idle or cutting."),
     ),
+    "relay": Rule(
+        frozenset({"idle"}),
+        later("Switch it on or off."),
+        later("Relays are switched by hand only while the machine is idle."),
+    ),
     "console": Rule(
         frozenset({"idle", "alarm"}),
         later("A line for the controller, sent with Return. The arrow keys bring back the lines before."),
@@ -181,10 +188,18 @@ HELD_AND_LOST = later(
 NO_HOMING = later("This machine has no homing switches set up ($22=0).")
 
 
+COMMAND_OF = {"back": "retrace", "forward": "retrace"}  # by which a control is carried out, where it is another word
+ALSO_NEEDS = {"aside": "jog-hold"}
+
+
 def why_not(control: str, moment: ControllerSnapshot) -> str:
-    """Return why a control of `RULES` cannot work now, "" when it can."""
+    """Return why a control of `RULES` cannot work now, "" when it can; what a machine never can is said first."""
     if not moment.connected:
         return NOT_CONNECTED
+    if word := missing(COMMAND_OF.get(control, control), moment.cannot):
+        return reason(word)
+    if ALSO_NEEDS.get(control) in moment.cannot:
+        return reason(ALSO_NEEDS[control])
     if control == "home" and moment.homing is False:
         return NO_HOMING
     if control == "resume" and moment.position_known is False and moment.phase in STANDING and not moment.job:

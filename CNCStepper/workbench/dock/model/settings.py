@@ -11,6 +11,7 @@ from CNCStepper.workbench.services.number_format import INCH, MM, Lengths
 GROUP = "User parameter:BaseApp/Preferences/Mod/CNCStepper/Dock"
 INCH_NAMES = ("in", "ft", '"', "'", "thou", "mil", "yd", "mi")
 JOG_FEED_MM_MIN = 1000.0
+MACHINE = "table-a"
 
 
 def last_port() -> str:
@@ -27,6 +28,26 @@ def remember_port(port: str, baud: int) -> None:
     """Keep what was opened, for the next time."""
     _group().SetString("Port", port)
     _group().SetInt("Baud", baud)
+
+
+def last_machine() -> str:
+    """Return the profile of the machine that was chosen last."""
+    return _group().GetString("Machine", MACHINE)
+
+
+def remember_machine(name: str) -> None:
+    """Keep the profile that was chosen."""
+    _group().SetString("Machine", name)
+
+
+def sounds_on() -> bool:
+    """Return whether the window makes sounds."""
+    return _group().GetBool("Sounds", True)
+
+
+def switch_sounds(on: bool) -> None:
+    """Let the window make sounds, or not."""
+    _group().SetBool("Sounds", on)
 
 
 def jog_feed_mm_min() -> float:

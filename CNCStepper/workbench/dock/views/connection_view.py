@@ -8,6 +8,7 @@ from typing import Any
 
 from PySide import QtGui
 
+from CNCStepper.machine.profile import profile_names
 from CNCStepper.workbench.dock.model import settings
 from CNCStepper.workbench.dock.model.controller_state import ControllerSnapshot, why_not_connect, why_not_disconnect
 from CNCStepper.workbench.dock.model.port_choices import (
@@ -27,19 +28,17 @@ from CNCStepper.workbench.services.translation import later, tr
 DISCONNECT_FIRST = later("Disconnect first: this is what the dock is connected to.")
 
 
-class PortBox(QtGui.QComboBox):
-    """An editable list that looks for ports anew whenever it is opened."""
+class FreshBox(QtGui.QComboBox):
+    """A list that looks for its entries anew whenever it is opened."""
 
     def __init__(self, look: Callable[[], None]):
         super().__init__()
         self._look = look
-        self.setEditable(True)
-        self.setInsertPolicy(QtGui.QComboBox.InsertPolicy.NoInsert)
         self.setSizeAdjustPolicy(QtGui.QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.setMinimumContentsLength(12)
 
     def showPopup(self) -> None:
-        """Open the list with the ports that are there now."""
+        """Open the list with what is there now."""
         self._look()
         super().showPopup()
 
@@ -52,14 +51,19 @@ class ConnectionView(QtGui.QWidget):
         self._connect, self._disconnect, self._found = connect, disconnect, found
         self._choices: list[Any] = []
         self._moment = ControllerSnapshot()
-        self.box = widgets.named(PortBox(self.look), "Port")
+        self.box = widgets.named(FreshBox(self.look), "Port")
+        self.box.setEditable(True)
+        self.box.setInsertPolicy(QtGui.QComboBox.InsertPolicy.NoInsert)
         self.box.setAccessibleName(tr("Port"))
         self.baud = widgets.named(QtGui.QComboBox(), "Baud")
         self.baud.addItems([str(rate) for rate in BAUDS])
         self.baud.setCurrentText(str(settings.last_baud()))
         self.speed = widgets.named(QtGui.QComboBox(), "Speed")
         self.speed.addItems([tr("{0}× speed").format(speed) for speed in SPEEDS])
+        self.machine = widgets.named(FreshBox(self.look_for_machines), "Machine")
+        self.machine.setAccessibleName(tr("Machine profile"))
         self._tips = {
+            self.machine: later("The profile of the machine at this port: its relays, and how it is driven"),
             self.box: later("A serial port, or an address as socket://192.168.0.7:23"),
             self.baud: later("The baud rate of the serial port"),
             self.speed: later("How many times faster than a real one the virtual machine moves"),
@@ -68,9 +72,28 @@ class ConnectionView(QtGui.QWidget):
         self.button.clicked.connect(guarded(self._clicked))
         layout = widgets.column(self)
         layout.addWidget(self.box)
+        layout.addWidget(self.machine)
         layout.addLayout(widgets.row(self.baud, self.speed, self.button))
         self.box.editTextChanged.connect(guarded(self._choose))
         self.look(settings.last_port())
+        self.look_for_machines()
+
+    @property
+    def profile(self) -> str:
+        """The name of the machine profile that is chosen."""
+        return str(self.machine.currentText())
+
+    def look_for_machines(self) -> None:
+        """List the profiles that are there now; the one that was chosen stays."""
+        names = profile_names()
+        if [self.machine.itemText(place) for place in range(self.machine.count())] == names:
+            return
+        wanted = self.profile or settings.last_machine()
+        self.machine.blockSignals(True)
+        self.machine.clear()
+        self.machine.addItems(names)
+        self.machine.setCurrentIndex(max(self.machine.findText(wanted), 0))
+        self.machine.blockSignals(False)
 
     @property
     def port(self) -> str:

@@ -8,9 +8,11 @@ from typing import Any
 
 from PySide import QtCore, QtGui
 
+from CNCStepper.errors import Text
 from CNCStepper.workbench.dock.model.controller_state import CALM, DANGER, GOING, OFF, WAITING
 from CNCStepper.workbench.dock.views.keyboard import KeyButton
 from CNCStepper.workbench.services import icons
+from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.services.translation import tr
 
@@ -115,4 +117,4 @@ def grid(parent: Any = None) -> Any:
 def lock(widget: Any, why_not: str, does: str) -> None:
     """Enable a widget when `why_not` is empty; its tooltip has its purpose, or the reason."""
     widget.setEnabled(not why_not)
-    widget.setToolTip(tr(why_not or does))
+    widget.setToolTip(translated(why_not) if isinstance(why_not, Text) else tr(why_not or does))

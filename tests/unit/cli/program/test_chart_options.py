@@ -60,6 +60,25 @@ def test_time_takes_the_charts_feed_and_tells_it(program: Path, tmp_path: Path) 
     assert seconds(done.stdout) == pytest.approx(seconds(same.stdout), abs=1e-6)
 
 
+@pytest.mark.parametrize("verb", ["check", "send"])
+def test_a_file_for_linuxcnc_is_refused_with_the_f_that_it_needs(verb: str, program: Path, tmp_path: Path) -> None:
+    """LinuxCNC reads the file itself: without an F in it, it would cut with the feed of the program before."""
+    from CNCStepper.machine.profile import load_machine
+
+    content = load_machine("torch-table").model_dump(mode="json") | {"controller": "linuxcnc"}
+    profile = tmp_path / "linuxcnc.json"
+    profile.write_text(json.dumps(content), encoding="utf-8")
+    port = ("--port", "socket://127.0.0.1:9", "--zero-confirmed") if verb == "send" else ()
+    done = called(verb, program, "--machine", profile, *STEEL, *port)
+    assert done.returncode != 0
+    told = " ".join((done.stdout + done.stderr).split())
+    if verb == "send":
+        assert "--to grbl" in told  # no lines are sent in that language; converted, it names the feed
+        return
+    assert f"write F{steel_feed_mm_min():g} into the file" in told, told
+    assert "part.nc:5" in told
+
+
 def test_process_consumable_and_chart_choose_the_row(program: Path, tmp_path: Path) -> None:
     chart = tmp_path / "own.toml"
     chart.write_text(CHART, encoding="ascii")

@@ -7,7 +7,8 @@ import threading
 
 import pytest
 
-from CNCStepper.control.operator.buttons import BITS, PinWatch, high_pins, open_pins
+from CNCStepper.control.operator.buttons import PinWatch, open_pins
+from CNCStepper.control.pulses.ports import STATUS_BITS, high_pins
 from CNCStepper.errors import LinkError
 from CNCStepper.machine.wiring import INPUT_PINS
 
@@ -15,7 +16,7 @@ LIMIT_S = 20.0
 
 
 def test_every_input_pin_has_its_bit_and_pin_11_is_turned_round():
-    assert set(BITS) == set(INPUT_PINS)
+    assert set(STATUS_BITS) == set(INPUT_PINS)
     assert high_pins(0b0000_0000) == {11}
     assert high_pins(0b1111_1000) == {10, 12, 13, 15}
     assert high_pins(0b1000_0111) == set()

@@ -15,7 +15,7 @@ from typing import Any
 import pytest
 
 from CNCStepper.control.pulses import pacing
-from CNCStepper.control.pulses.pacing import NEVER_NS, come_first, pace, require_rate, stall_ns
+from CNCStepper.control.pulses.pacing import NEVER_NS, come_first, lock_memory, own_core, pace, require_rate, stall_ns
 from CNCStepper.errors import LinkError, MachineRefusal
 
 STEP_NS = 100  # by which the clock goes on whenever it is read
@@ -128,3 +128,24 @@ def test_real_time_rank_is_taken_only_where_nothing_is_taken_from_it(
 
 def test_a_stall_is_a_pulse_at_the_fastest_rate() -> None:
     assert stall_ns(50_000) == 40_000 < NEVER_NS
+
+
+@pytest.mark.parametrize(("cores", "asked"), [({0, 1}, []), ({0, 1, 2, 3}, [(0, {3})])])
+def test_a_core_of_its_own_is_taken_only_of_more_than_two(
+    cores: set[int], asked: list[Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    heard: list[Any] = []
+    monkeypatch.setattr(pacing.os, "sched_getaffinity", lambda process: cores, raising=False)
+    monkeypatch.setattr(pacing.os, "sched_setaffinity", lambda *words: heard.append(words), raising=False)
+    assert own_core() == bool(asked) and heard == asked
+
+
+@pytest.mark.parametrize(("answer", "locked"), [(0, True), (-1, False)])
+def test_memory_is_locked_where_that_is_allowed(answer: int, locked: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    class Library:
+        mlockall = staticmethod(lambda flags: answer)
+
+    monkeypatch.setattr(pacing.ctypes, "CDLL", lambda name: Library)
+    assert lock_memory() is locked
+    monkeypatch.setattr(pacing.ctypes, "CDLL", lambda name: object())  # Windows' has no such function
+    assert not lock_memory()

@@ -66,9 +66,8 @@ def speeds(plan: Plan, pulses: list[Pulse], places: list[int]) -> list[tuple[flo
         if one.sense != next_.sense:
             found.append((0.0, True))
             continue
-        row = place if one.sense > 0 else place - 1
-        rests = plan.speed[row] == 0.0
-        found.append((0.0 if rests else float(plan.way_mm[row]) / ((next_.ns - one.ns) / 1e9), bool(rests)))
+        rests = plan.speed[place] == 0.0  # the row whose time lies between them, on the way back too
+        found.append((0.0 if rests else float(plan.way_mm[place]) / ((next_.ns - one.ns) / 1e9), bool(rests)))
     return found
 
 
@@ -88,13 +87,13 @@ def test_on_the_plan_every_pulse_has_its_planned_time(player: VirtualPlayer) -> 
     assert player.output.position_steps == tuple(steps)
 
 
-@pytest.mark.parametrize("seed", range(12))
+@pytest.mark.parametrize("seed", range(20))
 def test_held_shared_and_taken_back_the_pulses_are_the_planned_ones(monkeypatch: pytest.MonkeyPatch, seed: int) -> None:
     """Net the same pulses; speeds rise and fall within the acceleration; every reversal passes a stop."""
     print("seed", seed)
     dice = random.Random(seed)
     player, done = VirtualPlayer(monkeypatch, machine()), []
-    plan = random_plan(dice, 40)
+    plan = random_plan(dice, 20)
     output = player.output
     given = 0
     while output.state != "idle" or given < len(plan.ticks):
@@ -102,7 +101,11 @@ def test_held_shared_and_taken_back_the_pulses_are_the_planned_ones(monkeypatch:
             more = len(plan.ticks) if dice.random() < 0.2 else dice.randint(200, 600)
             output.append(*(column[given : given + more] for column in plan.columns))
             given = min(given + more, len(plan.ticks))
-        done.append(_meddle(player, dice))
+        if len(done) < 40:
+            done.append(_meddle(player, dice))
+        else:
+            output.share(1.0, 1.0)
+            player.run_until("idle")
     pulses = decoded(player.port.rows)
     places = walked(plan, pulses)
     assert places[-1] == len(plan.ticks) == output.sent
@@ -115,7 +118,7 @@ def test_held_shared_and_taken_back_the_pulses_are_the_planned_ones(monkeypatch:
 def _meddle(player: VirtualPlayer, dice: random.Random) -> str:
     """Do one thing to a player that has something to play."""
     output = player.output
-    player.run_for(dice.choice((0.0, 0.004, 0.05, 0.4)))
+    player.run_for(dice.choice((0.0, 0.004, 0.05, 0.4, 0.4)))
     what = dice.choice(("hold", "hold again", "share", "back", "back and resumed on the way", "nothing"))
     if what == "share":
         output.share(dice.choice((0.1, 0.5, 1.0, 2.0)), dice.choice((0.25, 0.5, 1.0)))
@@ -127,7 +130,7 @@ def _meddle(player: VirtualPlayer, dice: random.Random) -> str:
         output.hold()
         player.run_until("held")
         if what != "hold":
-            output.back(dice.choice((1, 30, 400)))
+            output.back(dice.choice((1, 20, 150)))
             player.run_for(dice.choice((0.01, 0.2))) if what != "back" else player.run_until("held")
         player.run_for(dice.choice((0.0, 0.01)))
         output.resume()

@@ -9,16 +9,19 @@ from pathlib import Path
 
 import pytest
 
-from CNCStepper.control.pulses import ports
+from CNCStepper.control.pulses import output_ports, ports
+from CNCStepper.control.pulses.output_ports import ParallelOutput, SerialOutput
 from CNCStepper.control.pulses.ports import (
     CLAIM,
     DATA_DIRECTION,
     MAGIC,
+    READ_STATUS,
     RECORD,
     RELEASE,
     WRITE_CONTROL,
     WRITE_DATA,
     ParallelPort,
+    high_pins,
     open_port,
     read_recording,
 )
@@ -122,3 +125,32 @@ if POSIX:
             ParallelPort(tmp_path / "port")
         with pytest.raises(OSError, match="descriptor"):
             os.fstat(device.files[0])
+
+    def test_the_status_register_of_a_parallel_port_is_read(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+        answers = {READ_STATUS: b"\x58"}
+        monkeypatch.setattr("fcntl.ioctl", lambda file, request, value=b"": answers.get(request, b""))
+        (tmp_path / "port").touch()
+        port = ParallelOutput(tmp_path / "port")
+        assert high_pins(port.status()) == {10, 11, 13, 15}  # the port turns 11 round
+        assert port.is_real and port.patience_ns == 0
+        port.close()
+
+    def test_a_board_that_takes_nothing_for_a_second_is_lost(monkeypatch: pytest.MonkeyPatch) -> None:
+        """Its time-outs are those of its source; what the system holds is counted, so that a hold need not wait."""
+        monkeypatch.setattr(output_ports, "WRITE_LIMIT_S", 0.05)
+        ours, theirs = os.openpty()
+        port = SerialOutput(os.ttyname(theirs), is_board=True)
+        assert (port._port.timeout, port._port.write_timeout) == (3.0, 0.05)
+        port.write(b"\x0a\x10", 2)
+        assert os.read(ours, 10) == b"\x0a\x10"
+        os.write(ours, b"\x18\x20")
+        assert port.status() == 0x20
+        with pytest.raises(LinkError, match="it takes nothing for") as caught:
+            for _ in range(10_000):
+                port.write(bytes(1000), 1000)
+        assert caught.value.code == "port-lost"
+        os.close(ours)
+        with pytest.raises(LinkError, match="is lost"):
+            port.status()
+        port.close()
+        os.close(theirs)

@@ -30,7 +30,7 @@ from CNCStepper.control.session.local_socket import (  # fmt: skip
     socket_paths,
 )
 from CNCStepper.control.session.server import KNOWN_LIMIT, UNAUTHENTICATED_LIMIT, SessionServer
-from CNCStepper.control.session.status import SenderStatus
+from CNCStepper.control.session.status import DONE, Outcome, SenderStatus
 from CNCStepper.errors import Text
 
 LIMIT_S = 10.0
@@ -73,8 +73,8 @@ class Served:
     def connected(self) -> socket.socket:
         return self.address.connect(LIMIT_S)
 
-    def ask(self, connection: socket.socket, command: str) -> None:
-        connection.sendall(json.dumps({"token": self.address.token, "command": command}).encode() + b"\n")
+    def ask(self, connection: socket.socket, command: str, **values: object) -> None:
+        connection.sendall(json.dumps({"token": self.address.token, "command": command, **values}).encode() + b"\n")
 
 
 @pytest.fixture(params=[LOOPBACK, pytest.param("unix", marks=posix)])
@@ -241,9 +241,9 @@ def test_whoever_comes_late_hears_the_phases_first_and_the_present_last(served):
 # --- the place where it listens ----------------------------------------------------------------
 
 
-def attached_to(served: Served) -> socket.socket:
+def attached_to(served: Served, **values: object) -> socket.socket:
     connection = served.connected()
-    served.ask(connection, "attach")
+    served.ask(connection, "attach", **values)
     events_until(connection, lambda event: event["event"] == "status")
     return connection
 
@@ -262,6 +262,51 @@ def test_nobody_is_waited_for_when_the_last_client_has_left(served):
         crashed.close()
         until(lambda: len(served.server._peers) == 1)
         served.ask(left, "leave")
+        until(lambda: served.server.alone_s() == inf)
+
+
+@pytest.mark.parametrize("end", ["leave", "crash"])
+def test_connection_is_kept_for_as_long_as_a_client_that_is_gone_wanted(served, end):
+    begin_s = time.monotonic()
+    with closing(attached_to(served, keep_s=0.5)) as client:
+        if end == "leave":
+            served.ask(client, "leave")
+    until(lambda: not served.server._peers)
+    assert served.server.alone_s() == 0.0 or time.monotonic() - begin_s > 0.5
+    until(lambda: served.server.alone_s() > 0.0)
+    assert time.monotonic() - begin_s >= 0.5
+    assert (served.server.alone_s() == inf) == (end == "leave")
+
+
+def test_a_client_that_keeps_nothing_open_leaves_what_another_wanted(served):
+    with closing(attached_to(served, keep_s=60)) as first, closing(attached_to(served, keep_s=0)) as second:
+        served.ask(first, "leave")
+        served.ask(second, "leave")
+        until(lambda: not served.server._peers)
+    assert served.server.alone_s() == 0.0
+
+
+def test_a_window_that_disconnects_last_ends_what_others_wanted(served):
+    with closing(attached_to(served, keep_s=60)) as terminal, closing(attached_to(served)) as window:
+        served.ask(terminal, "leave")
+        until(lambda: len(served.server._peers) == 1)
+        served.ask(window, "leave")
+        until(lambda: served.server.alone_s() == inf)
+
+
+def test_time_begins_anew_when_a_job_ends(served):
+    with closing(attached_to(served, keep_s=0.3)) as client:
+        served.ask(client, "leave")
+    until(lambda: served.server.alone_s() == inf)
+    served.server.notify_outcome(Outcome(DONE, "cut", True, SenderStatus()))
+    assert served.server.alone_s() == 0.0
+    until(lambda: served.server.alone_s() == inf)
+
+
+@pytest.mark.parametrize("keep_s", [-1, "60", True, None, [], float("nan"), {}])
+def test_a_time_that_is_none_keeps_nothing(served, keep_s):
+    with closing(attached_to(served, keep_s=keep_s)) as client:
+        served.ask(client, "leave")
         until(lambda: served.server.alone_s() == inf)
 
 

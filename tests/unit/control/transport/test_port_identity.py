@@ -68,6 +68,8 @@ def kept(folder, port: str) -> PositionTrustFile:
         ("spy://COM3?file=x.txt", "alt://COM3?class=PosixPollSerial"),
         ("spy:///dev/ttyUSB7", "/dev/../dev/ttyUSB7"),
         ("loop://", "loop://"),
+        ("record:/tmp/writes.csv", "record:/tmp/../tmp/writes.csv"),
+        ("/dev/parport7", "/dev/../dev/parport7"),
     ],
 )
 def test_one_port_under_two_names(name, other, plugged):
@@ -86,6 +88,9 @@ def test_one_port_under_two_names(name, other, plugged):
         ("socket://", "telnet://"),
         ("socket://a:b", "socket://a:c"),
         ("", "/dev/ttyUSB0"),
+        ("record:/tmp/writes.csv", "/tmp/writes.csv"),
+        ("record:/tmp/writes.csv", "record:/tmp/others.csv"),
+        ("/dev/parport0", "/dev/parport1"),
     ],
 )
 def test_other_ports_stay_apart(name, other, plugged):

@@ -39,10 +39,11 @@ def test_the_way_is_the_one_asked_for_and_its_reckoning_the_lathes_own() -> None
     print("seed", seed)
     dice = random.Random(seed)
     seen = set()
-    for _ in range(60):
+    for number in range(48):
         bench = LatheBench()
-        axis, way_mm = dice.choice("XZ"), dice.choice((-1, 1)) * dice.choice((0.02, 0.4, 1.0, 6.0))
-        feed = dice.choice((30, 120, 1400))
+        ways_mm = (0.02, 0.1, 0.2) if number & 1 else (0.4, 1.0, 6.0)
+        axis, way_mm = dice.choice("XZ"), (-1 if number & 2 else 1) * dice.choice(ways_mm)
+        feed = 1400 if number & 4 else dice.choice((30, 120))
         bench.send(f"$J=G91{axis}{way_mm:.3f}F{feed}\n")
         bench.wait(abs(way_mm) / feed * 60 + 1.0)
         seen.add((feed == 1400, abs(way_mm) < 0.3, way_mm < 0))
@@ -84,6 +85,29 @@ def test_pieces_of_a_held_jog_are_one_move() -> None:
         bench.send("$J=G91X-0.1F60\n", 0.05)
     bench.wait(2.0)
     assert bench.judge.sent == b"I1.0000?EP" and bench.judge.mm[0] == pytest.approx(-0.8)
+
+
+def test_a_held_jog_that_is_faster_than_the_lathe_plans_no_more_than_a_second_ahead() -> None:
+    bench = LatheBench()
+    for _ in range(40):  # each an ok later, as a sender does it
+        said = bench.send("$J=G91X-1F600\n", 0.0)
+        while "ok" not in said:
+            said = bench.wait(0.05)
+        if bench.time_s > 3.0:
+            break
+    at_mm = bench.judge.writes[-1][0], bench.board.places_mm[0]
+    bench.wait(5.0)  # nobody cancels
+    assert bench.board.state == "Idle" and bench.judge.sent == b"I2.2046?EP" and at_mm[1] < -3.0
+    assert at_mm[1] - 2.2046 * 1.6 < bench.judge.mm[0] < at_mm[1]
+    assert bench.said.count("the lathe jogs at up to") == 1
+
+
+def test_jogs_that_wait_are_answered_and_not_made_when_one_is_cancelled() -> None:
+    bench = LatheBench()
+    said = bench.send("$J=G91X-9F120\n" * 5, 0.3)
+    assert said.count("ok") == 1
+    assert bench.send(b"\x85", 1.0).count("ok") == 4
+    assert bench.judge.sent == b"I2.0000?EP" and bench.board.state == "Idle" and bench.board.quiet
 
 
 def test_another_way_waits_for_the_release() -> None:

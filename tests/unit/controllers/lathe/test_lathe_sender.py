@@ -3,12 +3,17 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 
 import pytest
 
+from CNCStepper.control.operator.actions import set_zero
 from CNCStepper.control.program.send_job import SendJob
+from CNCStepper.control.protocol.grbl.connect import handshake
+from CNCStepper.control.protocol.grbl.driver import Grbl
 from CNCStepper.control.protocol.grbl.readiness import expected_settings
+from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.control.service.sender import Sender
 from CNCStepper.control.session.status import DONE, REFUSED, STOPPED, Outcome
 from CNCStepper.errors import LinkError
@@ -31,15 +36,15 @@ class Desk(Unqueued):
         self.bench = LatheBench()
         self._during = during
         self._heard = self.bench.said.encode("ascii")
-        self._begin_s = self.clock()
+        self.begin_s = self.clock()
 
     def read(self, wait_s: float) -> bytes:
         end_s = self.clock() + wait_s
         while not self._heard and self.clock() < end_s:
             self._heard = self.bench.wait(STEP_S, STEP_S).encode("ascii")
             self.clock.now_s += STEP_S
-            self._during(self.clock() - self._begin_s)
-            if self.clock() - self._begin_s > 300:
+            self._during(self.clock() - self.begin_s)
+            if self.clock() - self.begin_s > 300:
                 raise LinkError("test", "the test takes too long")
         heard, self._heard = self._heard, b""
         return heard
@@ -96,6 +101,24 @@ def test_a_stop_sends_nothing_more_and_says_that_the_lathe_runs_on() -> None:
     assert desk.bench.board.places_mm[2] == pytest.approx(z)
 
 
+def test_an_outcome_says_how_long_a_long_cut_still_takes() -> None:
+    told: list[str] = []
+    asked: list[float] = []
+
+    def stop(time_s: float, sender: Sender) -> None:
+        if time_s > 3.0 and not asked:
+            asked.append(time_s)
+            sender.stop()
+
+    desk, outcome = sent("G01 Z-60. F1. #\nG01 Z60. F1. #\n", told, stop)
+    left_s = 60.0 - (desk.clock() - desk.begin_s)
+    assert outcome.kind == STOPPED and not outcome.position_known and 20.0 < left_s < 50.0
+    found = re.search(r"cannot be stopped.*it runs on for (\d+) s", outcome.text)
+    assert found and float(found[1]) == pytest.approx(left_s, abs=3.0), outcome.text
+    desk.bench.board.come_to_rest()
+    assert desk.bench.judge.mm == (0.0, -60.0) and b"Z60" not in desk.bench.judge.sent
+
+
 def test_another_language_is_refused_before_the_first_byte() -> None:
     told: list[str] = []
     desk = Desk()
@@ -104,3 +127,13 @@ def test_another_language_is_refused_before_the_first_byte() -> None:
     outcome = sender.run()
     assert outcome.kind == REFUSED and outcome.error and outcome.error.code == "dialect-differs" and not told
     assert desk.bench.judge.sent == b""
+
+
+def test_the_zero_of_both_axes_is_set_by_hand_and_read_back() -> None:
+    desk = Desk()
+    desk.bench.send("$J=G91X-2F120\n$J=G91Z3F120\n", 4.0)
+    driver = Grbl(desk, desk.clock)  # type: ignore[arg-type]
+    assert handshake(driver, Timing()).firmware.key == "lathe"
+    assert {"hold", "stop", "override", "resume"} <= driver.cannot
+    assert set_zero(driver, "XYZ", Timing()) == "G54"
+    assert driver.wpos_mm == (0.0, 0.0, 0.0) and driver.mpos_mm == pytest.approx((-2.0, 0.0, 3.0))

@@ -33,10 +33,15 @@ def setup_of(sheet: Sheet, seed: int) -> Setup:
                  has_z=seed % 2 == 0)  # fmt: skip
 
 
+def has_tabs(seed: int) -> bool:
+    return seed % 5 == 3
+
+
 def cut(sheet: Sheet, seed: int) -> tuple[Toolpath, Answer] | CycleError:
     table = TableBuilder(Start())
     lead = {"lead_in": LEADS[seed % 3]} if LEADS[seed % 3] else {}
-    operation = SheetCut(curves=tuple(sheet.curves), overcut_mm=float(seed % 4 == 1), **lead)
+    held = {"tabs": {"count": 1 + seed % 3, "width_mm": 1.5}} if has_tabs(seed) else {}
+    operation = SheetCut(curves=tuple(sheet.curves), overcut_mm=float(seed % 4 == 1), **lead, **held)
     try:
         answer = operation.cut(setup_of(sheet, seed), table)
     except CycleError as error:
@@ -51,11 +56,13 @@ def test_nothing_touches_a_part_and_nothing_is_cut_after_it_moved(seed: int) -> 
     sheet = random_sheet(seed)
     found = cut(sheet, seed)
     if isinstance(found, CycleError):
-        assert found.code == "lead-room" and found.limit and found.advice, found
+        assert found.code in ("lead-room", "tab-room", "tab-lead") and found.advice, found
+        assert (found.code == "lead-room") <= bool(found.limit) and has_tabs(seed) >= ("tab" in found.code)
         return
     path, answer = found
     told = faults(path, sheet.curves, sheet.outline, sheet.kerf_mm, sheet.pierce_mm, DELAY_S)
-    assert told == [], (seed, sorted(sheet.traits))
+    held = [f"part {number} is too large, or hangs on the sheet" for number in range(sheet.parts)]
+    assert told == (held if has_tabs(seed) else []), (seed, sorted(sheet.traits))
     assert len(answer.parts) == sheet.parts
 
 
@@ -64,6 +71,8 @@ def test_the_generator_has_the_hard_cases_and_few_are_refused() -> None:
     sheets = {seed: random_sheet(seed) for seed in SEEDS}
     cut_ones = [sheet for seed, sheet in sheets.items() if not isinstance(cut(sheet, seed), CycleError)]
     assert len(cut_ones) > 0.7 * len(sheets)
+    tabbed = [seed for seed, sheet in sheets.items() if has_tabs(seed) and sheet in cut_ones]
+    assert len(tabbed) > 0.08 * len(sheets)
     shares = Counter(trait for sheet in cut_ones for trait in sheet.traits)
     assert all(shares[trait] >= 0.1 * len(cut_ones) for trait in TRAITS), shares
 

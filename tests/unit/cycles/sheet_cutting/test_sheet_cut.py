@@ -18,7 +18,11 @@ from CNCStepper.geometry.curve import Curve, circle, from_points
 from CNCStepper.geometry.shapes.rectangle import rectangle
 from CNCStepper.machine.cut_charts import CutData
 from CNCStepper.machine.processes import PROCESSES
+from CNCStepper.machine.profile import load_machine
 from CNCStepper.machine.tools.tool import Tool
+from CNCStepper.simulation.check_context import CheckContext, Cutting
+from CNCStepper.simulation.checks.sheet_checks import sheet_findings
+from CNCStepper.simulation.exact.free_pieces import sheet_verdict
 from CNCStepper.state import Start
 from CNCStepper.toolpath import LINE, RAPID, TableBuilder, Toolpath
 from helpers.cycles.sheet_judge import strokes
@@ -134,7 +138,7 @@ def test_sharp_outside_corners_get_a_loop_in_scrap_and_none_where_there_is_no_ro
 
 def test_micro_joints_leave_their_width_and_the_part_is_not_free() -> None:
     path, answer = cut(PLATE, given=setup("laser", 0.2, power_s=800.0), tabs={"count": 3, "width_mm": 0.5})
-    assert answer.parts == [] and len(strokes(path)) == 4
+    assert (answer.figures["parts"], answer.figures["held_parts"]) == (0, 1) and len(strokes(path)) == 4
     band = shapely.union_all([one.line.buffer(0.1) for one in strokes(path)])
     left = shapely.box(-20, -20, 100, 80).difference(band)
     assert left.geom_type == "Polygon"  # the part hangs on the sheet
@@ -142,6 +146,52 @@ def test_micro_joints_leave_their_width_and_the_part_is_not_free() -> None:
         shapely.box(-0.2, -0.2, 80.2, 60.2))]))  # fmt: skip
     round_ends = 0.2**2 - math.pi * 0.1**2  # of each joint; as much stays outside at each two corners of the path
     assert bridges.area == pytest.approx(3 * (0.5 * 0.2 + round_ends) + (4 - math.pi) * 0.2**2, abs=0.003)
+
+
+@pytest.mark.parametrize("tabs", [{"count": 4, "width_mm": 2.0}, {"spacing_mm": 75.0, "width_mm": 3.0}])
+@pytest.mark.parametrize("process", ["plasma", "waterjet"])
+def test_a_torch_pierces_anew_behind_each_tab_and_the_part_hangs_on_the_sheet(process: str, tabs: dict) -> None:
+    path, answer = cut(given=setup(process), tabs=tabs)
+    found = strokes(path)
+    assert len(found) == 2 + 4 and answer.figures["pierces"] == 6
+    assert (answer.figures["parts"], answer.figures["held_parts"], len(answer.parts)) == (0, 1, 1)
+    assert all(one.dwell_s == DELAY_S for one in found)
+    band = shapely.union_all([one.line.buffer(KERF_MM / 2.0, quad_segs=64) for one in found])
+    left = shapely.box(-20, -20, 100, 80).difference(band)
+    (held,) = (piece for piece in shapely.get_parts(left) if piece.contains(shapely.Point(5, 5)))
+    assert held.contains(shapely.Point(-15, -15))
+    part = answer.parts[0]
+    assert band.intersection(part.buffer(-0.01)).area == 0.0  # chords of the arcs lie a trifle inside
+    pierces = shapely.points([one.line.coords[0] for one in found])
+    assert (shapely.distance(pierces, part) >= 2.0 - 0.001).all()
+    ring = shapely.Polygon(part.exterior)
+    bridges = ring.buffer(KERF_MM * 0.9).difference(ring.buffer(KERF_MM * 0.1)).difference(band)
+    bridges = [piece for piece in shapely.get_parts(bridges) if piece.area > 0.2]
+    widths = [piece.intersection(ring.buffer(KERF_MM / 2.0).exterior.buffer(0.01)).area / 0.02 for piece in bridges]
+    assert widths == pytest.approx([tabs["width_mm"]] * 4, abs=0.1)
+
+
+def test_the_checks_know_that_tabs_hold_a_part_and_that_pierces_keep_off_it() -> None:
+    given = setup()
+    for tabs, free in (({}, 1), ({"tabs": {"count": 3, "width_mm": 2.0}}, 0)):
+        path, answer = cut(given=given, **tabs)
+        cutting = Cutting(given.process, given.cut_data, answer.parts)
+        verdict = sheet_verdict(CheckContext.of(path, load_machine("torch-table"), ""), cutting, given.tool, None)
+        assert sum(one.shape.area > 2000.0 for one in verdict.free) == free and len(verdict.free) == 2 + free
+        subject = CheckContext.of(path, load_machine("torch-table"), "")
+        assert [one.code for one in sheet_findings(subject, verdict.cuts, verdict.freed)] == []
+        nearer = replace(cutting, parts=[answer.parts[0].buffer(3.2)])
+        moved = sheet_verdict(subject, nearer, given.tool, None)
+        assert "pierce-on-part" in {one.code for one in sheet_findings(subject, moved.cuts, moved.freed)}
+
+
+def test_a_tab_without_scrap_for_its_pierce_is_refused_with_its_place() -> None:
+    close = [PLATE.moved(83.5 * x, 63.5 * y) for x in (-1, 0, 1) for y in (-1, 0, 1)]
+    with pytest.raises(CycleError) as refused:
+        cut(*close, tabs={"count": 2, "width_mm": 2.0})
+    assert refused.value.code == "tab-lead" and "pierce" in refused.value.what and refused.value.advice
+    with pytest.raises(CycleError, match="needs no tabs"):
+        cut(PLATE, given=setup("drag-knife", 1.0), tabs={"count": 2})
 
 
 def test_marks_come_first_with_their_own_power_and_spots_stand_for_a_time() -> None:
@@ -211,7 +261,6 @@ def test_no_rapid_leads_over_parts_that_are_free_where_there_is_a_way_round() ->
     ((from_points([(0, 0), (40, 30), (40, 0), (0, 30)], closed=True),), {}, "curve-crossing", ""),
     ((from_points([(0, 0), (0.001, 0)]),), {}, "curve-length", ""),
     ((PLATE,), {"lead_in": {"kind": "none"}}, "lead-none", "2"),
-    ((PLATE,), {"tabs": {"count": 2}}, "process-key", ""),
     ((PLATE,), {"power_ramp": {"length_mm": 2.0}}, "process-key", ""),
     ((PLATE,), {"blade_offset_mm": 0.5}, "process-key", ""),
 ])  # fmt: skip

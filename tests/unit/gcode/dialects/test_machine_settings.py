@@ -11,6 +11,8 @@ import pytest
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.dialects import dialect
 from CNCStepper.gcode.interpreter.interpret import interpret
+from CNCStepper.gcode.wire.encoder import prepare
+from CNCStepper.gcode.wire.read_back import read_back, refused_lines
 from CNCStepper.gcode.writer.write import WriteOptions, write
 from CNCStepper.state import Start, State
 from CNCStepper.toolpath import RAPID, TableBuilder, Toolpath
@@ -126,6 +128,25 @@ def test_a_feed_setting_is_what_a_program_without_f_takes() -> None:
         interpret(text, Start(), "grbl")
     path = interpret(text, Start(), "grbl:feed=1200")
     assert "F1200" in write(path, "grbl:feed=1200"), "what is written stands without the setting"
+
+
+@pytest.mark.parametrize(("units", "feed"), [("G21", "F1270"), ("G20", "F50")])
+def test_a_controller_that_reads_files_takes_no_feed_that_is_not_in_them(units: str, feed: str) -> None:
+    """LinuxCNC keeps the F of the program before, and what we send of a file is the file."""
+    text = f"{units}\nG0 X0 Y0\nG1 X1\nX2\nM2\n"
+    language = "linuxcnc:feed=1270"
+    with pytest.raises(ProgramError) as refused:
+        read_back(prepare(text, language), text, Start(), language)
+    (again,) = refused_lines(text, Start(), language)
+    for error in (refused.value, again):
+        assert error.code == "no-feed" and feed in error.advice
+        assert error.place is not None and error.place.line == 3
+    converted = write(interpret(text, Start(), language), "grbl")  # what is converted names it
+    assert "F1270" in converted
+    written = text.replace("G1 X1", f"G1 X1 {feed}")
+    assert interpret(written, Start(), "linuxcnc:feed=900").table().feed.tolist() == pytest.approx(
+        [0.0, 1270.0, 1270.0]
+    )
 
 
 @pytest.mark.parametrize("setting", ["feed=0", "feed=-5", "feed=nan", "feed=", "feed=x", "z=some", "spindle=on"])

@@ -42,7 +42,7 @@ def test_every_phase_has_a_face_and_a_reason_for_what_is_locked(phase: str) -> N
         ("off", set()),
         ("connecting", set()),
         ("gone", set()),
-        ("idle", {"jog", "zero", "home", "override", "console"}),
+        ("idle", {"jog", "zero", "home", "override", "console", "relay"}),
         ("jogging", {"hold", "stop", "jog", "override"}),
         ("homing", {"stop"}),
         ("busy", {"hold", "stop"}),

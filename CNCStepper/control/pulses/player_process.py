@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What goes with the player's process: what its machine writes, what it says, and what is done in its stead.
+
+Where it was killed, its parent leaves the port idle; the places in a board's sequences are kept from job to job.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import subprocess
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from CNCStepper.atomic_file import write_whole
+from CNCStepper.control.pulses.output_ports import RECORD, SOCKET, open_output
+from CNCStepper.control.pulses.pacing import HOME
+from CNCStepper.control.pulses.pulse_ring import BEGIN_NS, PLACES
+from CNCStepper.control.session.files import session_folder
+from CNCStepper.control.session.status import error_from_json
+from CNCStepper.control.transport.port_identity import identify
+from CNCStepper.errors import LinkError
+from CNCStepper.machine.controller_family import family_of
+from CNCStepper.machine.profile import Machine
+from CNCStepper.motion.signals.parallel_port import RegisterWriter, idle_registers
+from CNCStepper.motion.signals.port_bytes import BoardWriter
+
+
+def is_board(machine: Machine) -> bool:
+    """Return whether a machine's pulses go out as a board's bytes, not as a parallel port's registers."""
+    return family_of(machine) == "board"
+
+
+def leave_port_idle(port: str, machine: Machine, places: Path | None, words: np.ndarray) -> None:
+    """Write what a worker that was killed could not: registers without an active line, or a board's places."""
+    if is_board(machine):
+        if places:
+            kept = words[PLACES : PLACES + len(machine.signals.motors) + 1].tolist()
+            with suppress(OSError):
+                write_whole(places, json.dumps({"places": kept}).encode("ascii"))
+        return
+    with suppress(LinkError, OSError):  # the port itself may be what was lost
+        opened = open_output(port, False, int(words[BEGIN_NS]), again=True)
+        opened.write(*idle_registers(machine.signals))
+        opened.close()
+
+
+def writer_of(machine: Machine) -> RegisterWriter | BoardWriter:
+    """Return what makes a machine's writes of its pulses; raises MachineRefusal where a motor has no pin."""
+    signals = machine.signals
+    if is_board(machine):
+        return BoardWriter(signals.motors, signals.null_motor)
+    return RegisterWriter(signals, len(machine.axes))
+
+
+def places_file(port: str) -> Path | None:
+    """Return where a board's places in its motors' sequences are kept from job to job; None for a virtual one."""
+    if port.startswith((RECORD, SOCKET)) or os.path.realpath(port).startswith("/dev/pts/"):
+        return None
+    digest = hashlib.sha256(identify(port).key.encode("utf-8")).hexdigest()[:16]
+    return session_folder() / f"{digest}.places"
+
+
+def line_of(worker: subprocess.Popen) -> bytes:
+    """Return the next line that it says, b"" where it has ended."""
+    assert worker.stdout
+    line: bytes = worker.stdout.readline()
+    return line
+
+
+def answer(line: bytes, wanted: str) -> dict[str, Any]:
+    """Return what the worker says; raises its error, or LinkError where it ended without a word."""
+    said = json.loads(line) if line.endswith(b"\n") else {}
+    if "error" in said:
+        raise error_from_json(said["error"])
+    if wanted not in said:
+        raise gone()
+    content: dict[str, Any] = said[wanted]
+    return content
+
+
+def gone() -> LinkError:
+    """Return the error of a process that has ended without a word."""
+    return LinkError("pulse-worker", "the process that plays the pulses has ended; steps may be lost", advice=HOME)
