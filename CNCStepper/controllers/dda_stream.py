@@ -23,6 +23,7 @@ from CNCStepper.motion.signals.device_switching import Change, Changes, Switch
 from CNCStepper.motion.signals.pulse_stream import PulseChunk, PulseStream
 from CNCStepper.toolpath import ARC_CW, LINE, PLANE_AXES, RAPID, XYZ, Chunk, Toolpath, begins_of
 
+Pulses = tuple[np.ndarray, np.ndarray, np.ndarray]  # ticks, step and back bits
 AT_ONCE_S = 3600.0  # of pulses that are made together, at most those of one move
 
 
@@ -122,14 +123,14 @@ class _Run:
         """Return changes before the pulses that come next."""
         return tuple(Switch(0, self.clock - one.lead_ticks, one.device, one.on, one.rpm) for one in changes)
 
-    def _row(self, chunk: Chunk, row: int, begin_mm: np.ndarray) -> Iterator[tuple[np.ndarray, ...]]:
+    def _row(self, chunk: Chunk, row: int, begin_mm: np.ndarray) -> Iterator[Pulses]:
         """Yield ticks, step and back bits of a row's pulses."""
         kind, end_mm, feed = int(chunk.kind[row]), chunk.end[row, :XYZ], float(chunk.feed[row])
         plane = int(chunk.plane[row])
-        if kind > LINE and int(chunk.turns[row]) == 1 and self._moves.takes_arc(end_mm, plane):
+        if kind > LINE and int(chunk.turns[row]) == 1 and self._moves.takes_arc(end_mm.tolist(), plane):
             centre_mm = chunk.centre[row]
             radius_mm = math.hypot(*(begin_mm[axis] - centre_mm[axis] for axis in PLANE_AXES[plane][:2]))
-            self._moves.arc(end_mm, centre_mm[:2], radius_mm, kind == ARC_CW, feed)
+            self._moves.arc(end_mm.tolist(), centre_mm[:2].tolist(), radius_mm, kind == ARC_CW, feed)
             yield from self._made()
             return
         places = end_mm[None]
@@ -137,10 +138,10 @@ class _Run:
             turns = int(chunk.turns[row])
             places = arc_points(begin_mm, end_mm, chunk.centre[row], kind, plane, turns, self._tolerance_mm)
         for place in places:
-            self._moves.line(place, feed, kind == RAPID)
+            self._moves.line(place.tolist(), feed, kind == RAPID)
             yield from self._made()
 
-    def _made(self) -> Iterator[tuple[np.ndarray, ...]]:
+    def _made(self) -> Iterator[Pulses]:
         while not self._moves.idle:
             for pulses in self._moves.make(AT_ONCE_S):
                 ticks = pulses.ticks + self._waited
@@ -148,5 +149,5 @@ class _Run:
                 yield ticks, pulses.step, pulses.back
 
 
-def _nothing() -> tuple[np.ndarray, ...]:
+def _nothing() -> Pulses:
     return np.zeros(0, np.int64), np.zeros(0, np.uint8), np.zeros(0, np.uint8)

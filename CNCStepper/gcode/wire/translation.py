@@ -371,21 +371,17 @@ def _joined(pieces: Iterable[WireText]) -> WireText:
     return WireText(WireLines(bytes(data)), np.concatenate(numbers), messages)
 
 
-class _SourceTable:
+class _SourceTable(TableBuilder):
     """The table of the program, whose events are kept apart: all of them are translated, few are kept."""
 
     def __init__(self, table: TableBuilder):
+        super().__init__(table.start)
         self._table = table
-        self.events: list[Event] = []
-        self.start, self.states, self.spans = table.start, table.states, table.spans
+        self.states, self.spans = table.states, table.spans
 
     def span_marks(self, kind: str) -> Iterator[int]:
         """Yield the rows at which spans of a kind begin and end, as far as they have."""
         return self._table.span_marks(kind)
-
-    def empty(self) -> Chunk:
-        """Return a chunk without rows."""
-        return self._table.empty()
 
 
 class TranslatedFile:
