@@ -216,7 +216,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Corner Distance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Corner Dwell</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corner Feed Share</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -645,6 +653,10 @@
         </message>
         <message>
             <source>How far before and behind a corner</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far before and behind a corner the feed is lower; 0: it is not</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1884,6 +1896,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The share of the feed there; a slower wire melts a wider kerf</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The share of the feed with which they are cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2108,7 +2124,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Where the way turns by less, the wire does not stand</source>
+            <source>Where the way turns by less, the wire neither stands nor slows down</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3480,6 +3496,10 @@
         </message>
         <message>
             <source>How far before and behind a corner</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far before and behind a corner the feed is lower; 0: it is not</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5319,6 +5339,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The share of the feed there; a slower wire melts a wider kerf</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The share of the feed with which they are cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5711,7 +5735,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Where the way turns by less, the wire does not stand</source>
+            <source>Where the way turns by less, the wire neither stands nor slows down</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8063,6 +8087,10 @@
         </message>
         <message>
             <source>ask for fewer or narrower joints</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>ask for fewer tabs, set a smaller pierce_mm, or leave more scrap there</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13938,6 +13966,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>there is no scrap for the pierce behind a tab of {chain} near X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there is no subroutine o&lt;{seeking}&gt;</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14707,6 +14739,10 @@
         </message>
         <message>
             <source>write F on a line of its own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write F{feed:.6g} into the file: its controller reads it itself, and would take an earlier feed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15755,6 +15791,10 @@
         </message>
         <message>
             <source>{problem} in {table}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{process} does not cut through the sheet: it needs no tabs</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -216,8 +216,16 @@
             <translation>Canto B</translation>
         </message>
         <message>
+            <source>Corner Distance</source>
+            <translation>Distância do canto</translation>
+        </message>
+        <message>
             <source>Corner Dwell</source>
             <translation>Pausa no canto</translation>
+        </message>
+        <message>
+            <source>Corner Feed Share</source>
+            <translation>Parte do avanço no canto</translation>
         </message>
         <message>
             <source>Corner Radius</source>
@@ -646,6 +654,10 @@
         <message>
             <source>How far before and behind a corner</source>
             <translation>Quanto antes e depois de um canto</translation>
+        </message>
+        <message>
+            <source>How far before and behind a corner the feed is lower; 0: it is not</source>
+            <translation>Até que distância antes e depois do canto o avanço é menor; 0: não é</translation>
         </message>
         <message>
             <source>How far before its end the cut runs on without power</source>
@@ -1884,6 +1896,10 @@
             <translation>A parte do avanço ali</translation>
         </message>
         <message>
+            <source>The share of the feed there; a slower wire melts a wider kerf</source>
+            <translation>A parte do avanço ali; um fio mais lento derrete um corte mais largo</translation>
+        </message>
+        <message>
             <source>The share of the feed with which they are cut</source>
             <translation>A parte do avanço com que são cortados</translation>
         </message>
@@ -2108,8 +2124,8 @@
             <translation>Onde a fileira termina</translation>
         </message>
         <message>
-            <source>Where the way turns by less, the wire does not stand</source>
-            <translation>Onde o caminho vira menos, o fio não para</translation>
+            <source>Where the way turns by less, the wire neither stands nor slows down</source>
+            <translation>Onde o caminho vira menos, o fio nem para nem vai mais devagar</translation>
         </message>
         <message>
             <source>Where the work zero lies in this document</source>
@@ -3481,6 +3497,10 @@
         <message>
             <source>How far before and behind a corner</source>
             <translation>Quanto antes e depois de um canto</translation>
+        </message>
+        <message>
+            <source>How far before and behind a corner the feed is lower; 0: it is not</source>
+            <translation>Até que distância antes e depois do canto o avanço é menor; 0: não é</translation>
         </message>
         <message>
             <source>How far before its end the cut runs on without power</source>
@@ -5319,6 +5339,10 @@
             <translation>A parte do avanço ali</translation>
         </message>
         <message>
+            <source>The share of the feed there; a slower wire melts a wider kerf</source>
+            <translation>A parte do avanço ali; um fio mais lento derrete um corte mais largo</translation>
+        </message>
+        <message>
             <source>The share of the feed with which they are cut</source>
             <translation>A parte do avanço com que são cortados</translation>
         </message>
@@ -5711,8 +5735,8 @@
             <translation>Não se sabe onde a mesa está: referencie a máquina ou defina de novo o zero-peça.</translation>
         </message>
         <message>
-            <source>Where the way turns by less, the wire does not stand</source>
-            <translation>Onde o caminho vira menos, o fio não para</translation>
+            <source>Where the way turns by less, the wire neither stands nor slows down</source>
+            <translation>Onde o caminho vira menos, o fio nem para nem vai mais devagar</translation>
         </message>
         <message>
             <source>Where the work zero lies in this document</source>
@@ -8064,6 +8088,10 @@
         <message>
             <source>ask for fewer or narrower joints</source>
             <translation>peça menos microjunções, ou mais estreitas</translation>
+        </message>
+        <message>
+            <source>ask for fewer tabs, set a smaller pierce_mm, or leave more scrap there</source>
+            <translation>peça menos pontes, use um pierce_mm menor ou deixe mais retalho ali</translation>
         </message>
         <message>
             <source>ask for it again</source>
@@ -13938,6 +13966,10 @@
             <translation>não há retalho para a perfuração e a entrada de {chain} perto de X{x:.3f} Y{y:.3f}</translation>
         </message>
         <message>
+            <source>there is no scrap for the pierce behind a tab of {chain} near X{x:.3f} Y{y:.3f}</source>
+            <translation>não há retalho para a perfuração depois de uma ponte de {chain} perto de X{x:.3f} Y{y:.3f}</translation>
+        </message>
+        <message>
             <source>there is no subroutine o&lt;{seeking}&gt;</source>
             <translation>não há sub-rotina o&lt;{seeking}&gt;</translation>
         </message>
@@ -14708,6 +14740,10 @@
         <message>
             <source>write F on a line of its own</source>
             <translation>escreva F em uma linha própria</translation>
+        </message>
+        <message>
+            <source>write F{feed:.6g} into the file: its controller reads it itself, and would take an earlier feed</source>
+            <translation>escreva F{feed:.6g} no arquivo: o controlador o lê sozinho e usaria um avanço anterior</translation>
         </message>
         <message>
             <source>write G0, G1, G2 or G3</source>
@@ -15756,6 +15792,10 @@
         <message>
             <source>{problem} in {table}</source>
             <translation>{problem} em {table}</translation>
+        </message>
+        <message>
+            <source>{process} does not cut through the sheet: it needs no tabs</source>
+            <translation>{process} não corta através da chapa: não precisa de pontes</translation>
         </message>
         <message>
             <source>{process} does not cut with a {shape} tool</source>
