@@ -217,7 +217,7 @@
         </message>
         <message>
             <source>Corner Distance</source>
-            <translation type="unfinished"></translation>
+            <translation>Distância do canto</translation>
         </message>
         <message>
             <source>Corner Dwell</source>
@@ -225,7 +225,7 @@
         </message>
         <message>
             <source>Corner Feed Share</source>
-            <translation type="unfinished"></translation>
+            <translation>Parte do avanço no canto</translation>
         </message>
         <message>
             <source>Corner Radius</source>
@@ -657,7 +657,7 @@
         </message>
         <message>
             <source>How far before and behind a corner the feed is lower; 0: it is not</source>
-            <translation type="unfinished"></translation>
+            <translation>Até que distância antes e depois do canto o avanço é menor; 0: não é</translation>
         </message>
         <message>
             <source>How far before its end the cut runs on without power</source>
@@ -1897,7 +1897,7 @@
         </message>
         <message>
             <source>The share of the feed there; a slower wire melts a wider kerf</source>
-            <translation type="unfinished"></translation>
+            <translation>A parte do avanço ali; um fio mais lento derrete um corte mais largo</translation>
         </message>
         <message>
             <source>The share of the feed with which they are cut</source>
@@ -2125,7 +2125,7 @@
         </message>
         <message>
             <source>Where the way turns by less, the wire neither stands nor slows down</source>
-            <translation type="unfinished"></translation>
+            <translation>Onde o caminho vira menos, o fio nem para nem vai mais devagar</translation>
         </message>
         <message>
             <source>Where the work zero lies in this document</source>
@@ -3648,7 +3648,7 @@
         </message>
         <message>
             <source>How far before and behind a corner the feed is lower; 0: it is not</source>
-            <translation type="unfinished"></translation>
+            <translation>Até que distância antes e depois do canto o avanço é menor; 0: não é</translation>
         </message>
         <message>
             <source>How far before its end the cut runs on without power</source>
@@ -5836,7 +5836,7 @@
         </message>
         <message>
             <source>The share of the feed there; a slower wire melts a wider kerf</source>
-            <translation type="unfinished"></translation>
+            <translation>A parte do avanço ali; um fio mais lento derrete um corte mais largo</translation>
         </message>
         <message>
             <source>The share of the feed with which they are cut</source>
@@ -6292,7 +6292,7 @@
         </message>
         <message>
             <source>Where the way turns by less, the wire neither stands nor slows down</source>
-            <translation type="unfinished"></translation>
+            <translation>Onde o caminho vira menos, o fio nem para nem vai mais devagar</translation>
         </message>
         <message>
             <source>Where the work zero lies in this document</source>
@@ -8915,7 +8915,7 @@
         </message>
         <message>
             <source>ask for fewer tabs, set a smaller pierce_mm, or leave more scrap there</source>
-            <translation type="unfinished"></translation>
+            <translation>peça menos pontes, use um pierce_mm menor ou deixe mais retalho ali</translation>
         </message>
         <message>
             <source>ask for it again</source>
@@ -15115,7 +15115,7 @@
         </message>
         <message>
             <source>there is no scrap for the pierce behind a tab of {chain} near X{x:.3f} Y{y:.3f}</source>
-            <translation type="unfinished"></translation>
+            <translation>não há retalho para a perfuração depois de uma ponte de {chain} perto de X{x:.3f} Y{y:.3f}</translation>
         </message>
         <message>
             <source>there is no subroutine o&lt;{seeking}&gt;</source>
@@ -15952,6 +15952,10 @@
         <message>
             <source>write F on a line of its own</source>
             <translation>escreva F em uma linha própria</translation>
+        </message>
+        <message>
+            <source>write F{feed:.6g} into the file: its controller reads it itself, and would take an earlier feed</source>
+            <translation>escreva F{feed:.6g} no arquivo: o controlador o lê sozinho e usaria um avanço anterior</translation>
         </message>
         <message>
             <source>write G0, G1, G2 or G3</source>
@@ -17103,7 +17107,7 @@
         </message>
         <message>
             <source>{process} does not cut through the sheet: it needs no tabs</source>
-            <translation type="unfinished"></translation>
+            <translation>{process} não corta através da chapa: não precisa de pontes</translation>
         </message>
         <message>
             <source>{process} does not cut with a {shape} tool</source>
