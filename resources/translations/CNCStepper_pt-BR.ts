@@ -8442,10 +8442,6 @@
             <translation>um pino com número tem uma porta: o arquivo de dispositivo da sua porta paralela</translation>
         </message>
         <message>
-            <source>a pin with a number, and only that, has a port: the device file of its parallel port</source>
-            <translation>um pino com número, e só ele, tem port: o arquivo de dispositivo da sua porta paralela</translation>
-        </message>
-        <message>
             <source>a pipe (FIFO)</source>
             <translation>um pipe (FIFO)</translation>
         </message>
