@@ -8815,7 +8815,7 @@
         </message>
         <message>
             <source>an arc of several turns cannot be sent to a controller of this computer</source>
-            <translation type="unfinished"></translation>
+            <translation>um arco de várias voltas não pode ser enviado a um controlador deste computador</translation>
         </message>
         <message>
             <source>an arc scaled unevenly is no arc</source>
@@ -8995,7 +8995,7 @@
         </message>
         <message>
             <source>at the profile's interval the letters are too fast for {axis}</source>
-            <translation type="unfinished"></translation>
+            <translation>no intervalo do perfil as letras são rápidas demais para {axis}</translation>
         </message>
         <message>
             <source>attach to it again</source>
@@ -9143,7 +9143,7 @@
         </message>
         <message>
             <source>change F in the program</source>
-            <translation type="unfinished"></translation>
+            <translation>altere F no programa</translation>
         </message>
         <message>
             <source>change the distance or the tolerance a little</source>
@@ -9339,7 +9339,7 @@
         </message>
         <message>
             <source>choose another file, or another machine</source>
-            <translation type="unfinished"></translation>
+            <translation>escolha outro arquivo, ou outra máquina</translation>
         </message>
         <message>
             <source>choose another name</source>
@@ -10943,7 +10943,7 @@
         </message>
         <message>
             <source>look at its name and rights</source>
-            <translation type="unfinished"></translation>
+            <translation>veja seu nome e suas permissões</translation>
         </message>
         <message>
             <source>look at its switches</source>
@@ -10979,7 +10979,7 @@
         </message>
         <message>
             <source>look at the machine</source>
-            <translation type="unfinished"></translation>
+            <translation>olhe a máquina</translation>
         </message>
         <message>
             <source>look at the machine, and restart the program by hand</source>
@@ -10999,7 +10999,7 @@
         </message>
         <message>
             <source>look at what it says, end other programs, or choose lower speeds</source>
-            <translation type="unfinished"></translation>
+            <translation>veja o que ele diz, encerre outros programas, ou escolha velocidades menores</translation>
         </message>
         <message>
             <source>look for a pendant or another program that is connected, set the zero again, then send again</source>
@@ -11311,7 +11311,7 @@
         </message>
         <message>
             <source>move the tool to the work zero and set it there</source>
-            <translation type="unfinished"></translation>
+            <translation>leve a ferramenta ao zero da peça e defina-o ali</translation>
         </message>
         <message>
             <source>move the work zero {word} the {name} axis or make the program smaller</source>
@@ -12031,11 +12031,11 @@
         </message>
         <message>
             <source>press the machine's own switch, or let it run to its end</source>
-            <translation type="unfinished"></translation>
+            <translation>use a chave da própria máquina, ou deixe-a ir até o fim</translation>
         </message>
         <message>
             <source>press the machine's switch; no further line is sent</source>
-            <translation type="unfinished"></translation>
+            <translation>use a chave da máquina; nenhuma outra linha é enviada</translation>
         </message>
         <message>
             <source>process must be a text</source>
@@ -12079,7 +12079,7 @@
         </message>
         <message>
             <source>put in tool {tool:g}</source>
-            <translation type="unfinished"></translation>
+            <translation>coloque a ferramenta {tool:g}</translation>
         </message>
         <message>
             <source>put it before the way</source>
@@ -12111,7 +12111,7 @@
         </message>
         <message>
             <source>raise interval_ms of the profile's signals</source>
-            <translation type="unfinished"></translation>
+            <translation>aumente interval_ms dos sinais do perfil</translation>
         </message>
         <message>
             <source>raise pulloff_mm in its configuration, or check the switch</source>
@@ -12243,7 +12243,7 @@
         </message>
         <message>
             <source>restart the program at a line before it</source>
-            <translation type="unfinished"></translation>
+            <translation>recomece o programa em uma linha anterior</translation>
         </message>
         <message>
             <source>restarts are written for grbl, grblHAL, FluidNC, LinuxCNC and Mach: convert it, or run it whole</source>
@@ -12387,7 +12387,7 @@
         </message>
         <message>
             <source>send them to a machine whose pulses this computer makes</source>
-            <translation type="unfinished"></translation>
+            <translation>envie-as a uma máquina cujos pulsos este computador gera</translation>
         </message>
         <message>
             <source>set $0 to 2 or more</source>
@@ -12467,7 +12467,7 @@
         </message>
         <message>
             <source>set the zero by hand</source>
-            <translation type="unfinished"></translation>
+            <translation>defina o zero à mão</translation>
         </message>
         <message>
             <source>set the zero on the stock, then confirm it (--zero-confirmed)</source>
@@ -12647,7 +12647,7 @@
         </message>
         <message>
             <source>stop the program, then jog</source>
-            <translation type="unfinished"></translation>
+            <translation>pare o programa e depois mova à mão</translation>
         </message>
         <message>
             <source>stop with M5 and M0 before the new tool</source>
@@ -12835,7 +12835,7 @@
         </message>
         <message>
             <source>the USB board's controller</source>
-            <translation type="unfinished"></translation>
+            <translation>o controlador da placa USB</translation>
         </message>
         <message>
             <source>the angle is not known at the zero of the work system</source>
@@ -13503,7 +13503,7 @@
         </message>
         <message>
             <source>the file has no pulse letter</source>
-            <translation type="unfinished"></translation>
+            <translation>o arquivo não tem letra de pulso</translation>
         </message>
         <message>
             <source>the file has too many materials</source>
@@ -13783,11 +13783,11 @@
         </message>
         <message>
             <source>the letters go farther than {axis} can travel</source>
-            <translation type="unfinished"></translation>
+            <translation>as letras vão além do curso de {axis}</translation>
         </message>
         <message>
             <source>the letters move {axis}, which this machine does not have</source>
-            <translation type="unfinished"></translation>
+            <translation>as letras movem {axis}, que esta máquina não tem</translation>
         </message>
         <message>
             <source>the library has too many tools</source>
@@ -13871,7 +13871,7 @@
         </message>
         <message>
             <source>the lines that would be sent mean another path than the program</source>
-            <translation type="unfinished"></translation>
+            <translation>as linhas que seriam enviadas descrevem outro percurso que o programa</translation>
         </message>
         <message>
             <source>the lines to send are not those that were proven</source>
@@ -13995,7 +13995,7 @@
         </message>
         <message>
             <source>the machine's controller does not have it: take it out, or cut the program in two there</source>
-            <translation type="unfinished"></translation>
+            <translation>o controlador da máquina não o tem: retire-o, ou divida o programa ali</translation>
         </message>
         <message>
             <source>the machine's position is unknown</source>
@@ -14019,7 +14019,7 @@
         </message>
         <message>
             <source>the mini-lathe's controller</source>
-            <translation type="unfinished"></translation>
+            <translation>o controlador do minitorno</translation>
         </message>
         <message>
             <source>the minor diameter does not fit the major one and the pitch</source>
@@ -14099,7 +14099,7 @@
         </message>
         <message>
             <source>the parallel port's controller</source>
-            <translation type="unfinished"></translation>
+            <translation>o controlador da porta paralela</translation>
         </message>
         <message>
             <source>the parameters of the file are not in the order of their numbers</source>
@@ -14379,7 +14379,7 @@
         </message>
         <message>
             <source>the program sets its own work zero (G10)</source>
-            <translation type="unfinished"></translation>
+            <translation>o programa define seu próprio zero da peça (G10)</translation>
         </message>
         <message>
             <source>the program waits or asks for what pulses cannot give</source>
@@ -15187,7 +15187,7 @@
         </message>
         <message>
             <source>this is a fault of this program: report it</source>
-            <translation type="unfinished"></translation>
+            <translation>isto é uma falha deste programa: relate-a</translation>
         </message>
         <message>
             <source>this is no certificate</source>
@@ -15231,39 +15231,39 @@
         </message>
         <message>
             <source>this machine cannot be held while its program runs: its link takes no such command</source>
-            <translation type="unfinished"></translation>
+            <translation>esta máquina não pode ser retida enquanto seu programa corre: sua ligação não aceita esse comando</translation>
         </message>
         <message>
             <source>this machine cannot be jogged from here</source>
-            <translation type="unfinished"></translation>
+            <translation>esta máquina não pode ser movida à mão daqui</translation>
         </message>
         <message>
             <source>this machine cannot be jogged while a program is held</source>
-            <translation type="unfinished"></translation>
+            <translation>esta máquina não pode ser movida à mão enquanto um programa está retido</translation>
         </message>
         <message>
             <source>this machine cannot be resumed over its link</source>
-            <translation type="unfinished"></translation>
+            <translation>esta máquina não pode ser retomada por sua ligação</translation>
         </message>
         <message>
             <source>this machine cannot be stopped while it runs what it was sent</source>
-            <translation type="unfinished"></translation>
+            <translation>esta máquina não pode ser parada enquanto executa o que recebeu</translation>
         </message>
         <message>
             <source>this machine cannot do this: {word}</source>
-            <translation type="unfinished"></translation>
+            <translation>esta máquina não pode fazer isto: {word}</translation>
         </message>
         <message>
             <source>this machine cannot find its own zero</source>
-            <translation type="unfinished"></translation>
+            <translation>esta máquina não pode achar seu próprio zero</translation>
         </message>
         <message>
             <source>this machine cannot go back along its cut</source>
-            <translation type="unfinished"></translation>
+            <translation>esta máquina não pode voltar ao longo de seu corte</translation>
         </message>
         <message>
             <source>this machine does not report its position: it is counted from what was sent</source>
-            <translation type="unfinished"></translation>
+            <translation>esta máquina não informa sua posição: ela é contada pelo que foi enviado</translation>
         </message>
         <message>
             <source>this machine has no Z axis: arcs are in XY</source>
@@ -15275,7 +15275,7 @@
         </message>
         <message>
             <source>this machine has no probe</source>
-            <translation type="unfinished"></translation>
+            <translation>esta máquina não tem apalpador</translation>
         </message>
         <message>
             <source>this machine has no spindle whose speed is chosen: write M3 alone</source>
@@ -15287,7 +15287,7 @@
         </message>
         <message>
             <source>this machine's speeds cannot be changed while its program runs</source>
-            <translation type="unfinished"></translation>
+            <translation>as velocidades desta máquina não podem ser alteradas enquanto seu programa corre</translation>
         </message>
         <message>
             <source>this material number is none of a material file</source>
@@ -15723,7 +15723,7 @@
         </message>
         <message>
             <source>use the machine's own buttons</source>
-            <translation type="unfinished"></translation>
+            <translation>use os botões da própria máquina</translation>
         </message>
         <message>
             <source>use the version of CNCStepper that started it</source>
@@ -16127,7 +16127,7 @@
         </message>
         <message>
             <source>write each turn</source>
-            <translation type="unfinished"></translation>
+            <translation>escreva cada volta</translation>
         </message>
         <message>
             <source>write endsub, or M99 in a subprogram of Fanuc's form</source>
@@ -16263,7 +16263,7 @@
         </message>
         <message>
             <source>write the program for the dialect mini-lathe</source>
-            <translation type="unfinished"></translation>
+            <translation>escreva o programa para o dialeto mini-lathe</translation>
         </message>
         <message>
             <source>write the program in mm, or choose a higher feed</source>
@@ -16803,7 +16803,7 @@
         </message>
         <message>
             <source>{machine} takes no pulse letters</source>
-            <translation type="unfinished"></translation>
+            <translation>{machine} não aceita letras de pulso</translation>
         </message>
         <message>
             <source>{match} is no number</source>
@@ -17023,7 +17023,7 @@
         </message>
         <message>
             <source>{path} cannot be read: {error}</source>
-            <translation type="unfinished"></translation>
+            <translation>{path} não pode ser lido: {error}</translation>
         </message>
         <message>
             <source>{path} cannot be recorded in: {error}</source>
@@ -17215,7 +17215,7 @@
         </message>
         <message>
             <source>{what} cannot be sent to a controller of this computer</source>
-            <translation type="unfinished"></translation>
+            <translation>{what} não pode ser enviado a um controlador deste computador</translation>
         </message>
         <message>
             <source>{what} while the tool is compensated</source>
