@@ -126,9 +126,9 @@ def command(
     --unchecked. The controller's settings, and its work zero where the proof knows it, are compared.
 
     A machine whose pulses this computer makes, and the mini-lathe, have no controller at the port: with --machine one
-    of ours is started there. Programs in the machine's own language are sent as lines of grbl's, proven by reading
-    them back; before the first line it tries the fastest rate of this program. PROGRAM may be a file of pulse letters,
-    NAME.letters. What a machine cannot do (hold, stop, override) is printed before the first line.
+    of ours is started there. Programs in the machine's own language are sent to it as lines of grbl's, proven by
+    reading them back; before the first line it tries the fastest rate of this program. PROGRAM may be a file of pulse
+    letters, NAME.letters. What a machine cannot do (hold, stop, override) is printed before the first line.
 
     Many boards restart when their port is opened, and count from where they stand: the position is unknown. Where there
     are limit switches, --home lets the machine find its zero again. Without, such a board is sent nothing unless its
