@@ -42,6 +42,9 @@ REASONS = {
     "workbench/editor/reader_client": PRIVATE,
     "workbench/document/program_file": PRIVATE,
     "workbench/dock/virtual_controller": "a log in the user's own state folder of 0700, under a random name",
+    "control/protocol/lathe/serial_port": "a recording that grows while bytes are sent, never over another file",
+    "simulation/views/readings_plot": BUFFER,
+    "workbench/machines/machine_test_view": BUFFER,
     "simulation/views/picture_style": BUFFER,
     "simulation/views/paper_sheet": BUFFER,
 }

@@ -154,15 +154,15 @@ class Visit:
             values = dict.fromkeys(("x_mm", "y_mm", "z_mm"), 0.0) | {"feed_mm_min": 3000.0} | values
         self.desk.ask(Command(name, values))
 
-    def job(self, *lines: str, zeroed: bool = True, **job) -> None:
+    def job(self, *lines: str, zeroed: bool = True, command: str = "run", **job) -> None:
         """Ask for a job of these lines, as the window leaves it in a file: without a port.
 
-        zeroed: where the position is unknown, this place is made the zero first.
+        zeroed: where the position is unknown, this place is made the zero first. command: "send" asks as a terminal.
         """
         if zeroed and self.phase == "idle" and self.desk.status().position_known is False:
             self.ask("set_zero", axes="XYZ")
         write_job(self._file, SendJob("nowhere", lines, file="part.nc", **job))
-        self.ask("run", file=str(self._file), zero_confirmed=True, allow_differences=False)
+        self.ask(command, file=str(self._file), zero_confirmed=True, allow_differences=False)
 
     def at(self, *phases: str) -> Callable[[], bool]:
         """Return what to wait for: the desk is in one of these phases."""

@@ -40,6 +40,7 @@ class Way(NamedTuple):
 WAYS = (
     Way("run", {"file": "", "zero_confirmed": True, "allow_differences": False}, ASKS),  # send, restart, unfinished job
     Way("run", {"file": "", "zero_confirmed": True, "allow_differences": True}, ASKS),
+    Way("send", {"file": "", "zero_confirmed": True, "allow_differences": False}, ASKS),  # of a terminal
     Way("again", {}, ASKS),  # the start button of the machine
     Way("resume", {"stand": None}, ASKS, held=True),
     Way("line", {"text": "G0 X-6"}, ASKS),
@@ -68,6 +69,7 @@ WAYS = (
     Way("retrace", {"file": "leg.json"}, STAYS),
     Way("want_back", {"distance_mm": 1.0}, STAYS),
     Way("end", {}, STAYS),
+    Way("disconnect", {}, STAYS),
 )
 
 
@@ -103,8 +105,8 @@ def begun_and_held(board: Grbl) -> None:
 
 def taken(visit: Visit, way: Way) -> Iterator[Any]:
     """Ask for a way, and wait a while."""
-    if way.command == "run":
-        visit.job("G21G90G54", "G1X-4Y-3F1000", zeroed=False)
+    if way.command in ("run", "send"):
+        visit.job("G21G90G54", "G1X-4Y-3F1000", zeroed=False, command=way.command)
     elif way.command == "again":
         yield from done_and_restarted(visit)
         visit.ask("again")
@@ -146,6 +148,8 @@ def test_each_way_asks_for_the_position_or_does_not_need_it(tmp_path, way):
     visit.receive(person)
     asked = [*visit.refusals(), *(outcome.error.code for outcome in visit.outcomes if outcome.error)]
     assert (UNKNOWN in asked) == (way.does == ASKS), (asked, visit.refused, visit.outcomes)
+    if way.command == "disconnect":  # the service ends before anybody looks
+        moved.append(any(board.axes.position_mm))
     assert moved == [way.does == JOGS]
 
 
