@@ -8819,7 +8819,7 @@
         </message>
         <message>
             <source>an arc of several turns cannot be sent to a controller of this computer</source>
-            <translation type="unfinished"></translation>
+            <translation>um arco de várias voltas não pode ser enviado a um controlador deste computador</translation>
         </message>
         <message>
             <source>an arc scaled unevenly is no arc</source>
@@ -8999,7 +8999,7 @@
         </message>
         <message>
             <source>at the profile's interval the letters are too fast for {axis}</source>
-            <translation type="unfinished"></translation>
+            <translation>no intervalo do perfil as letras são rápidas demais para {axis}</translation>
         </message>
         <message>
             <source>attach to it again</source>
@@ -9147,7 +9147,7 @@
         </message>
         <message>
             <source>change F in the program</source>
-            <translation type="unfinished"></translation>
+            <translation>mude o F no programa</translation>
         </message>
         <message>
             <source>change the distance or the tolerance a little</source>
@@ -9343,7 +9343,7 @@
         </message>
         <message>
             <source>choose another file, or another machine</source>
-            <translation type="unfinished"></translation>
+            <translation>escolha outro arquivo ou outra máquina</translation>
         </message>
         <message>
             <source>choose another name</source>
@@ -10947,7 +10947,7 @@
         </message>
         <message>
             <source>look at its name and rights</source>
-            <translation type="unfinished"></translation>
+            <translation>verifique o nome e as permissões</translation>
         </message>
         <message>
             <source>look at its switches</source>
@@ -10983,7 +10983,7 @@
         </message>
         <message>
             <source>look at the machine</source>
-            <translation type="unfinished"></translation>
+            <translation>olhe para a máquina</translation>
         </message>
         <message>
             <source>look at the machine, and restart the program by hand</source>
@@ -11003,7 +11003,7 @@
         </message>
         <message>
             <source>look at what it says, end other programs, or choose lower speeds</source>
-            <translation type="unfinished"></translation>
+            <translation>leia o que ele informa, encerre outros programas ou escolha velocidades menores</translation>
         </message>
         <message>
             <source>look for a pendant or another program that is connected, set the zero again, then send again</source>
@@ -11315,7 +11315,7 @@
         </message>
         <message>
             <source>move the tool to the work zero and set it there</source>
-            <translation type="unfinished"></translation>
+            <translation>leve a ferramenta ao zero da peça e defina-o ali</translation>
         </message>
         <message>
             <source>move the work zero {word} the {name} axis or make the program smaller</source>
@@ -12035,11 +12035,11 @@
         </message>
         <message>
             <source>press the machine's own switch, or let it run to its end</source>
-            <translation type="unfinished"></translation>
+            <translation>aperte a chave da própria máquina ou deixe o programa chegar ao fim</translation>
         </message>
         <message>
             <source>press the machine's switch; no further line is sent</source>
-            <translation type="unfinished"></translation>
+            <translation>aperte a chave da máquina; nenhuma outra linha é enviada</translation>
         </message>
         <message>
             <source>process must be a text</source>
@@ -12083,7 +12083,7 @@
         </message>
         <message>
             <source>put in tool {tool:g}</source>
-            <translation type="unfinished"></translation>
+            <translation>coloque a ferramenta {tool:g}</translation>
         </message>
         <message>
             <source>put it before the way</source>
@@ -12115,7 +12115,7 @@
         </message>
         <message>
             <source>raise interval_ms of the profile's signals</source>
-            <translation type="unfinished"></translation>
+            <translation>aumente interval_ms em signals do perfil</translation>
         </message>
         <message>
             <source>raise pulloff_mm in its configuration, or check the switch</source>
@@ -12247,7 +12247,7 @@
         </message>
         <message>
             <source>restart the program at a line before it</source>
-            <translation type="unfinished"></translation>
+            <translation>reinicie o programa em uma linha anterior</translation>
         </message>
         <message>
             <source>restarts are written for grbl, grblHAL, FluidNC, LinuxCNC and Mach: convert it, or run it whole</source>
@@ -12391,7 +12391,7 @@
         </message>
         <message>
             <source>send them to a machine whose pulses this computer makes</source>
-            <translation type="unfinished"></translation>
+            <translation>envie-as a uma máquina cujos pulsos este computador gera</translation>
         </message>
         <message>
             <source>set $0 to 2 or more</source>
@@ -12471,7 +12471,7 @@
         </message>
         <message>
             <source>set the zero by hand</source>
-            <translation type="unfinished"></translation>
+            <translation>defina o zero à mão</translation>
         </message>
         <message>
             <source>set the zero on the stock, then confirm it (--zero-confirmed)</source>
@@ -12651,7 +12651,7 @@
         </message>
         <message>
             <source>stop the program, then jog</source>
-            <translation type="unfinished"></translation>
+            <translation>pare o programa e depois mova à mão</translation>
         </message>
         <message>
             <source>stop with M5 and M0 before the new tool</source>
@@ -12839,7 +12839,7 @@
         </message>
         <message>
             <source>the USB board's controller</source>
-            <translation type="unfinished"></translation>
+            <translation>o controlador da placa USB</translation>
         </message>
         <message>
             <source>the angle is not known at the zero of the work system</source>
@@ -13507,7 +13507,7 @@
         </message>
         <message>
             <source>the file has no pulse letter</source>
-            <translation type="unfinished"></translation>
+            <translation>o arquivo não tem nenhuma letra de pulso</translation>
         </message>
         <message>
             <source>the file has too many materials</source>
@@ -13787,11 +13787,11 @@
         </message>
         <message>
             <source>the letters go farther than {axis} can travel</source>
-            <translation type="unfinished"></translation>
+            <translation>as letras vão além do curso de {axis}</translation>
         </message>
         <message>
             <source>the letters move {axis}, which this machine does not have</source>
-            <translation type="unfinished"></translation>
+            <translation>as letras movem {axis}, que esta máquina não tem</translation>
         </message>
         <message>
             <source>the library has too many tools</source>
@@ -13875,7 +13875,7 @@
         </message>
         <message>
             <source>the lines that would be sent mean another path than the program</source>
-            <translation type="unfinished"></translation>
+            <translation>as linhas que seriam enviadas significam um percurso diferente do programa</translation>
         </message>
         <message>
             <source>the lines to send are not those that were proven</source>
@@ -13999,7 +13999,7 @@
         </message>
         <message>
             <source>the machine's controller does not have it: take it out, or cut the program in two there</source>
-            <translation type="unfinished"></translation>
+            <translation>o controlador da máquina não o tem: retire-o ou divida o programa em dois ali</translation>
         </message>
         <message>
             <source>the machine's position is unknown</source>
@@ -14023,7 +14023,7 @@
         </message>
         <message>
             <source>the mini-lathe's controller</source>
-            <translation type="unfinished"></translation>
+            <translation>o controlador do minitorno</translation>
         </message>
         <message>
             <source>the minor diameter does not fit the major one and the pitch</source>
@@ -14103,7 +14103,7 @@
         </message>
         <message>
             <source>the parallel port's controller</source>
-            <translation type="unfinished"></translation>
+            <translation>o controlador da porta paralela</translation>
         </message>
         <message>
             <source>the parameters of the file are not in the order of their numbers</source>
@@ -14383,7 +14383,7 @@
         </message>
         <message>
             <source>the program sets its own work zero (G10)</source>
-            <translation type="unfinished"></translation>
+            <translation>o programa define o próprio zero da peça (G10)</translation>
         </message>
         <message>
             <source>the program waits or asks for what pulses cannot give</source>
@@ -15191,7 +15191,7 @@
         </message>
         <message>
             <source>this is a fault of this program: report it</source>
-            <translation type="unfinished"></translation>
+            <translation>isto é uma falha deste programa: informe-a</translation>
         </message>
         <message>
             <source>this is no certificate</source>
@@ -15235,39 +15235,39 @@
         </message>
         <message>
             <source>this machine cannot be held while its program runs: its link takes no such command</source>
-            <translation type="unfinished"></translation>
+            <translation>esta máquina não pode ser pausada durante o programa: o seu enlace não aceita esse comando</translation>
         </message>
         <message>
             <source>this machine cannot be jogged from here</source>
-            <translation type="unfinished"></translation>
+            <translation>esta máquina não pode ser movida à mão daqui</translation>
         </message>
         <message>
             <source>this machine cannot be jogged while a program is held</source>
-            <translation type="unfinished"></translation>
+            <translation>esta máquina não pode ser movida à mão com um programa pausado</translation>
         </message>
         <message>
             <source>this machine cannot be resumed over its link</source>
-            <translation type="unfinished"></translation>
+            <translation>esta máquina não pode ser retomada pelo seu enlace</translation>
         </message>
         <message>
             <source>this machine cannot be stopped while it runs what it was sent</source>
-            <translation type="unfinished"></translation>
+            <translation>esta máquina não pode ser parada enquanto executa o que recebeu</translation>
         </message>
         <message>
             <source>this machine cannot do this: {word}</source>
-            <translation type="unfinished"></translation>
+            <translation>esta máquina não consegue fazer isto: {word}</translation>
         </message>
         <message>
             <source>this machine cannot find its own zero</source>
-            <translation type="unfinished"></translation>
+            <translation>esta máquina não consegue encontrar o próprio zero</translation>
         </message>
         <message>
             <source>this machine cannot go back along its cut</source>
-            <translation type="unfinished"></translation>
+            <translation>esta máquina não consegue voltar pelo próprio corte</translation>
         </message>
         <message>
             <source>this machine does not report its position: it is counted from what was sent</source>
-            <translation type="unfinished"></translation>
+            <translation>esta máquina não informa a posição: ela é contada a partir do que foi enviado</translation>
         </message>
         <message>
             <source>this machine has no Z axis: arcs are in XY</source>
@@ -15279,7 +15279,7 @@
         </message>
         <message>
             <source>this machine has no probe</source>
-            <translation type="unfinished"></translation>
+            <translation>esta máquina não tem apalpador</translation>
         </message>
         <message>
             <source>this machine has no spindle whose speed is chosen: write M3 alone</source>
@@ -15291,7 +15291,7 @@
         </message>
         <message>
             <source>this machine's speeds cannot be changed while its program runs</source>
-            <translation type="unfinished"></translation>
+            <translation>as velocidades desta máquina não podem ser mudadas durante o programa</translation>
         </message>
         <message>
             <source>this material number is none of a material file</source>
@@ -15727,7 +15727,7 @@
         </message>
         <message>
             <source>use the machine's own buttons</source>
-            <translation type="unfinished"></translation>
+            <translation>use os botões da própria máquina</translation>
         </message>
         <message>
             <source>use the version of CNCStepper that started it</source>
@@ -16127,7 +16127,7 @@
         </message>
         <message>
             <source>write each turn</source>
-            <translation type="unfinished"></translation>
+            <translation>escreva cada volta</translation>
         </message>
         <message>
             <source>write endsub, or M99 in a subprogram of Fanuc's form</source>
@@ -16263,7 +16263,7 @@
         </message>
         <message>
             <source>write the program for the dialect mini-lathe</source>
-            <translation type="unfinished"></translation>
+            <translation>escreva o programa no dialeto mini-lathe</translation>
         </message>
         <message>
             <source>write the program in mm, or choose a higher feed</source>
@@ -16803,7 +16803,7 @@
         </message>
         <message>
             <source>{machine} takes no pulse letters</source>
-            <translation type="unfinished"></translation>
+            <translation>{machine} não aceita letras de pulso</translation>
         </message>
         <message>
             <source>{match} is no number</source>
@@ -17023,7 +17023,7 @@
         </message>
         <message>
             <source>{path} cannot be read: {error}</source>
-            <translation type="unfinished"></translation>
+            <translation>{path} não pode ser lido: {error}</translation>
         </message>
         <message>
             <source>{path} cannot be recorded in: {error}</source>
@@ -17215,7 +17215,7 @@
         </message>
         <message>
             <source>{what} cannot be sent to a controller of this computer</source>
-            <translation type="unfinished"></translation>
+            <translation>{what} não pode ser enviado a um controlador deste computador</translation>
         </message>
         <message>
             <source>{what} while the tool is compensated</source>
