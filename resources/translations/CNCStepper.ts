@@ -15950,6 +15950,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write F{feed:.6g} into the file: its controller reads it itself, and would take an earlier feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write G0, G1, G2 or G3</source>
             <translation type="unfinished"></translation>
         </message>

@@ -217,7 +217,7 @@
         </message>
         <message>
             <source>Corner Distance</source>
-            <translation type="unfinished"></translation>
+            <translation>Distância do canto</translation>
         </message>
         <message>
             <source>Corner Dwell</source>
@@ -225,7 +225,7 @@
         </message>
         <message>
             <source>Corner Feed Share</source>
-            <translation type="unfinished"></translation>
+            <translation>Parte do avanço no canto</translation>
         </message>
         <message>
             <source>Corner Radius</source>
@@ -657,7 +657,7 @@
         </message>
         <message>
             <source>How far before and behind a corner the feed is lower; 0: it is not</source>
-            <translation type="unfinished"></translation>
+            <translation>Até que distância antes e depois do canto o avanço é menor; 0: não é</translation>
         </message>
         <message>
             <source>How far before its end the cut runs on without power</source>
@@ -1897,7 +1897,7 @@
         </message>
         <message>
             <source>The share of the feed there; a slower wire melts a wider kerf</source>
-            <translation type="unfinished"></translation>
+            <translation>A parte do avanço ali; um fio mais lento derrete um corte mais largo</translation>
         </message>
         <message>
             <source>The share of the feed with which they are cut</source>
@@ -2125,7 +2125,7 @@
         </message>
         <message>
             <source>Where the way turns by less, the wire neither stands nor slows down</source>
-            <translation type="unfinished"></translation>
+            <translation>Onde o caminho vira menos, o fio nem para nem vai mais devagar</translation>
         </message>
         <message>
             <source>Where the work zero lies in this document</source>
@@ -3648,7 +3648,7 @@
         </message>
         <message>
             <source>How far before and behind a corner the feed is lower; 0: it is not</source>
-            <translation type="unfinished"></translation>
+            <translation>Até que distância antes e depois do canto o avanço é menor; 0: não é</translation>
         </message>
         <message>
             <source>How far before its end the cut runs on without power</source>
@@ -5836,7 +5836,7 @@
         </message>
         <message>
             <source>The share of the feed there; a slower wire melts a wider kerf</source>
-            <translation type="unfinished"></translation>
+            <translation>A parte do avanço ali; um fio mais lento derrete um corte mais largo</translation>
         </message>
         <message>
             <source>The share of the feed with which they are cut</source>
@@ -6292,7 +6292,7 @@
         </message>
         <message>
             <source>Where the way turns by less, the wire neither stands nor slows down</source>
-            <translation type="unfinished"></translation>
+            <translation>Onde o caminho vira menos, o fio nem para nem vai mais devagar</translation>
         </message>
         <message>
             <source>Where the work zero lies in this document</source>
@@ -8131,7 +8131,7 @@
         </message>
         <message>
             <source>a controller with a firmware of its own</source>
-            <translation type="unfinished"></translation>
+            <translation>um controlador com firmware próprio</translation>
         </message>
         <message>
             <source>a coordinate is not a length in mm</source>
@@ -8442,10 +8442,6 @@
             <translation>um pino com número tem uma porta: o arquivo de dispositivo da sua porta paralela</translation>
         </message>
         <message>
-            <source>a pin with a number, and only that, has a port: the device file of its parallel port</source>
-            <translation>um pino com número, e só ele, tem port: o arquivo de dispositivo da sua porta paralela</translation>
-        </message>
-        <message>
             <source>a pipe (FIFO)</source>
             <translation>um pipe (FIFO)</translation>
         </message>
@@ -8511,7 +8507,7 @@
         </message>
         <message>
             <source>a record was refused: reset first</source>
-            <translation type="unfinished"></translation>
+            <translation>um registro foi recusado: reinicie antes</translation>
         </message>
         <message>
             <source>a rectangle's corner radius must not exceed half of its shorter side</source>
@@ -8915,7 +8911,7 @@
         </message>
         <message>
             <source>ask for fewer tabs, set a smaller pierce_mm, or leave more scrap there</source>
-            <translation type="unfinished"></translation>
+            <translation>peça menos pontes, use um pierce_mm menor ou deixe mais retalho ali</translation>
         </message>
         <message>
             <source>ask for it again</source>
@@ -9015,7 +9011,7 @@
         </message>
         <message>
             <source>automatic mode: from here on nothing stops the lathe over its link, and there is no way back to manual mode until it is switched off</source>
-            <translation type="unfinished"></translation>
+            <translation>modo automático: daqui em diante nada para o torno pela sua ligação, e não há volta ao modo manual até que ele seja desligado</translation>
         </message>
         <message>
             <source>axis offsets may not be changed</source>
@@ -9147,7 +9143,7 @@
         </message>
         <message>
             <source>change F in the program</source>
-            <translation>mude o F no programa</translation>
+            <translation>altere F no programa</translation>
         </message>
         <message>
             <source>change the distance or the tolerance a little</source>
@@ -9343,7 +9339,7 @@
         </message>
         <message>
             <source>choose another file, or another machine</source>
-            <translation>escolha outro arquivo ou outra máquina</translation>
+            <translation>escolha outro arquivo, ou outra máquina</translation>
         </message>
         <message>
             <source>choose another name</source>
@@ -9423,7 +9419,7 @@
         </message>
         <message>
             <source>close it first: cncstepper disconnect</source>
-            <translation type="unfinished"></translation>
+            <translation>feche-a antes: cncstepper disconnect</translation>
         </message>
         <message>
             <source>close it or set closed = false</source>
@@ -9483,7 +9479,7 @@
         </message>
         <message>
             <source>cncstepper disconnect --port {port}, then connect again</source>
-            <translation type="unfinished"></translation>
+            <translation>cncstepper disconnect --port {port}, depois conecte de novo</translation>
         </message>
         <message>
             <source>compute it in several lines</source>
@@ -10639,7 +10635,7 @@
         </message>
         <message>
             <source>its program has ended with M02</source>
-            <translation type="unfinished"></translation>
+            <translation>o programa dele terminou com M02</translation>
         </message>
         <message>
             <source>its shape '{kind}' is none of {shapes}</source>
@@ -10947,7 +10943,7 @@
         </message>
         <message>
             <source>look at its name and rights</source>
-            <translation>verifique o nome e as permissões</translation>
+            <translation>veja seu nome e suas permissões</translation>
         </message>
         <message>
             <source>look at its switches</source>
@@ -10983,7 +10979,7 @@
         </message>
         <message>
             <source>look at the machine</source>
-            <translation>olhe para a máquina</translation>
+            <translation>olhe a máquina</translation>
         </message>
         <message>
             <source>look at the machine, and restart the program by hand</source>
@@ -11003,7 +10999,7 @@
         </message>
         <message>
             <source>look at what it says, end other programs, or choose lower speeds</source>
-            <translation>leia o que ele informa, encerre outros programas ou escolha velocidades menores</translation>
+            <translation>veja o que ele diz, encerre outros programas, ou escolha velocidades menores</translation>
         </message>
         <message>
             <source>look for a pendant or another program that is connected, set the zero again, then send again</source>
@@ -11799,7 +11795,7 @@
         </message>
         <message>
             <source>nothing more is sent to the lathe: {0}</source>
-            <translation type="unfinished"></translation>
+            <translation>nada mais é enviado ao torno: {0}</translation>
         </message>
         <message>
             <source>nothing moves</source>
@@ -12035,11 +12031,11 @@
         </message>
         <message>
             <source>press the machine's own switch, or let it run to its end</source>
-            <translation>aperte a chave da própria máquina ou deixe o programa chegar ao fim</translation>
+            <translation>use a chave da própria máquina, ou deixe-a ir até o fim</translation>
         </message>
         <message>
             <source>press the machine's switch; no further line is sent</source>
-            <translation>aperte a chave da máquina; nenhuma outra linha é enviada</translation>
+            <translation>use a chave da máquina; nenhuma outra linha é enviada</translation>
         </message>
         <message>
             <source>process must be a text</source>
@@ -12115,7 +12111,7 @@
         </message>
         <message>
             <source>raise interval_ms of the profile's signals</source>
-            <translation>aumente interval_ms em signals do perfil</translation>
+            <translation>aumente interval_ms dos sinais do perfil</translation>
         </message>
         <message>
             <source>raise pulloff_mm in its configuration, or check the switch</source>
@@ -12247,7 +12243,7 @@
         </message>
         <message>
             <source>restart the program at a line before it</source>
-            <translation>reinicie o programa em uma linha anterior</translation>
+            <translation>recomece o programa em uma linha anterior</translation>
         </message>
         <message>
             <source>restarts are written for grbl, grblHAL, FluidNC, LinuxCNC and Mach: convert it, or run it whole</source>
@@ -12699,11 +12695,11 @@
         </message>
         <message>
             <source>switch the lathe off and on, connect again and set its zero</source>
-            <translation type="unfinished"></translation>
+            <translation>desligue e ligue o torno, conecte de novo e defina o zero</translation>
         </message>
         <message>
             <source>switch the lathe on in manual mode before it moves; its position is reckoned, nothing reports it</source>
-            <translation type="unfinished"></translation>
+            <translation>ligue o torno em modo manual antes que ele se mova; a posição é calculada, nada a informa</translation>
         </message>
         <message>
             <source>switch the machine off, or unlock and home it afterwards at the machine itself</source>
@@ -13155,7 +13151,7 @@
         </message>
         <message>
             <source>the controller restarted when its port was opened; it counts from where it stands. Until it is unplugged no later opening restarts it</source>
-            <translation type="unfinished"></translation>
+            <translation>o controlador reiniciou quando sua porta foi aberta; ele conta a partir de onde está. Até ser desligado do cabo, nenhuma abertura seguinte o reinicia</translation>
         </message>
         <message>
             <source>the controller said: {report}</source>
@@ -13507,7 +13503,7 @@
         </message>
         <message>
             <source>the file has no pulse letter</source>
-            <translation>o arquivo não tem nenhuma letra de pulso</translation>
+            <translation>o arquivo não tem letra de pulso</translation>
         </message>
         <message>
             <source>the file has too many materials</source>
@@ -13755,19 +13751,19 @@
         </message>
         <message>
             <source>the lathe cannot be stopped over its link: it runs on for {0} s, to X{1} Z{2}</source>
-            <translation type="unfinished"></translation>
+            <translation>o torno não pode ser parado pela sua ligação: ele continua por {0} s, até X{1} Z{2}</translation>
         </message>
         <message>
             <source>the lathe is in automatic mode and cannot be jogged: {0}</source>
-            <translation type="unfinished"></translation>
+            <translation>o torno está em modo automático e não pode ser movido à mão: {0}</translation>
         </message>
         <message>
             <source>the lathe jogs at up to {0} mm/min, or at {1}: it takes the slower one</source>
-            <translation type="unfinished"></translation>
+            <translation>o torno se move à mão a até {0} mm/min, ou a {1}: fica a menor</translation>
         </message>
         <message>
             <source>the lathe takes a zero in manual mode only: {0}</source>
-            <translation type="unfinished"></translation>
+            <translation>o torno aceita um zero só em modo manual: {0}</translation>
         </message>
         <message>
             <source>the leads fit nowhere in the scrap; the closest obstacle is {name} at X{x:.3f} Y{y:.3f}</source>
@@ -13875,7 +13871,7 @@
         </message>
         <message>
             <source>the lines that would be sent mean another path than the program</source>
-            <translation>as linhas que seriam enviadas significam um percurso diferente do programa</translation>
+            <translation>as linhas que seriam enviadas descrevem outro percurso que o programa</translation>
         </message>
         <message>
             <source>the lines to send are not those that were proven</source>
@@ -13999,7 +13995,7 @@
         </message>
         <message>
             <source>the machine's controller does not have it: take it out, or cut the program in two there</source>
-            <translation>o controlador da máquina não o tem: retire-o ou divida o programa em dois ali</translation>
+            <translation>o controlador da máquina não o tem: retire-o, ou divida o programa ali</translation>
         </message>
         <message>
             <source>the machine's position is unknown</source>
@@ -14383,7 +14379,7 @@
         </message>
         <message>
             <source>the program sets its own work zero (G10)</source>
-            <translation>o programa define o próprio zero da peça (G10)</translation>
+            <translation>o programa define seu próprio zero da peça (G10)</translation>
         </message>
         <message>
             <source>the program waits or asks for what pulses cannot give</source>
@@ -14811,7 +14807,7 @@
         </message>
         <message>
             <source>the tool is not at the work zero, where a program begins: jog it there, or set the zero here</source>
-            <translation type="unfinished"></translation>
+            <translation>a ferramenta não está no zero de trabalho, onde um programa começa: leve-a até lá ou defina o zero aqui</translation>
         </message>
         <message>
             <source>the tool is wider than the pocket</source>
@@ -15115,7 +15111,7 @@
         </message>
         <message>
             <source>there is no scrap for the pierce behind a tab of {chain} near X{x:.3f} Y{y:.3f}</source>
-            <translation type="unfinished"></translation>
+            <translation>não há retalho para a perfuração depois de uma ponte de {chain} perto de X{x:.3f} Y{y:.3f}</translation>
         </message>
         <message>
             <source>there is no subroutine o&lt;{seeking}&gt;</source>
@@ -15191,7 +15187,7 @@
         </message>
         <message>
             <source>this is a fault of this program: report it</source>
-            <translation>isto é uma falha deste programa: informe-a</translation>
+            <translation>isto é uma falha deste programa: relate-a</translation>
         </message>
         <message>
             <source>this is no certificate</source>
@@ -15235,7 +15231,7 @@
         </message>
         <message>
             <source>this machine cannot be held while its program runs: its link takes no such command</source>
-            <translation>esta máquina não pode ser pausada durante o programa: o seu enlace não aceita esse comando</translation>
+            <translation>esta máquina não pode ser retida enquanto seu programa corre: sua ligação não aceita esse comando</translation>
         </message>
         <message>
             <source>this machine cannot be jogged from here</source>
@@ -15243,11 +15239,11 @@
         </message>
         <message>
             <source>this machine cannot be jogged while a program is held</source>
-            <translation>esta máquina não pode ser movida à mão com um programa pausado</translation>
+            <translation>esta máquina não pode ser movida à mão enquanto um programa está retido</translation>
         </message>
         <message>
             <source>this machine cannot be resumed over its link</source>
-            <translation>esta máquina não pode ser retomada pelo seu enlace</translation>
+            <translation>esta máquina não pode ser retomada por sua ligação</translation>
         </message>
         <message>
             <source>this machine cannot be stopped while it runs what it was sent</source>
@@ -15255,19 +15251,19 @@
         </message>
         <message>
             <source>this machine cannot do this: {word}</source>
-            <translation>esta máquina não consegue fazer isto: {word}</translation>
+            <translation>esta máquina não pode fazer isto: {word}</translation>
         </message>
         <message>
             <source>this machine cannot find its own zero</source>
-            <translation>esta máquina não consegue encontrar o próprio zero</translation>
+            <translation>esta máquina não pode achar seu próprio zero</translation>
         </message>
         <message>
             <source>this machine cannot go back along its cut</source>
-            <translation>esta máquina não consegue voltar pelo próprio corte</translation>
+            <translation>esta máquina não pode voltar ao longo de seu corte</translation>
         </message>
         <message>
             <source>this machine does not report its position: it is counted from what was sent</source>
-            <translation>esta máquina não informa a posição: ela é contada a partir do que foi enviado</translation>
+            <translation>esta máquina não informa sua posição: ela é contada pelo que foi enviado</translation>
         </message>
         <message>
             <source>this machine has no Z axis: arcs are in XY</source>
@@ -15291,7 +15287,7 @@
         </message>
         <message>
             <source>this machine's speeds cannot be changed while its program runs</source>
-            <translation>as velocidades desta máquina não podem ser mudadas durante o programa</translation>
+            <translation>as velocidades desta máquina não podem ser alteradas enquanto seu programa corre</translation>
         </message>
         <message>
             <source>this material number is none of a material file</source>
@@ -15954,6 +15950,10 @@
             <translation>escreva F em uma linha própria</translation>
         </message>
         <message>
+            <source>write F{feed:.6g} into the file: its controller reads it itself, and would take an earlier feed</source>
+            <translation>escreva F{feed:.6g} no arquivo: o controlador o lê sozinho e usaria um avanço anterior</translation>
+        </message>
+        <message>
             <source>write G0, G1, G2 or G3</source>
             <translation>escreva G0, G1, G2 ou G3</translation>
         </message>
@@ -16263,7 +16263,7 @@
         </message>
         <message>
             <source>write the program for the dialect mini-lathe</source>
-            <translation>escreva o programa no dialeto mini-lathe</translation>
+            <translation>escreva o programa para o dialeto mini-lathe</translation>
         </message>
         <message>
             <source>write the program in mm, or choose a higher feed</source>
@@ -17075,7 +17075,7 @@
         </message>
         <message>
             <source>{port} is connected as {there}, not as {machine}</source>
-            <translation type="unfinished"></translation>
+            <translation>{port} está conectada como {there}, não como {machine}</translation>
         </message>
         <message>
             <source>{port} is held by a job of yours, {status_file}, which is {phase}</source>
@@ -17091,7 +17091,7 @@
         </message>
         <message>
             <source>{port} may be held by another connection of yours</source>
-            <translation type="unfinished"></translation>
+            <translation>{port} pode estar ocupada por outra conexão sua</translation>
         </message>
         <message>
             <source>{port}, grbl {firmware}, begun {begin}</source>
@@ -17103,7 +17103,7 @@
         </message>
         <message>
             <source>{process} does not cut through the sheet: it needs no tabs</source>
-            <translation type="unfinished"></translation>
+            <translation>{process} não corta através da chapa: não precisa de pontes</translation>
         </message>
         <message>
             <source>{process} does not cut with a {shape} tool</source>

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import click
 
 from CNCStepper.cli.common.verb import Verb
-from CNCStepper.cli.machine.service_client import driven_profile, profile_option
+from CNCStepper.cli.machine.service_client import profile_option
 from CNCStepper.errors import CNCStepperError
 
 if TYPE_CHECKING:
@@ -32,7 +32,7 @@ def command(context: click.Context, asked: tuple[str, ...], baud: int, machine: 
     if not asked:
         _list_ports()
         return
-    answers = [_ask(port, baud, driven_profile(machine)) for port in asked]
+    answers = [_ask(port, baud, machine) for port in asked]
     context.exit(0 if all(answers) else 1)
 
 

@@ -42,14 +42,6 @@ def named_machine(name: str) -> str:
     return name if name in profile_names() else str(Path(name).resolve())
 
 
-def driven_profile(machine: str) -> str:
-    """Return a profile's name or path where this computer itself is its controller, else ""."""
-    from CNCStepper.machine.controller_family import family_of
-    from CNCStepper.machine.profile import load_machine
-
-    return machine if machine and family_of(load_machine(machine)) != "grbl" else ""
-
-
 def profile_option(function: Any, is_required: bool = False) -> Any:
     """Add --machine, which the function gets as `machine`: a name or an absolute path, "" where none is given."""
     reader = Named("PROFILE", named_machine)
@@ -97,7 +89,7 @@ class ServiceClient:
 
         self._at = at
         self.client: ConnectionClient = ConnectionClient.launch(
-            at.name, at.baud, machine=driven_profile(at.machine), keep_s=60.0 * at.keep_min
+            at.name, at.baud, machine=at.machine, keep_s=60.0 * at.keep_min
         )
 
     def __enter__(self) -> ServiceClient:

@@ -41,6 +41,7 @@ from CNCStepper.control.session.files import (
 from CNCStepper.control.session.local_socket import Address, LineSocket
 from CNCStepper.control.session.status import Outcome, SenderStatus, error_from_json, take_refusal
 from CNCStepper.control.session.unreachable import closed, garbled, silent, unreadable
+from CNCStepper.control.transport.controller_link import has_no_controller
 from CNCStepper.errors import CNCStepperError, LinkError, MachineRefusal, Text
 
 
@@ -115,21 +116,26 @@ def launch(port: str, baud: int, folder: Path | None, machine: str = "") -> Futu
 
 
 def _launched(port: str, baud: int, folder: Path, machine: str) -> Launched:
+    driven = machine if machine and has_no_controller(machine) else ""
     if there := service_at(port, folder):
-        _check_machine(there, port, machine)
+        if machine:
+            _check_machine(there, port, machine, driven)
         return there, None
     check_no_job(port, folder)
     path = new_session(folder, SERVICE)
-    return path, start(find_python(), WORKER, path, port, str(baud), machine)
+    return path, start(find_python(), WORKER, path, port, str(baud), driven)
 
 
-def _check_machine(file: Path, port: str, machine: str) -> None:
-    """Raise MachineRefusal where the service of a file drives another machine than is asked for."""
+def _check_machine(file: Path, port: str, machine: str, driven: str) -> None:
+    """Raise MachineRefusal where the service of a file drives another machine than is asked for.
+
+    driven: the machine, or "" where it has a controller of its own.
+    """
     try:
         there = str((read_private(file) or {}).get("machine", ""))
     except (OSError, ValueError):  # its process writes it again; whoever attaches waits for that
         return
-    if machine not in ("", there):
+    if driven != there:
         raise MachineRefusal(
             "port-machine",
             Text(
@@ -192,7 +198,7 @@ class ConnectionClient:
     ) -> ConnectionClient:
         """Start a connection service for a port and return at once; attach to it if one runs there already.
 
-        machine: the profile, by name or file, of a machine without a controller of its own; "" else.
+        machine: its profile, by name or file; "" asks for none, and takes for granted that it has its own controller.
         """
         file = Path(machine)
         profile = str(file.resolve()) if machine and file.is_file() else machine  # one name for one profile

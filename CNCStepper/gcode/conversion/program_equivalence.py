@@ -38,6 +38,7 @@ class Switched:
     """Of each state of a program: on, float64[s, 4]: spindle, rpm, mist, flood. tool: int[s], 0 where it is not judged.
 
     changes: rows before which the tool is changed. strokes: of each row, how many of its canned cycle stand before it.
+    pierces_itself: the target's controller waits at a pierce by itself, and its torch is on or off.
     """
 
     path: Toolpath
@@ -45,6 +46,7 @@ class Switched:
     tool: np.ndarray
     changes: np.ndarray
     strokes: np.ndarray
+    pierces_itself: bool
 
     def same(self, states: np.ndarray, other: Switched, other_states: np.ndarray) -> np.ndarray:
         """Return where the other program has the same on, and the same tool, in these of its states, bool[n]."""
@@ -64,11 +66,13 @@ def switched_of(path: Toolpath, options: WriteOptions, target: Dialect) -> Switc
         on[:, :2] = 0.0
     if "coolant" in options.leave_out:
         on[:, 2:] = 0.0
+    if target.plasma:
+        on[:, 1] = on[:, 1] > 0.0
     tool = np.array([state.tool for state in path.states])
     by_row = tool[table.state]
     changes = np.flatnonzero(by_row[1:] != by_row[:-1]) + 1
     judged = tool if "T" in target.letters and not target.plasma else np.zeros_like(tool)
-    return Switched(path, on, judged, changes, _strokes(path))
+    return Switched(path, on, judged, changes, _strokes(path), target.plasma)
 
 
 def _on(state: State, options: WriteOptions) -> tuple[float, ...]:
@@ -120,14 +124,22 @@ def compare_events(
 def _happenings(side: Switched, next_rows: np.ndarray, options: WriteOptions) -> Iterator[_PlacedEvent]:
     """Yield what must happen; pauses that follow one another are one."""
     last: _PlacedEvent | None = None
+    states = side.path.table().state
     for event in side.path.events:
         if event.kind not in HAPPENS or LEFT_OUT.get(event.kind) in options.leave_out:
+            continue
+        if side.pierces_itself and event.kind == "dwell" and _is_pierce(event, side.on[:, 0] > 0.0, states):
             continue
         found = _PlacedEvent(int(next_rows[event.index]), event)
         if last and event.kind == "pause" == last.event.kind and found.row == last.row:
             continue
         last = found
         yield found
+
+
+def _is_pierce(event: Event, on: np.ndarray, states: np.ndarray) -> bool:
+    """Return whether an event happens with the power on that no row before it has had."""
+    return bool(on[event.state]) and (event.index == 0 or not on[states[event.index - 1]])
 
 
 def _is_same(one: _PlacedEvent, other: _PlacedEvent, old: Switched, new: Switched, changes: set[int]) -> bool:

@@ -195,7 +195,7 @@ def test_a_certified_program_is_never_held_whole(
     """What is watched is read a block at a time."""
     jobs = []
 
-    def watch(job: SendJob, resume_pauses: bool) -> Outcome:
+    def watch(job: SendJob, resume_pauses: bool, keep_min: float) -> Outcome:
         assert isinstance(job.lines, Lines) and isinstance(job.file_lines, Numbers)
         jobs.append((list(job.lines), list(job.file_lines)))
         assert job.program_sha256 == digest_of_text(program.read_text("utf-8"))

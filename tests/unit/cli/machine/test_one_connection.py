@@ -209,6 +209,17 @@ def test_another_machine_than_the_one_connected_is_refused(port):
     assert refused.returncode == 1 and "not as thesis-table" in refused.stderr and "disconnect --port" in refused.stderr
 
 
+def test_a_machine_that_this_computer_controls_keeps_its_connection_too(tmp_path):
+    port = f"record:{tmp_path / 'writes.csv'}"
+    started = done("jog", "X1", "--port", port, "--machine", "thesis-table")
+    assert "X1.000" in started.stdout and KEPT in started.stderr
+    assert "X2.000 Y1.000" in done("jog", "X1", "Y1", "--port", port).stdout
+    refused = called("jog", "X1", "--port", port, "--machine", "table-a")
+    assert refused.returncode == 1 and "connected as thesis-table, not as table-a" in refused.stderr
+    done("disconnect")
+    assert (tmp_path / "writes.csv").read_text("utf-8").startswith("t_s,")
+
+
 def test_home_first_is_done_by_the_service(tmp_path):
     words = command("virtual", "grbl", "--tcp", "127.0.0.1:0", "--restarts", "--homing", "--speed", "50")
     with subprocess.Popen(words, stdout=subprocess.PIPE, text=True) as process:

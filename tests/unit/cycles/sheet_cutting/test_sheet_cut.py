@@ -233,6 +233,25 @@ def test_a_drag_knife_leads_its_edge_by_the_blade_offset() -> None:
     assert corners == {(0.0, 0.0), (80.0, 0.0), (80.0, 60.0), (0.0, 60.0)}
 
 
+def test_a_scribe_is_lowered_on_the_line_and_lifted_without_power_or_leads() -> None:
+    mark = from_points([(30.0, 5.0), (50.0, 5.0)])
+    path, answer = cut(PLATE, HOLE, given=setup("scribe"), marks=(mark,))
+    table = path.table()
+    assert (powered(path) == 0.0).all() and not path.events
+    assert not any("lead" in span.kind for span in path.spans)
+    assert [span.name for span in path.spans if span.kind == "contour"] == ["mark 1", "hole 2", "part 1"]
+    for title, curve in (("hole 2", HOLE), ("part 1", PLATE), ("mark 1", mark)):
+        rows = rows_of(path, title)
+        assert table.end[rows, 2] == pytest.approx(-0.2) and curve.distances_mm(table.end[rows, :2]).max() < 1e-6
+    sideways = (table.kind == RAPID) & (np.hypot(*(table.end - path.begins())[:, :2].T) > 1e-6)
+    assert (table.end[sideways, 2] >= 2.0).all()
+    deeper, _ = cut(PLATE, given=setup("scribe"), depth_mm=0.5)
+    assert deeper.table().end[:, 2].min() == -0.5 and answer.figures["kerf_mm"] == 0.0
+    with pytest.raises(CycleError) as refused:
+        cut(PLATE, given=setup("scribe", has_z=False))
+    assert refused.value.code == "process-z"
+
+
 def test_a_lead_out_and_an_overcut_are_run_with_power() -> None:
     path, _ = cut(PLATE, lead_out={"kind": "line", "length_mm": 2.0, "angle_deg": 45.0}, overcut_mm=3.0)
     assert [span.kind for span in path.spans if "lead" in span.kind] == ["lead-in", "lead-out"]

@@ -12,7 +12,9 @@ import numpy as np
 import pytest
 
 from CNCStepper.errors import ProgramError
+from CNCStepper.gcode.conversion.convert import convert
 from CNCStepper.gcode.interpreter.interpret import interpret
+from CNCStepper.gcode.writer.plasma_words import PlasmaSwitches
 from CNCStepper.gcode.writer.write import WriteOptions, written
 from CNCStepper.job.make import make_program
 from CNCStepper.job.model import load_job
@@ -281,6 +283,28 @@ def test_the_samples_that_ship_with_linuxcnc_are_read():
             text = materials + text
         path = interpret(text, replace(ZERO, tools={0: ToolEntry(), 1: ToolEntry()}), language)
         assert len(path) > 1 and (path.table().end[:, 2] == 0).all()
+
+
+# converting
+
+GRBL = "G21 G90\nG0 X10 Y10\nM3 S1000\nG4 P0.4\nG1 X60 F3000\n{within}Y40\nM5\nG4 P2\nG0 X0 Y0\nM2\n"
+
+
+@pytest.mark.parametrize("within", ["", "G4 P1.5\n"])
+def test_a_torch_program_is_converted_without_its_pierce_delay_and_with_all_other_dwells(within, tmp_path):
+    text = convert(GRBL.format(within=within), "grbl", "qtplasmac", ZERO).text
+    assert undocumented(text) == [] and out_of_order(text) == []
+    lines = text.splitlines()
+    assert lines[lines.index("M3 $0 S1") + 1].startswith("G1 X60")
+    assert [line for line in lines if line.startswith("G4 ")] == [*(["G4 P1.5"] if within else []), "G4 P2"]
+    assert rs274_calls(text, tmp_path)[1]
+
+
+def test_a_conversion_that_loses_another_dwell_is_refused(monkeypatch):
+    monkeypatch.setattr(PlasmaSwitches, "dwell", lambda *_: None)
+    with pytest.raises(ProgramError) as refused:
+        convert(GRBL.format(within=""), "grbl", "qtplasmac", ZERO)
+    assert refused.value.code == "convert-differs" and "dwell 2" in refused.value.value
 
 
 # a job
