@@ -220,6 +220,7 @@ def send_job(
         work_offsets_mm=(_offsets(known) if known else {}) | (_places(start, wire.lines) if start else {}),
         work_system=known.work_system if known else "",
         dialect=machine.wire_language(dialect) if machine else dialect,
+        program_dialect=machine.language(dialect) if translated_to(machine, dialect) is not None and machine else "",
         machine=machine.name if machine else "",
         retrace=_path_retract(machine, start or Start(), dialect) if machine else {},
         plan=plan,

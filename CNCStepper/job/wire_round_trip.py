@@ -30,9 +30,11 @@ class WireRoundTrip(NamedTuple):
 def translated_to(machine: Machine | None, dialect: str | Dialect) -> str | None:
     """Return the language into which a program is translated for a machine's controller; None where it is sent as it
     is."""
-    name = dialect if isinstance(dialect, str) else dialect.name
-    target = machine.wire_language(name) if machine else name
-    return None if target.partition(":")[0] == name.partition(":")[0] else target
+    if machine is None:
+        return None
+    own = machine.language(dialect if isinstance(dialect, str) else dialect.name)
+    target = machine.wire_language(own)
+    return None if target.partition(":")[0] == own.partition(":")[0] else target
 
 
 def wire_of(

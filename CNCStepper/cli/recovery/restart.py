@@ -252,6 +252,7 @@ def _write(proven: ProvenRestart, certificate: Certificate, sending: Sending) ->
 
 def _send(certificate: Certificate, sending: Sending) -> None:
     """Send the proven lines as `cncstepper send` does."""
+    from CNCStepper.cli.job.driven_job import driven_by, typed_machine, with_rate
     from CNCStepper.cli.job.send import conclude, confirmed
     from CNCStepper.cli.job.session_watch import watch
 
@@ -263,4 +264,6 @@ def _send(certificate: Certificate, sending: Sending) -> None:
         allow_differences=sending.allow_differences,
         home_first=sending.home_first,
     )
+    job = driven_by(job, job.retrace.get("machine") or {}, typed_machine())
+    job = with_rate(job) if job.profile else job
     conclude(watch(confirmed(job, sending.zero_confirmed), sending.resume_pauses, sending.keep_min))

@@ -17,6 +17,7 @@ from CNCStepper.control.stream.path_watch import ROUNDING_MM, STEP_MM, STEPS, he
 from CNCStepper.control.stream.planned_path import PlannedPath
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.wire.encoder import prepare
+from CNCStepper.gcode.wire.translation import translate
 from CNCStepper.gcode.wire.wire_text import WireText
 from CNCStepper.state import ZERO3, Start
 
@@ -45,12 +46,21 @@ def progress_interval(story: JobReplay, text: str) -> ProgressInterval | None:
     if group.mpos_mm is None or group.wpos_mm is None or story.header.get("mpos_mm") is None:
         return None
     try:
-        wire = prepare(text, story.header.get("dialect") or "grbl", story.header["file"])
+        wire = _wire_of(story, text)
     except ProgramError:
         return None
     if len(wire.lines) != story.total or story.may_be_sent <= story.finished:
         return None
     return _on_path(story, wire, group.mpos_mm, group.wpos_mm)
+
+
+def _wire_of(story: JobReplay, text: str) -> WireText:
+    """Return what was sent of a program; raises ProgramError."""
+    dialect, file = story.header.get("dialect") or "grbl", story.header["file"]
+    sent = story.header.get("wire_dialect") or dialect
+    if sent.partition(":")[0] == dialect.partition(":")[0]:
+        return prepare(text, dialect, file)
+    return translate(text, dialect, sent, file).wire
 
 
 def _on_path(story: JobReplay, wire: WireText, mpos_mm: Vector, wpos_mm: Vector) -> ProgressInterval | None:

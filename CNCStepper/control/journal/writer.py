@@ -78,7 +78,8 @@ def header_of(job: SendJob, driver: Grbl, found: ControllerInfo) -> dict[str, An
         "homing": bool(found.settings.get(HOMING)),
         "modes": found.modes,
         "offsets_mm": offsets_of(driver, found),
-        "dialect": job.dialect,
+        "dialect": job.program_dialect or job.dialect,
+        "wire_dialect": job.dialect,
         "controller": found.firmware.key,
         "mpos_mm": driver.mpos_mm,
     }

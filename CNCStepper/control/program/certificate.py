@@ -207,6 +207,7 @@ class Certificate:
         """Return by what a journal knows the program, the machine and this proof, and the language of the lines."""
         return {
             "dialect": str(self.content.get("wire", {}).get("dialect", "")),
+            "program_dialect": str(self.content.get("program", {}).get("dialect", "")),
             "machine": str(self.content.get("machine", {}).get("name", "")),
             "program_sha256": str(self.content.get("program", {}).get("sha256", "")),
             "certificate_sha256": self.sha256,

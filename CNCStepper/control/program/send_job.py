@@ -35,7 +35,8 @@ class SendJob:
     expected: grbl settings that must hold, by number; differences are only told when
     `allow_differences`. zero_confirmed: somebody said that the work zero is right. work_offsets_mm, work_system:
     where the program was proven to begin (G54..G59.3 and G92 by name); empty: nobody knows, so nothing is compared.
-    dialect: in which the lines were read; empty: nobody has read them, so that it is not compared.
+    dialect: in which the lines were read; empty: nobody has read them, so that it is not compared. program_dialect: of
+    the program, where that is another one.
     machine, program_sha256, certificate_sha256: for the journal, empty where there is none.
     retrace: what a way back along the cut is proven with (dialect, start, machine: `job.certify`); empty: not known.
     plan: lines of the file in rising order, each with the planned time by its end, s; empty: not known.
@@ -75,6 +76,7 @@ class SendJob:
     made_with: Mapping[str, Any] = field(default_factory=dict)
     profile: str = ""
     pulses_per_s: float = 0.0
+    program_dialect: str = ""
 
     def __post_init__(self) -> None:
         if len(self.file_lines) not in (0, len(self.lines)):

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from CNCStepper.control.program.certificate import digest_of_lines
 from CNCStepper.gcode.wire.translation import translate
-from CNCStepper.job.certify import certificate_of, proven_wire
+from CNCStepper.job.certify import certificate_of, proven_wire, send_job
 from CNCStepper.job.prove import prove
 from CNCStepper.job.prove_file import prove_file
 from CNCStepper.machine.profile import load_machine
@@ -18,6 +18,7 @@ def test_certificate_names_the_programs_language_and_that_of_the_wire() -> None:
     certificate = certificate_of(prove(THESIS, machine, file="p.nc"))
     assert certificate.dialect == machine.wire_language() and certificate.program_dialect == machine.language()
     job = certificate.send_job()
+    assert job.program_dialect == machine.language(), "by which the journal's reader reads the program"
     assert job.dialect == machine.wire_language() and list(job.lines)[2:4] == ["G0X15Y10", "G1X35F900"]
     wire = proven_wire(certificate, THESIS, certificate.program_dialect, "p.nc", None)
     assert wire.sha256 == certificate.content["wire"]["sha256"] == digest_of_lines(job.lines)
@@ -51,3 +52,11 @@ def test_times_are_those_of_the_interpolation_of_the_profile(tmp_path) -> None:
     planned, own = (prove(THESIS, machine, file=str(program)) for machine in (table, dda))
     assert own.report["time_s"] > planned.report["time_s"], "each move is from rest to rest"
     assert prove_file(program, dda).report["time_s"] == own.report["time_s"]
+
+
+def test_job_of_a_machine_whose_dialect_is_left_out_is_of_its_own_language() -> None:
+    wire = translate(THESIS, "thesis-a", "grbl").wire
+    job = send_job(wire, load_machine("table-a"), "p.nc")
+    assert job.dialect == "grbl" and job.program_dialect == ""
+    table = load_machine("thesis-table")
+    assert send_job(wire, table, "p.nc").program_dialect == table.language()
