@@ -14,7 +14,8 @@ from pathlib import Path
 import platformdirs
 
 PACKAGE = Path(__file__).resolve().parent
-ROOMS_ABOVE = {"cli", "control", "controllers", "drawing", "job", "recovery", "workbench", "workers"}  # no kernel uses them
+# No kernel uses them.
+ROOMS_ABOVE = {"cli", "control", "controllers", "drawing", "job", "recovery", "workbench", "workers"}
 KEPT_CACHES = 16
 VARIABLE = "NUMBA_CACHE_DIR"
 
