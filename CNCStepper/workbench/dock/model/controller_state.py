@@ -196,7 +196,8 @@ def why_not(control: str, moment: ControllerSnapshot) -> str:
     """Return why a control of `RULES` cannot work now, "" when it can; what a machine never can is said first."""
     if not moment.connected:
         return NOT_CONNECTED
-    if word := missing(COMMAND_OF.get(control, control), moment.cannot):
+    word = missing(COMMAND_OF.get(control, control), moment.cannot)
+    if word and control != "stop":  # which ends the sending at least, and stops a jog
         return reason(word)
     if ALSO_NEEDS.get(control) in moment.cannot:
         return reason(ALSO_NEEDS[control])
@@ -207,6 +208,12 @@ def why_not(control: str, moment: ControllerSnapshot) -> str:
     rule = RULES[control]
     stands = moment.machine_state in AT_A_STAND.get(moment.phase, {}).get(control, ())
     return "" if stands or moment.phase in rule.phases else rule.why_not
+
+
+def does(control: str, moment: ControllerSnapshot) -> str:
+    """Return what a control of `RULES` does, or what it cannot reach where it can be pressed all the same."""
+    word = missing(control, moment.cannot) if control == "stop" else ""
+    return reason(word) if word else RULES[control].does
 
 
 def why_not_connect(moment: ControllerSnapshot, port: str) -> str:

@@ -8,7 +8,7 @@ from typing import Any
 
 from PySide import QtCore, QtGui
 
-from CNCStepper.workbench.dock.model.controller_state import RULES, ControllerSnapshot, why_not
+from CNCStepper.workbench.dock.model.controller_state import ControllerSnapshot, does, why_not
 from CNCStepper.workbench.dock.views import widgets
 from CNCStepper.workbench.services.number_format import NOTHING, duration
 from CNCStepper.workbench.services.translation import tr
@@ -37,7 +37,7 @@ class PauseView(QtGui.QWidget):
         A button that was pressed and can work no more leaves the focus to this view; from here only Hold takes it.
         """
         for name, button in self.buttons.items():
-            widgets.lock(button, why_not(name, moment), RULES[name].does)
+            widgets.lock(button, why_not(name, moment), does(name, moment))
         if self.hasFocus() and self.buttons["hold"].isEnabled():
             self.buttons["hold"].setFocus()
 

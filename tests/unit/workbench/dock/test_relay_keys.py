@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from CNCStepper.control.protocol.grbl.capabilities import reason
-from CNCStepper.workbench.dock.model.controller_state import RULES, ControllerSnapshot, why_not
+from CNCStepper.workbench.dock.model.controller_state import RULES, ControllerSnapshot, does, why_not
 from CNCStepper.workbench.dock.model.relay_keys import Lines, sound_between
 from CNCStepper.workbench.services.sounds import ALARM, FOLDER, NAMES, PAUSE
 
@@ -38,7 +38,7 @@ def test_lines_go_out_one_by_one_and_none_after_a_refusal() -> None:
     [
         ("hold", {"hold"}),
         ("resume", {"resume"}),
-        ("stop", {"stop"}),
+        ("stop", set()),
         ("override", {"override"}),
         ("jog", {"jog"}),
         ("jog-hold", {"aside"}),
@@ -52,6 +52,12 @@ def test_what_a_machine_cannot_do_is_said_whatever_it_does(word: str, controls: 
         free = ControllerSnapshot(phase, "Idle", job=phase == "running")
         assert {control for control in RULES if why_not(control, moment) == reason(word)} == controls
         assert {control for control in RULES if why_not(control, moment) != why_not(control, free)} == controls
+
+
+def test_a_stop_that_does_not_reach_the_machine_can_be_pressed_and_says_so() -> None:
+    moment = ControllerSnapshot("running", job=True, cannot=("stop",))
+    assert why_not("stop", moment) == "" and does("stop", moment) == reason("stop")
+    assert does("stop", ControllerSnapshot("running", job=True)) == RULES["stop"].does
 
 
 def test_relays_are_switched_while_idle_only() -> None:
