@@ -344,17 +344,16 @@ class ConnectionService:
         if self._is_sent and self._run.job.home_first:
             self._home_first(self._driver, self._idle)
         check_state(fresh_status(self._driver, self._timing))
-        restarted = self._is_sent and self._counts_restart(self._driver)
-        check_program(self._trust or LOST)
+        restarted = self._is_sent and self._counts_restart(self._driver, self._idle.trust)
+        check_program(self._trust if restarted and self._trust else self._idle.trust)
         found = connect.learn(self._driver, self._timing)
         self._take_zero(found.offsets, found.modes)
         self._kept.keep(LOST)  # until the job has ended well
         return replace(found, greeted=restarted)
 
-    def _counts_restart(self, driver: Grbl) -> bool:
+    def _counts_restart(self, driver: Grbl, trust: PositionTrust) -> bool:
         """Return whether a restarted machine is trusted for this job: it stands where its zero was confirmed."""
-        trust = self._trust
-        if trust is None or not is_lost(trust) or is_lost(trust, restart_counts=True):
+        if not is_lost(trust) or is_lost(trust, restart_counts=True):
             return False
         if self._greeted:
             check_counts_from_here(driver)

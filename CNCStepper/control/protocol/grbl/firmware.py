@@ -119,7 +119,8 @@ LATHE = Firmware(
 )
 OWN_FIRMWARES = (PARPORT, BOARD, LATHE)  # processes of this computer, `machine.controller_family`
 PULSE_FIRMWARES = (PARPORT, BOARD)
-BOARD_FIRMWARES = (GRBL, GRBLHAL, FLUIDNC)  # what may answer at a port of which no profile is known
+# What may answer at a port of which no profile is known.
+BOARD_FIRMWARES = (GRBL, GRBLHAL, FLUIDNC)
 FIRMWARES = (*BOARD_FIRMWARES, *OWN_FIRMWARES)
 
 
