@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Hostile files: whatever a job, a profile, a tool file or a drawing holds, it is taken or refused by name, in time.
 
-`make fuzz` takes 2000 jobs and 500 of the others (FILES=n takes n and n / 4); CNCSTEPPER_FILE_FUZZ is that number. The
-seed of what fails is in the message: `job_case(SEED)` makes it again.
+`make fuzz` takes 2000 jobs and profiles and 500 of the others (FILES=n takes n and n / 4); CNCSTEPPER_FILE_FUZZ is that
+number. The seed of what fails is in the message: `job_case(SEED)` makes it again.
 """
 
 from __future__ import annotations
@@ -152,8 +152,8 @@ def test_a_mutated_job_makes_a_program_that_is_read_or_is_refused(tmp_path: Path
 
 @pytest.mark.slow
 def test_a_mutated_profile_is_taken_or_refused(tmp_path: Path) -> None:
-    met = run(profile_case, take_profile, FILES // 4, tmp_path)
-    check(met, FILES // 4, names(*KIND), met["taken"])
+    met = run(profile_case, take_profile, FILES, tmp_path)
+    check(met, FILES, names(*KIND), met["taken"])
 
 
 @pytest.mark.slow
