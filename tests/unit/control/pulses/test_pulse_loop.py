@@ -345,9 +345,7 @@ def test_a_device_that_takes_nothing_any_more_is_lost_and_none_that_rested(playe
     assert caught.value.code == "port-lost"
 
 
-def test_a_device_is_switched_off_while_a_rate_is_tried(
-    player: VirtualPlayer, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_device_is_switched_off_while_a_rate_is_tried(player: VirtualPlayer, monkeypatch: pytest.MonkeyPatch) -> None:
     """A reset on the way of a trial must not leave the spindle on up to its end."""
     output, port = player.output, player.port
     output.switch("spindle_cw", True)

@@ -283,6 +283,18 @@ def test_a_player_that_is_killed_leaves_nothing_on(
                 assert again.recv(10) == bytes(map(int, IDLE))
 
 
+def test_a_player_that_is_killed_while_it_closes_leaves_nothing_on(
+    tmp_path: Path, launch: Callable[..., PulseOutput], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    output = launch(f"record:{tmp_path / 'port.csv'}")
+    output.switch("spindle_cw", True)
+    time.sleep(0.5)
+    monkeypatch.setattr(output, "_command", lambda what: output._worker.kill())
+    output.close()
+    written = [tuple(row[1:]) for row in rows_of(tmp_path / "port.csv")[1:]]
+    assert written[-1] == IDLE and set(written) != {IDLE}
+
+
 PARENT = """
 import sys, time
 sys.path[:0] = {paths!r}
@@ -304,10 +316,9 @@ def test_a_player_whose_parent_is_killed_ends_with_everything_off(tmp_path: Path
         time.sleep(0.3)
         parent.kill()
     end_s = time.monotonic() + LIMIT_S
-    while tuple((rows_of(tmp_path / "port.csv") or [["", *IDLE]])[-1][1:]) != IDLE:
+    while len(rows := rows_of(tmp_path / "port.csv")) < 100 or tuple(rows[-1][1:]) != IDLE:  # idle from its begin on
         assert time.monotonic() < end_s
         time.sleep(0.05)
-    assert len(rows_of(tmp_path / "port.csv")) > 100
 
 
 if hasattr(signal, "SIGSTOP"):
