@@ -23,6 +23,7 @@ from CNCStepper.virtual.grbl.board import Board
 from CNCStepper.virtual.grbl.input_pins import LIMITS
 from CNCStepper.virtual.grbl.machine import Grbl
 from CNCStepper.virtual.grbl.spindle_control import OFF
+from CNCStepper.virtual.grbl.states import State
 
 SPINDLES = {3: "spindle_cw", 4: "spindle_ccw"}
 MOTOR_LINES = ("_step", "_direction")
@@ -79,7 +80,10 @@ class Relays:
         self.follow(board)
 
     def follow(self, board: Board) -> None:
-        """Let every device be as the board has switched it."""
+        """Let every device be as the board has switched it; asleep everything is off, whatever switched it on."""
+        if board.state is State.SLEEP:
+            board.outputs.clear()
+            self.further.clear()
         wanted = {OUTPUT + str(number) for number in board.outputs} | self.further
         wanted |= {SPINDLES[board.spindle.direction]} if board.spindle.direction in SPINDLES else set()
         wanted |= {name for name, on in (("flood", board.flood), ("mist", board.mist)) if on}

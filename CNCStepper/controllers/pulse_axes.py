@@ -194,14 +194,18 @@ class PulseAxes(Axes):
         self._moves.quicken(max(feed_percent, 100) / 100)
         self._output.share(min(feed_percent, 100) / 100, rapid_percent / 100)
 
-    def tend(self) -> None:
-        """Finish a reset once the output is at rest; to be called again and again."""
+    def tend(self) -> bool:
+        """Finish a reset once the output is at rest; return whether it was finished now. To be called again and again.
+
+        Up to then the position is not known for good: pulses that were being written are still played.
+        """
         if not self._dropping or self._output.state not in AT_REST:
-            return
+            return False
         self._dropping = False
         self._output.drop()
         self._output.resume()
         self._forget()
+        return True
 
     def _feed(self) -> None:
         for _ in range(MOST_SLICES):

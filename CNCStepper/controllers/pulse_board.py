@@ -145,7 +145,8 @@ class PulseBoard(Grbl):
 
     def _act(self, dt_s: float) -> None:
         self._player.check()
-        self.axes.tend()
+        if self.axes.tend():
+            self.sync_position()
         self._switches.look(self._player.inputs(), self.time_s, self)
         super()._step(dt_s)
         self._relays.follow(self)

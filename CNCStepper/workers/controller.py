@@ -52,9 +52,8 @@ class Inbox:
         return data
 
     def close(self) -> None:
-        """Behave as if the far end had closed."""
+        """Behave as if the far end had closed, which the next look finds; nothing is locked, so signals may call it."""
         self.closed = True
-        self._arrived.set()
 
     def _read(self) -> None:
         go_first()

@@ -60,6 +60,8 @@ def _play(wanted: dict[str, Any], ring: PulseRing) -> None:
     port = open_output(wanted["port"], is_board, begin_ns)
     try:
         writer = board or RegisterWriter(signals, wanted["axes"])
+        for _, first, second in writer.off(0):  # until now the pins are as the computer's start or another program left
+            port.write(first, second)
         loop = PulseLoop(ring, writer, port, begin_ns)
         load_kernels(writer)
         signal.signal(signal.SIGTERM, lambda *_: setattr(loop, "is_left", True))

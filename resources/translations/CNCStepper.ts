@@ -13314,6 +13314,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the device takes nothing for {limit:g} s; steps may be lost</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the diameter of the tool is not known</source>
             <translation type="unfinished"></translation>
         </message>

@@ -13314,6 +13314,10 @@
             <translation>o processo da mesa de controle não inicia</translation>
         </message>
         <message>
+            <source>the device takes nothing for {limit:g} s; steps may be lost</source>
+            <translation>o dispositivo não aceita nada há {limit:g} s; pode haver perda de passos</translation>
+        </message>
+        <message>
             <source>the diameter of the tool is not known</source>
             <translation>o diâmetro da ferramenta não é conhecido</translation>
         </message>

@@ -18,7 +18,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from CNCStepper.control.pulses.output_ports import OutputPort
+from CNCStepper.control.pulses.output_ports import WRITE_LIMIT_S, OutputPort
 from CNCStepper.control.pulses.pacing import HOME, NS_PER_S, WRITES_A_PULSE, Pacer, Write, stall_ns
 from CNCStepper.control.pulses.pulse_ring import (
     ACKNOWLEDGED,
@@ -123,6 +123,7 @@ class PulseLoop:
         self._wanted = 0  # RESUME or BACK, until the axes stand
         self._goal = self._heard = self._relays = self._last_head = 0
         self._head_since_ns = self._rest_since_ns = 0
+        self._took_ns = 0  # when the device had last taken what it was given
         self._flowed = self._was_tried = False
         self.is_left = False
 
@@ -156,10 +157,13 @@ class PulseLoop:
             words[BRAKES], self._wanted = 1, 0
         self._turn()
         words[INPUTS] = self._port.status()
-        if words[RELAYS] != self._relays:
-            self._relays = int(words[RELAYS])
-            self._pacer.write(self._writer.relays(self._relays, self._pacer.now_ns()))
+        self._switch_relays()
         return self.is_left
+
+    def _switch_relays(self) -> None:
+        if self._words[RELAYS] != self._relays:
+            self._relays = int(self._words[RELAYS])
+            self._pacer.write(self._writer.relays(self._relays, self._pacer.now_ns()))
 
     def _take_command(self, command: int, goal: int) -> None:
         self._wanted = 0
@@ -192,11 +196,13 @@ class PulseLoop:
     def _slice(self) -> bool:
         """Plan and write the next moment; return whether there were pulses in it."""
         words, now = self._words, self._pacer.now_ns()
-        if self._is_at_rest() or self._port.queued() > MOST_QUEUED_BYTES:
+        is_at_rest = self._is_at_rest()
+        if is_at_rest or self._is_jammed(now):
             words[BOUNDARY] = 0
             self._flowed = False
-            if words[BRAKES] and not words[STANDS]:
-                words[STANDS] = 1  # a hold that comes while nothing is queued
+            if is_at_rest:
+                self._took_ns = now
+                words[STANDS] |= words[BRAKES]  # a hold that comes while nothing is queued
             return False
         if self._was_tried:
             self._new_jitter()
@@ -219,6 +225,16 @@ class PulseLoop:
         due, step, back = self._due, self._steps, self._backs
         count = play(*columns, words, reals, earliest, until, due, step, back)
         return self._writer.writes(due[:count], step[:count], back[:count]) if count else []
+
+    def _is_jammed(self, now: int) -> bool:
+        """Return whether the device has not taken yet what it was given; raises LinkError where that lasts too long."""
+        if self._port.queued() <= MOST_QUEUED_BYTES:
+            self._took_ns = now
+            return False
+        if now - self._took_ns > WRITE_LIMIT_S * NS_PER_S:
+            what = Text("the device takes nothing for {limit:g} s; steps may be lost", limit=WRITE_LIMIT_S)
+            raise LinkError("port-lost", what, advice=HOME)
+        return True
 
     def _note_stale(self, now: int) -> None:
         head = int(self._words[HEAD])
@@ -290,6 +306,7 @@ class PulseLoop:
         rows = _still_rows(int(words[HEAD]), NS_PER_S / per_s)
         self._new_jitter()
         while words[PLACE] < words[HEAD] and not self.is_left:
+            self._switch_relays()  # a reset must not wait for the trial's end
             now = self._pacer.now_ns()
             writes = self._play_to(rows, words, reals, begin, now + SLICE_NS)
             self._pacer.write(writes)

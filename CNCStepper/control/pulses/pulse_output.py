@@ -343,7 +343,7 @@ class PulseOutput:
         failed = self.state == STATES[FAILED]
         self._command(CLOSE)
         self._end()
-        if failed and not self._error:
+        if (failed or self._worker.returncode) and not self._error:
             self._leave_port_idle()
 
     # --- inside --------------------------------------------------------------------------------
@@ -430,7 +430,6 @@ class PulseOutput:
         except subprocess.TimeoutExpired:
             self._worker.kill()
             self._worker.wait()
-            self._leave_port_idle()
         self._worker.stdout.close()
 
     def _leave_port_idle(self) -> None:

@@ -61,6 +61,7 @@ class Writes:
     rows: list[tuple[int, int, int, int]] = field(default_factory=list)  # ns, data, control, sense
     words: Any = None
     register: int = 0
+    waiting: int = 0  # bytes that the device has not taken
 
     def write(self, data: int, control: int) -> None:
         """Note a write."""
@@ -72,8 +73,8 @@ class Writes:
         return self.register
 
     def queued(self) -> int:
-        """Return that nothing waits."""
-        return 0
+        """Return how many bytes wait."""
+        return self.waiting
 
     def rest(self) -> None:
         """Do nothing."""

@@ -6,6 +6,7 @@ from __future__ import annotations
 import json
 import os
 import signal
+import threading
 import time
 from collections.abc import Iterator
 from pathlib import Path
@@ -15,6 +16,7 @@ import pytest
 from CNCStepper.control.transport import controller_link
 from CNCStepper.control.transport.link import Link, open_link
 from CNCStepper.errors import JobError, LinkError
+from CNCStepper.workers.controller import Inbox
 
 TESTS = Path(__file__).resolve().parents[2]
 LIMIT_S = 60.0
@@ -98,6 +100,18 @@ def test_a_polite_signal_brakes_too(link: Link, told: Path) -> None:
         _until(link, b"never")
     assert lost.value.code == "link-lost"
     assert not json.loads(told.read_text("utf-8"))["moving"]
+
+
+def test_a_signal_ends_the_input_whatever_its_reader_is_at() -> None:
+    """A signal's handler runs between any two instructions of the loop: it must not wait for a lock that it holds."""
+    read, write = os.pipe()
+    inbox = Inbox(read)
+    ended = threading.Thread(target=inbox.close, daemon=True)
+    with inbox._arrived._cond, inbox._lock:
+        ended.start()
+        ended.join(5.0)
+        assert not ended.is_alive() and inbox.closed
+    os.close(write)
 
 
 def test_a_killed_process_is_a_lost_link(link: Link) -> None:

@@ -137,6 +137,20 @@ def test_a_reset_in_motion_loses_the_position_and_one_when_held_keeps_it(talk: T
     assert talk.output.position_steps == (0, 0, 0)
 
 
+def test_pulses_still_played_at_a_reset_move_no_axis_later(talk: Talk, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The player hears of a stop some pulses later; a move of another axis does not take them back."""
+    begin(talk)
+    monkeypatch.setattr(talk.output, "stop_at_once", talk.output.hold)
+    here = talk.output.position_steps
+    assert "ALARM:3" in talk.say(b"\x18")
+    talk.pass_time(1.0)
+    stopped = talk.output.position_steps
+    assert stopped[0] > here[0]
+    assert talk.line("$X") == "ok"
+    talk.send("G21G90G94", "G1Y1F900")
+    assert talk.output.position_steps == (stopped[0], stopped[1] + 40, 0)
+
+
 def test_a_reset_when_held_keeps_the_position(talk: Talk) -> None:
     begin(talk)
     talk.say("!", 1.0)

@@ -110,6 +110,15 @@ def test_a_reset_and_the_end_switch_everything_off(talk: Talk) -> None:
     assert talk.output.closed and talk.output.switched[-1][1:] == ("flood", False)
 
 
+def test_asleep_nothing_is_on(talk: Talk) -> None:
+    talk.send("M3S1", "M8", "M64P0")
+    assert talk.output.on == {"spindle_cw", "flood", "output_0"}
+    assert talk.line("$SLP", 0.05) and talk.status()[""] == "Sleep"
+    assert not talk.output.on
+    talk.say(b"\x18", 0.05)
+    assert talk.line("$X") == "ok" and not talk.output.on
+
+
 def test_the_status_names_what_is_on(talk: Talk) -> None:
     talk.send("M3S1", "M7", "M8")
     fields = [talk.status() for _ in range(12)]

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from CNCStepper.control.pulses import pulse_output
 from CNCStepper.errors import LinkError
 from CNCStepper.motion.planner.buffers import TICKS_PER_S, UNLIMITED
 from helpers.control.virtual_player import (
@@ -318,6 +319,50 @@ def test_stopped_at_once_nothing_follows_and_everything_is_off(player: VirtualPl
     output.append(*(column[-3:] for column in even_plan(3003, speed=40.0).columns))
     player.run_until("idle")
     assert len(decoded(player.port.rows)) == len(pulses) + 3
+
+
+def test_a_hold_while_the_device_lags_behind_still_brakes_by_its_ramp(player: VirtualPlayer) -> None:
+    player.output.append(*even_plan(2000).columns)
+    player.run_for(0.5)
+    player.port.waiting = 17
+    player.run_for(0.002)
+    sent = player.output.sent
+    player.output.hold()
+    player.run_for(0.01)
+    assert player.output.state == "hold" and player.output.sent == sent
+    player.port.waiting = 0
+    player.run_until("held")
+    assert player.output.sent - sent > 3
+
+
+def test_a_device_that_takes_nothing_any_more_is_lost_and_none_that_rested(player: VirtualPlayer) -> None:
+    player.run_for(5.0)
+    player.output.append(*even_plan(2000).columns)
+    player.port.waiting = 17
+    player.run_for(0.9)
+    with pytest.raises(LinkError, match="takes nothing for 1 s") as caught:
+        player.run_for(0.2)
+    assert caught.value.code == "port-lost"
+
+
+def test_a_device_is_switched_off_while_a_rate_is_tried(player: VirtualPlayer, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A reset on the way of a trial must not leave the spindle on up to its end."""
+    output, port = player.output, player.port
+    output.switch("spindle_cw", True)
+    player.run_for(0.01)
+    on = port.rows[-1][1:3]
+    begin_ns = player.clock.ns
+
+    def write(data: int, control: int) -> None:
+        port.rows.append((player.clock.ns, data, control, 1))
+        if player.clock.ns - begin_ns > 100_000_000:
+            output.switch("spindle_cw", False)
+
+    monkeypatch.setattr(port, "write", write)
+    monkeypatch.setattr(pulse_output.time, "sleep", lambda _: player.run_for(0.001))
+    output.trial(1000.0, trial_s=1.0)
+    last_on = max(ns for ns, *registers, _ in port.rows if tuple(registers) == on)
+    assert 100_000_000 < last_on - begin_ns < 110_000_000 and player.clock.ns - begin_ns > 900_000_000
 
 
 def test_long_pulses_of_the_thesis_slow_the_program_down_and_lose_none(monkeypatch: pytest.MonkeyPatch) -> None:

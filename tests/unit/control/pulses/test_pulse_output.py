@@ -24,6 +24,7 @@ from CNCStepper.control.pulses import pulse_output
 from CNCStepper.control.pulses.pulse_output import PulseOutput
 from CNCStepper.errors import LinkError, MachineRefusal
 from CNCStepper.machine.profile import Machine, load_machine
+from CNCStepper.motion.signals.parallel_port import pin_levels
 from CNCStepper.motion.signals.step_letters import read_letters
 from helpers.control.virtual_player import decoded, machine, pulses
 
@@ -94,6 +95,7 @@ def test_a_recording_holds_every_write_with_its_time(tmp_path: Path, launch: Cal
     output.close()
     head, *rows = rows_of(tmp_path / "port.csv")
     assert head == ["t_s", "data", "control"] and tuple(rows[-1][1:]) == IDLE
+    assert tuple(rows[0][1:]) == IDLE, "what stood at the pins before is not switched off"
     found = decoded([(round(float(t) * 1e9), int(data), int(control), 1) for t, data, control in rows])
     assert [pulse.step for pulse in found] == columns[1].tolist()
     assert [pulse.back for pulse in found] == columns[2].tolist()
@@ -242,6 +244,19 @@ def test_a_rate_that_no_computer_keeps_is_refused(tmp_path: Path, launch: Callab
     wait_for(output, "idle")
 
 
+def test_a_port_is_idle_as_soon_as_it_is_open(launch: Callable[..., PulseOutput]) -> None:
+    """Relays and drives that are on when low are on at pins nobody has written."""
+    wired = machine()
+    pins = {name: -pin if "flood" in name else pin for name, pin in wired.signals.wired.items()}
+    low = wired.model_copy(update={"signals": wired.signals.model_copy(update={"pins": pins})})
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        launch(f"socket://127.0.0.1:{server.getsockname()[1]}", low)
+        with server.accept()[0] as connection:
+            connection.settimeout(LIMIT_S)
+            first = connection.recv(2, socket.MSG_WAITALL)
+    assert pin_levels(*first)[wired.signals.wired["flood"]] and tuple(map(str, first)) != IDLE
+
+
 @pytest.mark.parametrize("port", ["record", "socket"])
 def test_a_player_that_is_killed_leaves_nothing_on(
     port: str, tmp_path: Path, launch: Callable[..., PulseOutput]
@@ -268,6 +283,18 @@ def test_a_player_that_is_killed_leaves_nothing_on(
                 assert again.recv(10) == bytes(map(int, IDLE))
 
 
+def test_a_player_that_is_killed_while_it_closes_leaves_nothing_on(
+    tmp_path: Path, launch: Callable[..., PulseOutput], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    output = launch(f"record:{tmp_path / 'port.csv'}")
+    output.switch("spindle_cw", True)
+    time.sleep(0.5)
+    monkeypatch.setattr(output, "_command", lambda what: output._worker.kill())
+    output.close()
+    written = [tuple(row[1:]) for row in rows_of(tmp_path / "port.csv")[1:]]
+    assert written[-1] == IDLE and set(written) != {IDLE}
+
+
 PARENT = """
 import sys, time
 sys.path[:0] = {paths!r}
@@ -289,10 +316,9 @@ def test_a_player_whose_parent_is_killed_ends_with_everything_off(tmp_path: Path
         time.sleep(0.3)
         parent.kill()
     end_s = time.monotonic() + LIMIT_S
-    while tuple((rows_of(tmp_path / "port.csv") or [["", *IDLE]])[-1][1:]) != IDLE:
+    while len(rows := rows_of(tmp_path / "port.csv")) < 100 or tuple(rows[-1][1:]) != IDLE:  # idle from its begin on
         assert time.monotonic() < end_s
         time.sleep(0.05)
-    assert len(rows_of(tmp_path / "port.csv")) > 100
 
 
 if hasattr(signal, "SIGSTOP"):
