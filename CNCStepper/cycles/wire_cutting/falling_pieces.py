@@ -6,6 +6,10 @@ r"""An order in which nothing is cut after it has come loose.
 |  B  x  C           |        What lies in such a piece is cut before.
 |  '--D--'           |
 +--------------------+
+
+A ring with slits is cut in stretches, from slit to slit. A way through the scrap may run along a part nearer than a
+kerf, another ring or the sheet's edge may lie there: the part then falls before its ring is closed. The stretch on
+which it hangs is cut last, after all of its holes.
 """
 
 from __future__ import annotations
@@ -19,8 +23,10 @@ from shapely.geometry.base import BaseGeometry
 from CNCStepper.cycles.wire_cutting.way_tree import ROOT, WayTree
 from CNCStepper.cycles.wire_cutting.wire_items import Item, Part
 from CNCStepper.errors import CycleError, Text
+from CNCStepper.geometry.curve import Curve
 
 FLAT_MM = 0.01
+FIRM = 1.5  # times the kerf: what so wide a cut would take away holds nothing that is worth it
 MOST_CHANGES = 3  # a part
 
 
@@ -39,12 +45,46 @@ def safe_order(order: Sequence[int], tree: WayTree, items: Sequence[Item], sheet
         for item in held:
             found.remove(item)
         found[found.index(by) : found.index(by)] = held
-    x, y = items[held[0]].chords.coords[0]
-    raise CycleError(
-        "wire-loose",
-        Text("what lies at X{x:.3f} Y{y:.3f} would come loose before it is cut, in any order", x=x, y=y),
-        advice="move the parts farther apart, or cut them in several operations",
-    )
+    raise _comes_loose(items[held[0]])
+
+
+class Uncut:
+    """What is left of the sheet behind the wire, while its way is put together.
+
+    half_mm: half of the kerf.
+    """
+
+    def __init__(self, sheet: Polygon, half_mm: float):
+        self._rest: BaseGeometry = sheet
+        self._half_mm = half_mm
+        self._taken: list[Curve] = []
+
+    def take(self, curve: Curve) -> None:
+        """Cut along a curve."""
+        self._taken.append(curve)
+
+    def last_stretch(self, part: Part, stretches: Sequence[Curve]) -> int:
+        """Return which stretch of a part's ring holds it while all others are cut: the last one, else the first such.
+
+        One that holds firmly comes before one that holds by a thin strip. Raises CycleError where none holds.
+        """
+        self._cut_taken()
+        last = len(stretches) - 1
+        for width in (FIRM, 1.0):
+            for tried in (last, *range(last)):
+                others = [each for number, each in enumerate(stretches) if number != tried]
+                if self._holds(part, others, width * self._half_mm):
+                    return tried
+        raise _comes_loose(part)
+
+    def _holds(self, part: Part, cuts: Sequence[Curve], half_mm: float) -> bool:
+        """Return whether a part hangs in the largest piece after further cuts."""
+        rest = self._rest.difference(_kerfs(cuts, half_mm))
+        return bool(_largest(rest).intersects(part.polygon))
+
+    def _cut_taken(self) -> None:
+        self._rest = self._rest.difference(_kerfs(self._taken, self._half_mm))
+        self._taken = []
 
 
 def _first_loose(
@@ -75,9 +115,13 @@ def _in_smaller_pieces(rest: BaseGeometry, waiting: Sequence[int], items: Sequen
     """Return which parts do not lie in the largest piece."""
     if not waiting or rest.geom_type == "Polygon":
         return []
-    largest = max(shapely.get_parts(rest), key=shapely.area)
+    largest = _largest(rest)
     shapely.prepare(largest)
     return [item for item in waiting if not largest.intersects(_middle(items[item]))]
+
+
+def _largest(rest: BaseGeometry) -> BaseGeometry:
+    return max(shapely.get_parts(rest), key=shapely.area, default=rest)
 
 
 def _middle(item: Item) -> BaseGeometry:
@@ -87,3 +131,16 @@ def _middle(item: Item) -> BaseGeometry:
 
 def _kerf(line: LineString, half_mm: float) -> BaseGeometry:
     return line.simplify(FLAT_MM).buffer(half_mm)
+
+
+def _kerfs(curves: Sequence[Curve], half_mm: float) -> BaseGeometry:
+    return shapely.union_all([_kerf(LineString(curve.points(FLAT_MM)), half_mm) for curve in curves])
+
+
+def _comes_loose(item: Item) -> CycleError:
+    x, y = item.chords.coords[0]
+    return CycleError(
+        "wire-loose",
+        Text("what lies at X{x:.3f} Y{y:.3f} would come loose before it is cut, in any order", x=x, y=y),
+        advice="move the parts farther apart, or cut them in several operations",
+    )

@@ -5,6 +5,8 @@ edge -> link -> lead-in -> ring of a part -> lead-out -> link -> ... -> edge
                               |  ^
                          slit v  |           what lies in a hole is cut first, then the hole, then the wire goes
                            hole's ring       back through the slit and on along the part's ring
+
+The ring is run the other way round, or first to some slits and back, where the part would fall before its last hole.
 """
 
 from __future__ import annotations
@@ -20,14 +22,14 @@ from shapely import LineString, Polygon
 from shapely.geometry.base import BaseGeometry
 
 from CNCStepper.cycles.moves import Point
-from CNCStepper.cycles.wire_cutting.falling_pieces import safe_order
+from CNCStepper.cycles.wire_cutting.falling_pieces import Uncut, safe_order
 from CNCStepper.cycles.wire_cutting.hole_slits import Slit, slit_into
 from CNCStepper.cycles.wire_cutting.scrap_roadmap import COARSE, Roadmap, Segment
 from CNCStepper.cycles.wire_cutting.way_tree import ROOT, WayTree, best_last, connected
 from CNCStepper.cycles.wire_cutting.wire_items import Item, Items, Line, Part
 from CNCStepper.errors import CycleError, Text
-from CNCStepper.geometry.curve import Curve, from_points, straight
-from CNCStepper.tolerances import COINCIDENT_MM, SAME_MM
+from CNCStepper.geometry.curve import Curve, from_points, joined, straight
+from CNCStepper.tolerances import SAME_MM
 
 SIDES = ("left", "right", "front", "back")
 
@@ -62,6 +64,7 @@ class RouteMaker:
         self._box = (low_x - out_mm, low_y - out_mm, high_x + out_mm, high_y + out_mm)
         self._map = Roadmap(items, kerf_mm, margin_mm, corners_of(self._box))
         self._parts: list[BaseGeometry] = []
+        self._uncut = Uncut(sheet, self._half_mm)
 
     def route(self, enter_from: str, leave: str) -> Route:
         """Return the way; raises CycleError where an item cannot be reached, or would come loose before it is cut."""
@@ -69,7 +72,10 @@ class RouteMaker:
         tree = self._tree(self._items.top, begins)
         last = best_last(tree, partial(self._leaving_mm, tree)) if leave == "edge" else None
         order = safe_order(tree.order(last), tree, self._items.top, self._sheet, self._half_mm)
-        strokes = list(self._visits(tree, order, self._items.top))
+        strokes = []
+        for stroke in self._visits(tree, order, self._items.top):  # the strokes to come ask what is cut by then
+            self._uncut.take(stroke.curve)
+            strokes.append(stroke)
         strokes += self._way_out(tree, tree.leaves[order[-1]], leave)
         return Route(tuple(strokes), tuple(self._parts))
 
@@ -103,18 +109,27 @@ class RouteMaker:
         self._parts.append(item.polygon.difference(shapely.union_all(gone)) if gone else item.polygon)
 
     def _round(self, part: Part, begin: Point, slits: Sequence[Slit]) -> Iterator[Stroke]:
-        """Yield the ring of a part from `begin` on, with the detours into its holes."""
+        """Yield the ring of a part from `begin` on, with the detours into its holes while the part hangs."""
         name = f"part {part.number}"
-        ring = started_near(part.ring, begin)
-        along_mm = ring.nearest(np.array([slit.outer for slit in slits]).reshape(-1, 2))[1].tolist()
-        waiting = sorted(zip(along_mm, slits, strict=True), key=lambda each: each[0])
-        done_mm = 0.0
-        for piece in ring.split(along_mm):
-            while waiting and waiting[0][0] <= done_mm + COINCIDENT_MM:
-                yield from self._hole(part, waiting.pop(0)[1])
-            yield Stroke("contour", name, piece)
-            done_mm += piece.length_mm
-        for _, slit in waiting:
+        stretches, stops = _stretches(started_near(part.ring, begin), slits)
+        last = self._uncut.last_stretch(part, stretches) if slits else 0
+        yield from self._holes(part, stops[0])
+        for stretch, stop in zip(stretches[:last], stops[1:], strict=False):
+            yield Stroke("contour", name, stretch)
+            yield from self._holes(part, stop)
+        if last == len(stretches) - 1:
+            yield Stroke("contour", name, stretches[last])
+            return
+        back = [Stroke("link", f"{name} back", joined(stretches[:last]).reversed())] if last else []
+        yield from back
+        for number in range(len(stretches) - 1, last, -1):
+            yield Stroke("contour", name, stretches[number].reversed())
+            yield from self._holes(part, stops[number])
+        yield Stroke("contour", name, stretches[last].reversed())
+        yield from back
+
+    def _holes(self, part: Part, slits: Sequence[Slit]) -> Iterator[Stroke]:
+        for slit in slits:
             yield from self._hole(part, slit)
 
     def _hole(self, part: Part, slit: Slit) -> Iterator[Stroke]:
@@ -187,6 +202,17 @@ def sides_of(box: tuple[float, float, float, float]) -> dict[str, Segment]:
 def started_near(ring: Curve, place: Point) -> Curve:
     """Return a closed curve begun at its nearest place to another one."""
     return ring.started_at_length(float(ring.nearest(np.array([place]))[1][0]))
+
+
+def _stretches(ring: Curve, slits: Sequence[Slit]) -> tuple[list[Curve], list[list[Slit]]]:
+    """Return the stretches of a ring between slits, and which slits leave where each of them begins."""
+    along_mm = ring.nearest(np.array([slit.outer for slit in slits]).reshape(-1, 2))[1].tolist()
+    stretches = ring.split(along_mm)
+    bounds_mm = np.cumsum([0.0, *(stretch.length_mm for stretch in stretches)])
+    stops: list[list[Slit]] = [[] for _ in stretches]
+    for at_mm, slit in sorted(zip(along_mm, slits, strict=True), key=lambda each: each[0]):
+        stops[int(np.abs(bounds_mm - at_mm).argmin()) % len(stretches)].append(slit)
+    return stretches, stops
 
 
 def unreachable(item: Item, margin_mm: float) -> CycleError:

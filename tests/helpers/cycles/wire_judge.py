@@ -102,6 +102,22 @@ def cut_whole(wire: WirePath, sheet: Sheet, answer: Answer, outline: Polygon, to
         assert more.area <= 1e-6, f"{more.area:.4f} mm² stay at a part"
 
 
+def holes_while_it_hangs(wire: WirePath, answer: Answer, outline: Polygon) -> int:
+    """Assert that the wire goes into and out of each hole while the part hangs in the largest piece; return how often.
+
+    What hangs by less than a tenth of the kerf's width does not count as held by that.
+    """
+    bands = [line.buffer(answer.figures["kerf_mm"] * 0.55, quad_segs=ROUND) for line in wire.lines]
+    slits = np.flatnonzero(wire.slit).tolist()
+    for row in slits:
+        middle = wire.lines[row].interpolate(0.5, normalized=True)
+        part = min(answer.parts, key=middle.distance)
+        rest = outline.difference(shapely.union_all(bands[:row]))
+        largest = max(shapely.get_parts(rest), key=shapely.area)
+        assert largest.intersects(part.buffer(-0.1 * answer.figures["kerf_mm"])), f"a part is loose before row {row}"
+    return len(slits)
+
+
 def sweeps(wire: WirePath, sheet: Sheet, answer: Answer, outline: Polygon) -> None:
     """Assert that the removal is what the wire sweeps."""
     swept = shapely.union_all([line.buffer(sheet.kerf_mm / 2.0, quad_segs=ROUND) for line in wire.lines])

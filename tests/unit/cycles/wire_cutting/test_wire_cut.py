@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+import shapely
 from shapely import Point, Polygon
 
 from CNCStepper.cycles.cycle import Answer, Setup
@@ -21,6 +22,7 @@ from CNCStepper.machine.processes import PROCESSES
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.state import Start, State
 from CNCStepper.toolpath import LINE, RAPID, TableBuilder, Toolpath
+from helpers.cycles.wire_judge import crosses_nowhere, holes_while_it_hangs, path_of
 
 KERF_MM = 1.2
 TOOL = Tool(number=1, shape="wire", diameter_mm=KERF_MM, feed_mm_min=300, plunge_mm_min=300)
@@ -168,6 +170,34 @@ def test_what_lies_in_a_hole_falls_before_what_is_round_it() -> None:
     curves = (box(20, 5, 60, 50), circle((50, 30), 20), box(45, 25, 10, 10))
     _, answer = cut(*curves, entry_slit=True)
     assert [round(part.area) for part in answer.parts] == [100, pytest.approx(3000 - 400 * np.pi, abs=30)]
+
+
+HOLES_AT = {
+    # a way to the part behind runs round this one, nearer than a kerf; the slit leads to that way
+    "a way": (box(25, 15, 40, 30), circle((45, 22), 5), box(75, 47, 10, 10)),
+    # the slit is at the sheet's edge, behind all sides that hold the part
+    "the edge": (box(30, 0, 40, 30), circle((58, 8), 4)),
+    # two slits at the edge, on both sides of the place where the ring begins
+    "the edge, two": (
+        from_points([(30, 0.3), (50, 0), (70, 0.3), (70, 30), (30, 30)], closed=True),
+        circle((40, 8), 4),
+        circle((60, 8), 4),
+    ),
+}
+
+
+@pytest.mark.parametrize("where", HOLES_AT)
+def test_holes_are_cut_while_the_part_hangs(where: str) -> None:
+    curves = HOLES_AT[where]
+    side = "front" if where == "the edge, two" else "left"
+    path, answer = cut(*curves, enter_from=side, entry_slit=True)
+    sheet = Polygon(SETUP.stock.points(0.001))  # type: ignore[union-attr]
+    wire = path_of(path)
+    assert holes_while_it_hangs(wire, answer, sheet) == 2 * sum(curve.bulge.any() for curve in curves)
+    crosses_nowhere(wire)
+    part = answer.parts[-1].boundary
+    far_mm = shapely.distance(shapely.union_all(wire.lines), shapely.points(shapely.get_coordinates(part)))
+    assert far_mm.max() < KERF_MM / 2.0 + 0.02, "the ring is not whole"
 
 
 def test_a_ring_of_parts_is_not_closed_before_the_part_in_it_is_cut() -> None:

@@ -19,7 +19,15 @@ from CNCStepper.state import Start, State
 from CNCStepper.toolpath import TableBuilder, Toolpath
 from helpers.cycles.random_wire_sheets import LAYOUTS, Sheet, random_wire_sheet
 from helpers.cycles.seeds import SEEDS
-from helpers.cycles.wire_judge import crosses_nowhere, cut_whole, in_one_way, keeps_off, path_of, sweeps
+from helpers.cycles.wire_judge import (
+    crosses_nowhere,
+    cut_whole,
+    holes_while_it_hangs,
+    in_one_way,
+    keeps_off,
+    path_of,
+    sweeps,
+)
 
 TOLERANCE_MM = 0.01
 REFUSED = 0.1  # of the cases at most: parts too close for any way
@@ -68,6 +76,7 @@ def test_the_wire_cuts_every_part_whole_in_one_way(seed: int) -> None:
     keeps_off(wire, sheet, TOLERANCE_MM)
     crosses_nowhere(wire)
     cut_whole(wire, sheet, answer, outline, TOLERANCE_MM)
+    holes_while_it_hangs(wire, answer, outline)
     sweeps(wire, sheet, answer, outline)
     assert wire.slit.any() == (cycle.entry_slit and len(sheet.outer) > len(answer.parts))
     if cycle.leave == "back":
