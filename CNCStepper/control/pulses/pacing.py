@@ -27,6 +27,7 @@ from CNCStepper.errors import LinkError, MachineRefusal, Text
 TRIAL_S = 3.0  # what comes between pulses once a second comes in it
 MOST_LONGER = 1.02  # of the time that a trial should take
 WRITES_A_PULSE = 2
+LEAST_PULSES_PER_S = 500.0  # what is later than a pulse at this rate is a stall in the slowest program
 BIN_NS = 1000
 BINS = 10_000  # the last one holds all that is later
 NS_PER_S = 1_000_000_000

@@ -15,7 +15,7 @@ from itertools import islice
 
 import numpy as np
 
-from CNCStepper.control.pulses.pacing import WRITES_A_PULSE
+from CNCStepper.control.pulses.pacing import LEAST_PULSES_PER_S, WRITES_A_PULSE
 from CNCStepper.control.pulses.sender import Pace
 from CNCStepper.errors import JobError, Place
 from CNCStepper.machine.backlash import Backlash
@@ -33,7 +33,6 @@ from CNCStepper.toolpath import Event, Toolpath, require_straight_axes
 PASSING = ("dwell", "message", "comment", "warning", "tool_select", "override", "end")  # events that ask for nobody
 BUSY_WRITES = 32 * WRITES_A_PULSE  # over which the fastest rate is taken
 COMPILING_CHUNKS = 8
-LEAST_WRITES_PER_S = 1000.0  # a write that is later than two of these is a stall in the slowest program
 
 
 @dataclass(frozen=True)
@@ -78,7 +77,7 @@ class PulseProgram:
         self._hold_unseen()
         signals = self.machine.signals
         keep_us = max(signals.pulse_us, signals.gap_us, signals.direction_setup_us)
-        writes_per_s = max(busiest.per_s(TICKS_PER_S), LEAST_WRITES_PER_S)
+        writes_per_s = max(busiest.per_s(TICKS_PER_S), WRITES_A_PULSE * LEAST_PULSES_PER_S)
         return Pace(writes_per_s, idle_registers(signals), keep_us)
 
     def _hold_unseen(self) -> None:

@@ -19,7 +19,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from CNCStepper.control.pulses.output_ports import WRITE_LIMIT_S, OutputPort
-from CNCStepper.control.pulses.pacing import HOME, NS_PER_S, WRITES_A_PULSE, Pacer, Write, stall_ns
+from CNCStepper.control.pulses.pacing import HOME, LEAST_PULSES_PER_S, NS_PER_S, WRITES_A_PULSE, Pacer, Write, stall_ns
 from CNCStepper.control.pulses.pulse_ring import (
     ACKNOWLEDGED,
     AT_HOLD,
@@ -75,7 +75,6 @@ MOST_STARVED_NS = 250_000_000
 WAIT_S, REST_S, LONG_REST_S = 0.001, 0.002, 0.004
 LONG_NS = NS_PER_S  # of rest, after which it looks less often
 SLIP_NS = 1_000_000  # by which the signals' own times may delay pulses before all later ones come later too
-LEAST_PULSES_PER_S = 500.0  # what is later than a pulse at this rate is a stall in the slowest program
 MOST_QUEUED_BYTES = 16
 MOST_TRIAL_PULSES = 1_000_000
 

@@ -19,10 +19,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from CNCStepper.control.protocol.lathe.jog_guard import STOP
 from CNCStepper.controllers.lathe import step_times
 from CNCStepper.controllers.lathe.outward_line import OutwardLine
 
-STOP = b"P"
 RAPIDS, FEEDS = (b"A", b"B", b"C", b"D"), (b"E", b"F", b"G", b"H")  # X-, X+, Z-, Z+
 JOG_AHEAD_S = 1.0  # what is still to go before one more jog is taken: nobody may be there any more to cancel it
 
