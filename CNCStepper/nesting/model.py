@@ -148,7 +148,7 @@ def direction(angle_deg: float) -> tuple[float, float]:
 
 def moved(polygon: Polygon, x_mm: float, y_mm: float) -> Polygon:
     """Return a polygon moved."""
-    return shapely.transform(polygon, lambda xy: xy + (x_mm, y_mm))
+    return shapely.transform(polygon, lambda xy: xy + np.array([x_mm, y_mm]))
 
 
 def placed(polygon: Polygon, placement: Placement) -> Polygon:

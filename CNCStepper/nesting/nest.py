@@ -10,7 +10,6 @@ Locked parts lie first. A stop, or the end of the budget, gives the best layout 
 
 from __future__ import annotations
 
-import itertools
 import random
 from collections import Counter
 from collections.abc import Sequence
@@ -68,9 +67,10 @@ def nest(
     unplaced: list[Unplaced] = []
     groups = _groups(items)
     parts = {stock: sum(items[number].count for number in numbers) for stock, numbers in groups.items()}
+    waiting = sum(parts.values())
     for stock, numbers in groups.items():
-        waiting = sum(parts[other] for other in itertools.dropwhile(lambda other: other != stock, groups))
         own = budget.part(budget.left_s * parts[stock] / max(waiting, 1))
+        waiting -= parts[stock]
         rooms = [Room(place, sheet, spacing) for place, sheet in enumerate(sheets) if sheet.stock == stock]
         group = _Group(shapes, numbers, rooms, own, strips, seed)
         placements += group.placements()
@@ -186,7 +186,7 @@ class _Group:
         """Return the sheets filled in an order; None where time ends before; without an end only a stop ends it."""
         fillings = [self._fresh(room) for room in self._rooms]
         full = set[tuple[int, int]]()
-        left = []
+        left: list[int] = []
         for done, number in enumerate(order):
             if end is not None and end.over:
                 return None

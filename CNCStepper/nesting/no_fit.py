@@ -16,11 +16,11 @@ from shapely import Polygon
 from shapely.geometry.base import BaseGeometry
 
 CONVEX = 1e-12  # relative: what bends less is straight
-MOST_PAIRS = 4_000_000  # of edges in one union
+SEAM_MM = 1e-8  # between parallelograms of edges that are nearly parallel
 
 
 def no_fit(still: Polygon, part: Polygon) -> BaseGeometry:
-    """Return where the origin of `part` may not lie beside `still`, taken without holes; open: on the rim they touch."""
+    """Return where the origin of `part` may not lie beside `still`, taken without holes; on its rim they touch."""
     sums = [
         (one[:, None, :] - other[None, :, :]).reshape(-1, 2)
         for one in convex_pieces(still)
@@ -39,7 +39,7 @@ def inner_fit(room: Polygon, part: Polygon) -> BaseGeometry:
     if ((rim.max(axis=0) - rim.min(axis=0)) < high - low).any():
         return Polygon()
     within = shapely.transform(Polygon(rim), lambda xy: xy - own[0])
-    return within.difference(_rim_sum(rim, -own))
+    return within.difference(_rim_sum(rim, -own).buffer(SEAM_MM, join_style="mitre"))
 
 
 def _is_rectangle(rim: np.ndarray) -> bool:
@@ -121,7 +121,11 @@ def _merged(triangles: list[list[int]], points: list[list[float]]) -> list[list[
     number = 0
     while number < len(pieces):
         joined = next(
-            ((other, both) for other in range(number + 1, len(pieces)) if (both := _join(pieces, number, other, points))),
+            (
+                (other, both)
+                for other in range(number + 1, len(pieces))
+                if (both := _join(pieces, number, other, points))
+            ),
             None,
         )
         if joined is None:

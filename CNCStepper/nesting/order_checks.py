@@ -26,7 +26,9 @@ LEAST_AREA_MM2 = 1e-6
 MOST_MM = 1e6
 
 
-def polygon_from(name: str, points: Sequence[Sequence[float]], holes: Sequence[Sequence[Sequence[float]]] = ()) -> Polygon:
+def polygon_from(
+    name: str, points: Sequence[Sequence[float]], holes: Sequence[Sequence[Sequence[float]]] = ()
+) -> Polygon:
     """Return the polygon with these corners, mm; raises JobError for too few, no numbers, no area, crossing sides."""
     for ring in (points, *holes):
         _require_ring(name, ring)
@@ -93,9 +95,7 @@ def _require_room(item: Item, sheets: Sequence[Sheet], spacing: Spacing) -> None
         stocks = ", ".join(sorted({f"'{sheet.stock}'" for sheet in sheets}))
         what = Text("there is no sheet of the stock of {name}", name=item.name)
         raise JobError("nest-stock", what, value=f"'{item.stock}'", limit=stocks, advice="add one")
-    if any(allowed_rotations_deg(item, sheet) == () for sheet in own) and not any(
-        allowed_rotations_deg(item, sheet) != () for sheet in own
-    ):
+    if all(allowed_rotations_deg(item, sheet) == () for sheet in own):
         what = Text("the grain allows none of the rotations of {name}", name=item.name)
         raise JobError("nest-grain", what, advice="correct rotations_deg or grain_deg")
     if not any(_may_lie(item, sheet, spacing) for sheet in own):

@@ -111,9 +111,9 @@ def grown(polygon: Polygon, distance_mm: float) -> Polygon:
 
 
 def shrunk(polygon: Polygon, distance_mm: float) -> BaseGeometry:
-    """Return what of a polygon lies at least a distance from its rim; a negative one lets it grow."""
+    """Return what of a polygon lies at least a distance from its rim."""
     if distance_mm <= 0.0:
-        return grown(polygon, -distance_mm)
+        return polygon
     beside = polygon.envelope.buffer(2.0 * distance_mm).difference(polygon)
     return polygon.difference(beside.buffer(distance_mm, join_style="mitre", mitre_limit=MITRE_LIMIT))
 

@@ -35,7 +35,7 @@ from CNCStepper.nesting.no_fit import inner_fit, no_fit
 from CNCStepper.nesting.outlines import grown, shrunk
 
 LOOSE_MM = 2e-6  # how much larger a region is taken where nothing fits
-GRID_DECIMALS = 6  # of a place that is rounded
+GRID_DECIMALS = 5  # of a place that is rounded: coarser than LOOSE_MM
 MOST_TRIED = 40  # corners of a loose region
 SAME_SHARE = 1e-3  # of the area: outlines that differ by less are the same
 ROUND = 24  # corners of an outline whose rotations may be the same though its corners differ
@@ -52,6 +52,7 @@ class Shapes:
         self.items, self.spacing = tuple(items), spacing
         self._grown = [grown(item.outline, spacing.gap_mm / 2.0) for item in items]
         self._turned: dict[Key, Polygon] = {}
+        self._bare: dict[Key, Polygon] = {}
         self._no_fits: dict[tuple[int, int, float], BaseGeometry] = {}
         self._in_holes: dict[tuple[int, int, float], BaseGeometry] = {}
         self._loose: dict[tuple[int, int, float], BaseGeometry] = {}
@@ -75,6 +76,12 @@ class Shapes:
         if key not in self._turned:
             self._turned[key] = turned(self._grown[key[0]], key[1])
         return self._turned[key]
+
+    def bare(self, key: Key) -> Polygon:
+        """Return the outline of an item in a rotation as it is, for the rim of a sheet."""
+        if key not in self._bare:
+            self._bare[key] = turned(self.items[key[0]].outline, key[1])
+        return self._bare[key]
 
     def no_fit(self, still: Key, part: Key) -> BaseGeometry:
         """Return where the origin of `part` may not lie beside and in `still`, whose origin is at 0, 0."""
@@ -113,7 +120,7 @@ class Shapes:
 
 @dataclass(frozen=True)
 class Room:
-    """A sheet and where grown outlines may lie on it."""
+    """A sheet and where parts may lie on it, no closer to its rim than the margin."""
 
     number: int
     sheet: Sheet
@@ -122,7 +129,7 @@ class Room:
     @cached_property
     def pieces(self) -> tuple[Polygon, ...]:
         """The usable pieces of the sheet."""
-        usable = shrunk(self.sheet.outline, self.spacing.margin_mm - self.spacing.gap_mm / 2.0)
+        usable = shrunk(self.sheet.outline, self.spacing.margin_mm)
         return tuple(part for part in shapely.get_parts(usable) if isinstance(part, Polygon) and part.area > 0)
 
     @cached_property
@@ -132,7 +139,7 @@ class Room:
     def fit(self, shapes: Shapes, key: Key) -> BaseGeometry:
         """Return where the origin of an item may lie on the empty sheet."""
         if key not in self._fits:
-            part = shapes.turned(key)
+            part = shapes.bare(key)
             self._fits[key] = shapely.union_all([_fit(piece, part) for piece in self.pieces])
         return self._fits[key]
 
@@ -181,7 +188,7 @@ class Filling:
             return None
         in_hole = free.intersection(self._holes(key))
         corners = shapely.get_coordinates(free if in_hole.is_empty else in_hole)
-        right, top = self.shapes.turned(key).bounds[2:]
+        right, top = self.shapes.bare(key).bounds[2:]
         x, y = min(corners.tolist())
         return (float(in_hole.is_empty), x + right, y + top), Placement(self.room.number, key[0], x, y, key[1])
 
@@ -209,7 +216,7 @@ class Filling:
 
     def _exact_fit(self, key: Key) -> tuple[tuple[float, float, float], Placement] | None:
         """Return a place where the item just fits between others, touching them on two sides."""
-        bounds = self.shapes.turned(key).bounds
+        bounds = self.shapes.bare(key).bounds
         if not self._may_just_fit(bounds):
             return None
         loose = _loose_fit(self.room, self.shapes, key)
@@ -260,7 +267,7 @@ def _areas(found: BaseGeometry) -> BaseGeometry:
 
 
 def _loose_fit(room: Room, shapes: Shapes, key: Key) -> BaseGeometry:
-    part = shapes.turned(key)
+    part = shapes.bare(key)
     pieces = [piece.buffer(LOOSE_MM, join_style="mitre") for piece in room.pieces]
     return shapely.union_all([_fit(piece, part) for piece in pieces if isinstance(piece, Polygon)])
 

@@ -2,7 +2,7 @@
 """Fills sheets by packed strips: of all parts that are left, a strip as high as the sheet; its fullest window stays.
 
     parts left ──► strip ──► shorter than the sheet: all lie on it
-                     └─────► fullest window ──► a second strip of as much area as just fills the sheet ──► the better one
+                     └─────► fullest window ──► a second strip, of as much area as fills the sheet ──► the better
     then holes and gaps are filled part by part (sheet_filling.py), and the next sheet takes what is left
 
 Parts that the first attempt has put into holes of others are left out of the strips: they go into holes again. Sheets
@@ -22,6 +22,7 @@ from CNCStepper.nesting.model import Budget, Item, Placement, allowed_rotations_
 from CNCStepper.nesting.sheet_filling import Filling, Shapes, fill
 from CNCStepper.nesting.strips import StripPacker, StripPart, StripPlace, extents_mm, fullest_window
 
+SAME_SHARE = 1e-9  # of the area: a rectangle but for rounding
 LEAST_S = 0.5  # of time for a strip
 DENSER = 0.97  # of the strip's density is tried on a sheet
 SECOND_SHARE = 0.5  # of a sheet's time, for the second strip
@@ -104,12 +105,15 @@ def _from_strips(
 
 
 def _rectangle(filling: Filling) -> tuple[float, float, float, float] | None:
-    """Return the box of a sheet that is an empty rectangle along the axes."""
+    """Return the box for grown outlines on a sheet that is an empty rectangle along the axes."""
     pieces = filling.room.pieces
     if filling.placements or len(pieces) != 1 or pieces[0].interiors:
         return None
-    box: tuple[float, float, float, float] = pieces[0].bounds
-    return box if shapely.box(*box).area - pieces[0].area < 1e-9 * pieces[0].area else None
+    left, low, right, high = pieces[0].bounds
+    if shapely.box(left, low, right, high).area - pieces[0].area > SAME_SHARE * pieces[0].area:
+        return None
+    rim_mm = filling.shapes.spacing.gap_mm / 2.0
+    return left - rim_mm, low - rim_mm, right + rim_mm, high + rim_mm
 
 
 def _strip_parts(filling: Filling, left: Counter[int]) -> list[StripPart]:

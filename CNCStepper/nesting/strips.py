@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What a packer of strips is asked and answers, and which of its parts a sheet of limited length takes.
 
-    ............................
-    |  aa  bbb | c  dd    e    |     strip: height given, length as short as the packer finds
-    |aa bbb  dd|dd cc   eee    |
-    `----------+---------------'
-     first window: what ends within the sheet's length; the rest is packed anew on the next one
+............................
+|  aa  bbb | c  dd    e    |     strip: height given, length as short as the packer finds
+|aa bbb  dd|dd cc   eee    |
+`----------+---------------'
+ first window: what ends within the sheet's length; the rest is packed anew on the next one
 """
 
 from __future__ import annotations

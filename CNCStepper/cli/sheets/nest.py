@@ -30,15 +30,17 @@ def _names(params: Mapping[str, Any]) -> Mapping[str, str]:
 
 @click.command("nest", cls=Verb)
 @click.argument("order", type=FilePath)
-@click.option("--time", "time_s", type=NumberType(kind="time"), default=60.0, show_default=True, help="Seconds to search.")
+@click.option(
+    "--time", "time_s", type=NumberType(kind="time"), default=60.0, show_default=True, help="Seconds to search."
+)
 @click.option("-o", "--out", type=OutputFolder(_names), required=True, help="Folder for drawings, placements, picture.")
 @click.option("--seed", type=click.IntRange(0, 2**31 - 1), default=1, show_default=True, help="Of the random search.")
 @click.option("--no-spyrrow", is_flag=True, help="Search by our own layer alone.")
 def command(order: Path, time_s: float, out: Path, seed: int, no_spyrrow: bool) -> None:
     """Place the parts of ORDER on its sheets: a TOML order, or the JSON of a strip packing instance.
 
-    DIR/sheet-N.dxf, DIR/remnant-N-M.dxf, DIR/placements.json and DIR/nest.png are written. Ctrl+C ends the search with the
-    best layout so far. The last line is the density: the parts' area by that of the sheets used. Exit 1 when parts
+    DIR/sheet-N.dxf, DIR/remnant-N-M.dxf, DIR/placements.json and DIR/nest.png are written. Ctrl+C ends the search with
+    the best layout so far. The last line is the density: the parts' area by that of the sheets used. Exit 1 when parts
     have no place; each is told with the reason.
     """
     from CNCStepper.job.nesting.nest_files import density_of, write_nest
@@ -52,7 +54,9 @@ def command(order: Path, time_s: float, out: Path, seed: int, no_spyrrow: bool) 
         budget = Budget(time_s, progress=progress.share)
         packer = None if no_spyrrow else strip_packer()
         if packer is None and not no_spyrrow:
-            click.echo("   note: spyrrow is not installed; our own search alone is slower: pip install spyrrow", err=True)
+            click.echo(
+                "   note: spyrrow is not installed; our own search alone is slower: pip install spyrrow", err=True
+            )
         with _stopped_by_ctrl_c(budget):
             layout = nest(read.items, read.sheets, read.spacing, budget, packer, seed)
     for path in write_nest(read, layout, out):

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The files of a nested order: a drawing of each sheet, remnants as drawings, placements as JSON, a picture.
 
-    sheet-0.dxf          the parts' chains on their layers, the rim of the sheet on SHEET
-    remnant-0-0.dxf      what is left of a sheet in one piece, ready to be a sheet of the next order
-    placements.json      [{"sheet": 0, "item": 2, "x": 10.0, "y": 5.0, "rotation_deg": 90.0}, ...]
-    nest.png             all sheets that are used
+sheet-0.dxf          the parts' chains on their layers, the rim of the sheet on SHEET
+remnant-0-0.dxf      what is left of a sheet in one piece, ready to be a sheet of the next order
+placements.json      [{"sheet": 0, "item": 2, "x": 10.0, "y": 5.0, "rotation_deg": 90.0}, ...]
+nest.png             all sheets that are used
 """
 
 from __future__ import annotations
@@ -113,7 +113,7 @@ def _rings(polygon: Polygon) -> Iterator[Chain]:
 
 
 def remnants(order: Order, layout: Layout, number: int) -> list[Polygon]:
-    """Return what is left of a sheet, in its own coordinates: pieces worth keeping, without slivers; none of a strip."""
+    """Return what is left of a sheet, in its own coordinates: pieces without slivers; of a strip none."""
     if order.strip_height_mm:
         return []
     sheet = order.sheets[number].outline

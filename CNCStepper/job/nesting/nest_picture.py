@@ -64,16 +64,16 @@ def _box(order: Order, layout: Layout, number: int) -> tuple[float, float, float
     return left, low, right, high
 
 
-def _draw(
-    axes: Axes, order: Order, layout: Layout, number: int, box: tuple[float, float, float, float]
-) -> None:
+def _draw(axes: Axes, order: Order, layout: Layout, number: int, box: tuple[float, float, float, float]) -> None:
     sheet = order.sheets[number].outline.intersection(shapely.box(*box))
     axes.add_patch(_patch(sheet, facecolor=STOCK_COLOUR, edgecolor=GREY, linewidth=0.8))
     on_sheet = [placement for placement in layout.placements if placement.sheet == number]
     colours = colormaps["tab20"]
     for placement in on_sheet:
         polygon = placed(order.items[placement.item].exact, placement)
-        axes.add_patch(_patch(polygon, facecolor=colours(placement.item % 20), edgecolor=INK, linewidth=0.6, alpha=0.85))
+        axes.add_patch(
+            _patch(polygon, facecolor=colours(placement.item % 20), edgecolor=INK, linewidth=0.6, alpha=0.85)
+        )
         if len(on_sheet) <= MOST_NAMED:
             place = polygon.representative_point()
             axes.annotate(f"{placement.item}", (place.x, place.y), ha="center", va="center", fontsize=7, color=INK)

@@ -6,7 +6,7 @@
     margin_mm = 5.0                                 material between a cut and the rim of the sheet
     [[sheet]]                                       size_mm, drawing or strip_height_mm
     size_mm = [1000.0, 500.0]                       count, material, thickness_mm, grain_deg
-    [[part]]                                        drawing (and layer), size_mm, diameter_mm or polygon_mm with holes_mm
+    [[part]]                                        drawing (layer), size_mm, diameter_mm or polygon_mm (holes_mm)
     drawing = "bracket.dxf"                         count, rotations_deg (a list or "any"), grain_deg, priority, fill,
     count = 12                                      material, thickness_mm, locked
 
@@ -40,9 +40,8 @@ from CNCStepper.nesting.outlines import EXACT_MM, holding_polygon, simplified, w
 from CNCStepper.quantities import MOST_ITEMS, Angle, Bounds, Coordinate, Length, LengthOr0
 
 Point = tuple[Coordinate, Coordinate]
-Ring = tuple[Point, ...]
+Ring = Annotated[tuple[Point, ...], Field(min_length=3, max_length=MOST_ITEMS["points"])]
 OUTLINE = Attributes(layer="CUT")
-LIMITS = {"min_length": 3, "max_length": MOST_ITEMS["points"]}
 
 
 @dataclass(frozen=True)
@@ -106,8 +105,8 @@ class PartForm(_Stock):
     layer: str | None = None
     size_mm: tuple[Length, Length] | None = None
     diameter_mm: Length | None = None
-    polygon_mm: Ring | None = Field(default=None, **LIMITS)
-    holes_mm: tuple[Annotated[Ring, Field(**LIMITS)], ...] = Field(default=(), max_length=MOST_ITEMS["shapes"])
+    polygon_mm: Ring | None = None
+    holes_mm: tuple[Ring, ...] = Field(default=(), max_length=MOST_ITEMS["shapes"])
     count: Annotated[int, Bounds("count", most=MOST_PARTS)] = 1
     rotations_deg: tuple[Angle, ...] | Literal["any"] = Field(default=(0.0,), min_length=1, max_length=MOST_ROTATIONS)
     grain_deg: Angle | None = None
@@ -136,7 +135,9 @@ def _require_one(form: BaseModel, ways: Sequence[str], what: str) -> None:
     given = [way for way in ways if getattr(form, way) is not None]
     if len(given) != 1:
         told = ", ".join(given) or "none"
-        raise ValueError(Text("a {what} needs one of {ways}; it has {told}", what=what, ways=", ".join(ways), told=told))
+        raise ValueError(
+            Text("a {what} needs one of {ways}; it has {told}", what=what, ways=", ".join(ways), told=told)
+        )
 
 
 def read_order(path: Path) -> Order:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Packs strips by spyrrow in a process of its own: `CNCStepper.workers.strip_packing`.
 
-The process gives each shorter strip as it finds it. It is ended with the budget, and what it found so far is the answer.
+The process gives each shorter strip as it finds it. It is ended with the budget; the last strip is the answer.
 """
 
 from __future__ import annotations
