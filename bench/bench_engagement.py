@@ -17,8 +17,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "tests"))
 
 import numpy as np
 
+from CNCStepper.cycles.clearing.engagement.bounded_engagement_pattern import engagement_pattern
 from CNCStepper.cycles.clearing.engagement.cut_length import parallels_mm
-from CNCStepper.cycles.clearing.engagement.engagement_pattern import engagement_pattern
 from CNCStepper.cycles.clearing.pattern import Area
 from CNCStepper.cycles.pockets.pocket import Pocket
 from CNCStepper.geometry.curve import circle, from_points

@@ -28,8 +28,8 @@ from CNCStepper.machine.tools.tool import Tool
 if TYPE_CHECKING:
     from CNCStepper.control.program.certificate import Certificate
     from CNCStepper.job.model import Job
-    from CNCStepper.recovery.restart.places import RequestedPlace
     from CNCStepper.recovery.restart.prove import EntryOptions, ProvenRestart
+    from CNCStepper.recovery.restart.restart_places import RequestedPlace
     from CNCStepper.simulation.stock import Stock
     from CNCStepper.state import Start
 
@@ -101,8 +101,8 @@ def restart_options(function: Callable[..., Any]) -> Callable[..., Any]:
         height: float | None,
         **more: Any,
     ) -> Any:
-        from CNCStepper.recovery.restart.places import RequestedPlace
         from CNCStepper.recovery.restart.prove import EntryOptions
+        from CNCStepper.recovery.restart.restart_places import RequestedPlace
 
         where = RequestedPlace(line or 0, time or 0, operation, contour or 0, at_mm)
         sending = Sending(**{name: more.pop(name) for name in Sending.__dataclass_fields__})

@@ -20,8 +20,8 @@ from typing import Any
 
 from CNCStepper.control.journal.writer import Journal
 from CNCStepper.control.operator import homing
-from CNCStepper.control.operator.actions import fresh_status
-from CNCStepper.control.operator.buttons import Buttons, buttons_of
+from CNCStepper.control.operator.hardware_buttons import Buttons, buttons_of
+from CNCStepper.control.operator.zero_and_unlock import fresh_status
 from CNCStepper.control.preflight.checks import check_counts_from_here
 from CNCStepper.control.program.bundle import copy_private
 from CNCStepper.control.program.certificate import sendable

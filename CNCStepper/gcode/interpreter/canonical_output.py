@@ -11,7 +11,7 @@ from collections.abc import Callable, Sequence
 from typing import Any, Protocol
 
 from CNCStepper.gcode.interpreter.active_comments import canonical_call
-from CNCStepper.gcode.interpreter.cutter_compensation.held_moves import QueuedMove
+from CNCStepper.gcode.interpreter.cutter_compensation.compensation_state import QueuedMove
 from CNCStepper.gcode.interpreter.motion.arcs import Arc
 from CNCStepper.gcode.interpreter.state.model import Model
 from CNCStepper.gcode.interpreter.state.parameters import length_scale

@@ -26,7 +26,7 @@ from typing import Any
 
 import numpy as np
 
-from CNCStepper.drilling_strokes import OWN_WORD
+from CNCStepper.canned_drilling_moves import OWN_WORD
 from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects import Dialect
 from CNCStepper.gcode.dialects.codes import ALL_AXES, CYCLES, MOTION_NAMES, NO_MOTION
@@ -39,8 +39,8 @@ from CNCStepper.gcode.syntax.words import is_percent_mark, split_line
 from CNCStepper.recovery.restart.approach import Approach, Options, approach_to
 from CNCStepper.recovery.restart.entry_point import EntryPoint, entry_point_of
 from CNCStepper.recovery.restart.interrupted_program import Program, read_program
-from CNCStepper.recovery.restart.places import RequestedPlace, place_of
 from CNCStepper.recovery.restart.preamble import EntryWriter
+from CNCStepper.recovery.restart.restart_places import RequestedPlace, place_of
 from CNCStepper.state import WORK_SYSTEMS, ZERO3, Start, State
 from CNCStepper.tolerances import SAME_ENTRY_MM
 from CNCStepper.toolpath import COLUMNS, RAPID, XY, Chunk, Toolpath

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 from CNCStepper.errors import CNCStepperError, JobError
 from CNCStepper.state import Start
 from CNCStepper.workbench.dock.connection import Link, error_text
-from CNCStepper.workbench.dock.model.controller_state import ControllerSnapshot, sentences
+from CNCStepper.workbench.dock.model.button_states import ControllerSnapshot, sentences
 from CNCStepper.workbench.dock.model.send_steps import Flow
 from CNCStepper.workbench.dock.model.unfinished_job import why_not_now
 from CNCStepper.workbench.dock.views import widgets

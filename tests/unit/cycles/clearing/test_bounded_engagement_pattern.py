@@ -13,7 +13,7 @@ import pytest
 import shapely
 
 from CNCStepper.cycles.clearing.engagement import clearing_map
-from CNCStepper.cycles.clearing.engagement.engagement_pattern import engagement_pattern
+from CNCStepper.cycles.clearing.engagement.bounded_engagement_pattern import engagement_pattern
 from CNCStepper.cycles.clearing.pattern import Area, Run
 from CNCStepper.cycles.pockets.pocket import Pocket
 from CNCStepper.errors import CycleError

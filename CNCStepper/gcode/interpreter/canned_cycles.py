@@ -18,7 +18,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import partial
 
-from CNCStepper.drilling_strokes import DWELL, FEED, OWN_WORD, PECK_BACK_MM, RAPID, Canned, Place, Stroke
+from CNCStepper.canned_drilling_moves import DWELL, FEED, OWN_WORD, PECK_BACK_MM, RAPID, Canned, Place, Stroke
 from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects.codes import ALL_AXES, AXES, CYCLES, MOTION_NAMES
 from CNCStepper.gcode.interpreter.block import Block
