@@ -23,7 +23,7 @@ from CNCStepper.cycles.clearing.pattern import Area
 from CNCStepper.cycles.pockets.pocket import Pocket
 from CNCStepper.geometry.curve import circle, from_points
 from CNCStepper.geometry.region import Region
-from CNCStepper.simulation.checks.report import report
+from CNCStepper.simulation.checks.program_report import report
 from helpers.cycles.engagement_judge import met_by
 from helpers.cycles.product_verdict import cut, tool
 from helpers.cycles.random_areas import random_area

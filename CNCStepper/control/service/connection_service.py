@@ -30,7 +30,7 @@ from CNCStepper.control.protocol.grbl import connect
 from CNCStepper.control.protocol.grbl.driver import Answered, Grbl, Received
 from CNCStepper.control.protocol.grbl.motion_interlock import MotionInterlock
 from CNCStepper.control.protocol.grbl.readiness import check_state
-from CNCStepper.control.protocol.grbl.report import Vector
+from CNCStepper.control.protocol.grbl.status_reports import Vector
 from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.control.service.idle_controller import IdleController, is_fatal
 from CNCStepper.control.service.position_trust_file import PositionTrustFile

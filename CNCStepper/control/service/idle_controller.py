@@ -16,8 +16,8 @@ from CNCStepper.control.protocol.grbl.capabilities import check_can
 from CNCStepper.control.protocol.grbl.driver import HOLD, RESUME, Answered, Grbl, Received
 from CNCStepper.control.protocol.grbl.firmware import TOOL_CHANGED
 from CNCStepper.control.protocol.grbl.readiness import check_state
-from CNCStepper.control.protocol.grbl.report import Alarm, Feedback, Greeting, Status
 from CNCStepper.control.protocol.grbl.status_poller import StatusPoller
+from CNCStepper.control.protocol.grbl.status_reports import Alarm, Feedback, Greeting, Status
 from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.control.session.command import Command
 from CNCStepper.control.session.job_phase import Phase

@@ -28,8 +28,8 @@ from CNCStepper.control.protocol.grbl.capabilities import check_can, missing
 from CNCStepper.control.protocol.grbl.driver import Answered, Grbl, Received
 from CNCStepper.control.protocol.grbl.motion_interlock import UNKNOWN
 from CNCStepper.control.protocol.grbl.readiness import check_zero
-from CNCStepper.control.protocol.grbl.report import Alarm, Greeting, Status
 from CNCStepper.control.protocol.grbl.status_poller import ANSWER_MISSING, StatusPoller
+from CNCStepper.control.protocol.grbl.status_reports import Alarm, Greeting, Status
 from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.control.session.command import STOPS, Command, Inbox
 from CNCStepper.control.session.job_phase import LEG_BEGINS, Phase

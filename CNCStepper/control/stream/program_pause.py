@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A pause between two lines of a job: the machine is idle, can be jogged, and its zero can be set.
 
-grbl refuses jogs and delays G10 while it is held, as it is at an M0. So the sender sends no M0: it waits until all lines
+grbl refuses jogs and delays G10 while it is held, as at an M0. So the sender sends no M0: it waits until all lines
 before it are cut, and continues at a resume command. The lines that follow were proven from the tool's position at the
 pause. After a jog the tool first returns there (`control/stream/return_after_jog.py`), in work coordinates, because a
 new zero moves the program with it. An axis with backlash that was moved returns to the side of its gap that it had
@@ -23,7 +23,7 @@ from CNCStepper.control.operator import zero_and_unlock
 from CNCStepper.control.operator.jog import MAY_JOG, Jogger, JogMove, check_in_time
 from CNCStepper.control.protocol.grbl.driver import RESUME, Answered, Grbl
 from CNCStepper.control.protocol.grbl.firmware import TOOL
-from CNCStepper.control.protocol.grbl.report import Vector
+from CNCStepper.control.protocol.grbl.status_reports import Vector
 from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.control.session.command import Command
 from CNCStepper.control.stream.backlash_side import UP, BacklashTracker

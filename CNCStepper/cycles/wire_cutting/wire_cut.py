@@ -17,8 +17,8 @@ from pydantic import BaseModel, ConfigDict, Field, StrictBool
 from shapely import Polygon
 from shapely.geometry.base import BaseGeometry
 
+from CNCStepper.cycles.contours.disc_swept_area import swept
 from CNCStepper.cycles.contours.scrap_side import as_cycle_error
-from CNCStepper.cycles.contours.swept_area import swept
 from CNCStepper.cycles.cycle import Answer, Removal, Setup
 from CNCStepper.cycles.moves import require_feed
 from CNCStepper.cycles.parameter_types import CurveField

@@ -25,7 +25,7 @@ from CNCStepper.gcode.interpreter.block import Block
 from CNCStepper.gcode.interpreter.functions.outputs import OVERRIDE_CALLS
 from CNCStepper.gcode.interpreter.functions.spindle import STOP, need_turning, turn
 from CNCStepper.gcode.interpreter.motion.end_points import polar_end
-from CNCStepper.gcode.interpreter.state.model import Point, Run
+from CNCStepper.gcode.interpreter.state.interpreter_state import Point, Run
 from CNCStepper.gcode.interpreter.state.stand_alone_position import continue_at
 from CNCStepper.toolpath import LINE, PLANE_AXES, PLANE_NAMES, XY
 

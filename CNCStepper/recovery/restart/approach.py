@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from CNCStepper.errors import Text
-from CNCStepper.gcode.interpreter.state.model import Model
+from CNCStepper.gcode.interpreter.state.interpreter_state import Model
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.machine.tools.tool_shapes import BEAMS
 from CNCStepper.recovery.restart.entry_point import EntryPoint

@@ -33,7 +33,7 @@ from CNCStepper.gcode.dialects.codes import ALL_AXES, CYCLES, MOTION_NAMES, NO_M
 from CNCStepper.gcode.edit.line_tokens import Token, changed, first_place, tokens_of
 from CNCStepper.gcode.edit.word_values import MOST_DECIMALS, number_text
 from CNCStepper.gcode.interpreter.interpret import interpret
-from CNCStepper.gcode.interpreter.state.model import Model
+from CNCStepper.gcode.interpreter.state.interpreter_state import Model
 from CNCStepper.gcode.interpreter.state.parameters import offset_number, stored_point
 from CNCStepper.gcode.syntax.words import is_percent_mark, split_line
 from CNCStepper.recovery.restart.approach import Approach, Options, approach_to

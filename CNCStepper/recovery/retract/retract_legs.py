@@ -19,14 +19,14 @@ from CNCStepper.control.stream.return_after_jog import Axes, landed_mm, over, ov
 from CNCStepper.errors import JobError, ProgramError, Text
 from CNCStepper.gcode.dialects import dialect_named
 from CNCStepper.gcode.dialects.codes import MOTION_NAMES
-from CNCStepper.gcode.interpreter.state.model import Model
+from CNCStepper.gcode.interpreter.state.interpreter_state import Model
 from CNCStepper.gcode.interpreter.state.parameters import offset_number, stored_point
 from CNCStepper.gcode.wire.wire_text import FirstMove, WireLines
 from CNCStepper.job.certify import certificate_of
 from CNCStepper.job.prove import prove
 from CNCStepper.machine.backlash import Motors
 from CNCStepper.machine.profile import Machine
-from CNCStepper.motion.planner.backlash import tool_moves
+from CNCStepper.motion.planner.backlash_moves import tool_moves
 from CNCStepper.recovery.retract.held_session import SessionContext, acknowledged, found_of
 from CNCStepper.recovery.retract.move_curve import Move, Point
 from CNCStepper.recovery.retract.path_search import PositionReport, PossiblePlaces

@@ -24,7 +24,7 @@ from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.translation import later, tr
 
 if TYPE_CHECKING:
-    from CNCStepper.recovery.restart.proof_folder import RestartPlace
+    from CNCStepper.recovery.restart.restart_proof_folder import RestartPlace
 
 DOES = later("Check a G-code file with the job's machine, stock, tools and clamps, and send it.")
 

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any
 from PySide import QtCore
 
 from CNCStepper.control.session.status import error_from_json
-from CNCStepper.recovery.restart.proof_folder import RestartPlace
 from CNCStepper.recovery.restart.restart_places import RequestedPlace
+from CNCStepper.recovery.restart.restart_proof_folder import RestartPlace
 from CNCStepper.workbench.dock.model.button_states import sentences
 from CNCStepper.workbench.document import program_file
 from CNCStepper.workbench.document.core_job import machine_of

@@ -12,7 +12,7 @@ from CNCStepper.job.make import Made, make_program
 from CNCStepper.job.model import Job, load_job
 from CNCStepper.job.prove import Proof, prove_job
 from CNCStepper.machine.profile import Machine
-from CNCStepper.recovery.restart.prove import restart_job
+from CNCStepper.recovery.restart.prove_restart import restart_job
 from CNCStepper.recovery.restart.restart_places import RequestedPlace
 from CNCStepper.state import Start
 

@@ -13,8 +13,8 @@ from typing import Any
 
 import pytest
 
+from CNCStepper.control.journal.journal_records import Group
 from CNCStepper.control.journal.progress_interval import ProgressInterval
-from CNCStepper.control.journal.records import Group
 from CNCStepper.control.journal.replay import KILLED, FirstProgram, JobReplay
 from CNCStepper.errors import ProgramError
 from CNCStepper.recovery.restart.approach import Options

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 
 from CNCStepper.control.operator.hardware_buttons import POLL_S, Buttons, Debouncer, buttons_of, quicker
 from CNCStepper.control.program.send_job import SendJob
-from CNCStepper.control.protocol.grbl.report import Greeting, parse
+from CNCStepper.control.protocol.grbl.status_reports import Greeting, parse
 from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.control.service.sender import Sender
 from CNCStepper.control.session.command import Command

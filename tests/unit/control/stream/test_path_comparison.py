@@ -15,7 +15,7 @@ import pytest
 
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.protocol.grbl.driver import Grbl
-from CNCStepper.control.protocol.grbl.report import Status, Unknown, parse
+from CNCStepper.control.protocol.grbl.status_reports import Status, Unknown, parse
 from CNCStepper.control.service.sender import Sender
 from CNCStepper.control.session.status import DONE
 from CNCStepper.control.stream.path_comparison import OffsetWatch, held_modes
