@@ -88,7 +88,7 @@ class WireCut(WireParameters, BaseModel):
                 "the wire would stand too long at corners and melt a hole",
                 value=f"{self.corner_dwell_s:g} s",
                 limit=f"{setup.process.stand_s:g} s",
-                advice="let it stand shorter, or cut more slowly",
+                advice=Text("set corner_dwell_s to at most {stand_s:g}, or cut more slowly", stand_s=setup.process.stand_s),
             )
 
     def _route(self, items: Items, sheet: Polygon, kerf_mm: float) -> Route:
