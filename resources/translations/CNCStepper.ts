@@ -1016,6 +1016,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Lines that are marked with low power or lightly scribed before anything is cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Loop radius</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1076,11 +1080,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Mark Drawings</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Mark Feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Mark Power</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Marking feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Marking power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Marks</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1765,6 +1785,10 @@
         </message>
         <message>
             <source>The edge of the sheet through which the wire comes in</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The feed of marks; 0: that of the cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4147,6 +4171,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Lines that are marked with low power or lightly scribed before anything is cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Load {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4247,7 +4275,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Marking feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Marking power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Marks</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5572,6 +5608,10 @@
         </message>
         <message>
             <source>The edge of the sheet through which the wire comes in</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The feed of marks; 0: that of the cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7008,6 +7048,10 @@
         </message>
         <message>
             <source>not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>nothing is marked</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8906,11 +8950,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>ask for fewer or narrower joints</source>
+            <source>ask for at most {fewer}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>ask for fewer tabs, set a smaller pierce_mm, or leave more scrap there</source>
+            <source>ask for at most {fewer}, or {narrower}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8986,11 +9030,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>at most {most_mm:.2f} mm there</source>
+            <source>at most {most_mm:.2f} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>at most {narrowest_mm:.3f} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at most {room_mm:.3f} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9099,10 +9147,6 @@
         </message>
         <message>
             <source>below {narrowest_mm:g} mm</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>below {room_mm:.2f} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9742,6 +9786,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>cut with a kerf of at most {room_mm:.3f} mm, draw the hole wider than the kerf, or set spot_below_mm above {diameter_mm:.3f} to spot it for drilling</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>cuts {overlap_mm:.3g} mm before the place again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9818,7 +9866,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>draw the hole wider, spot it for drilling (spot_below_mm), or cut with a narrower kerf</source>
+            <source>draw them {kerf_mm:g} mm apart</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10774,6 +10822,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>leave so much, ask for fewer tabs, or cut with a narrower kerf: no smaller pierce_mm does</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>leave that setting out</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10783,6 +10835,10 @@
         </message>
         <message>
             <source>leave the check mode with $C</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>leave the joints out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10839,10 +10895,6 @@
         </message>
         <message>
             <source>let it plunge at the start of the contour</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>let it stand shorter, or cut more slowly</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11315,10 +11367,6 @@
         </message>
         <message>
             <source>move the work zero {word} the {name} axis or make the program smaller</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>move them apart, or cut with a narrower kerf</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12414,7 +12462,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>set a lead_in, or pierce_mm to half of the kerf</source>
+            <source>set a lead_in, or pierce_mm to half of the kerf, {half_mm:g}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12423,6 +12471,10 @@
         </message>
         <message>
             <source>set backlash_mm to 0 in the machine profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set corner_dwell_s to at most {stand_s:g}, or cut more slowly</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12442,7 +12494,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>set pierce_mm to that limit or less, or leave {short_mm:.2f} mm more scrap there</source>
+            <source>set pierce_mm to that limit, or leave {scrap}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12487,6 +12539,10 @@
         </message>
         <message>
             <source>set up a program of that name on the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set width_mm to at most {width_mm:.2f}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14395,6 +14451,10 @@
         </message>
         <message>
             <source>the program was proven for another machine, or its profile was changed since</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the program was proven for another process, material, thickness or consumable</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17147,6 +17207,10 @@
         </message>
         <message>
             <source>{says} is out of its bounds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{scrap_mm:.2f} mm of scrap there</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -1016,6 +1016,10 @@
             <translation>Linhas</translation>
         </message>
         <message>
+            <source>Lines that are marked with low power or lightly scribed before anything is cut</source>
+            <translation>Linhas marcadas com pouca potência ou levemente riscadas antes de qualquer corte</translation>
+        </message>
+        <message>
             <source>Loop radius</source>
             <translation>Raio do laço</translation>
         </message>
@@ -1076,12 +1080,28 @@
             <translation>Margem</translation>
         </message>
         <message>
+            <source>Mark Drawings</source>
+            <translation>Desenhos de marcação</translation>
+        </message>
+        <message>
+            <source>Mark Feed</source>
+            <translation>Avanço de marcação</translation>
+        </message>
+        <message>
             <source>Mark Power</source>
             <translation>Potência de marcação</translation>
         </message>
         <message>
+            <source>Marking feed</source>
+            <translation>Avanço de marcação</translation>
+        </message>
+        <message>
             <source>Marking power</source>
             <translation>Potência de marcação</translation>
+        </message>
+        <message>
+            <source>Marks</source>
+            <translation>Marcações</translation>
         </message>
         <message>
             <source>Material</source>
@@ -1766,6 +1786,10 @@
         <message>
             <source>The edge of the sheet through which the wire comes in</source>
             <translation>A borda da chapa por onde o fio entra</translation>
+        </message>
+        <message>
+            <source>The feed of marks; 0: that of the cut</source>
+            <translation>O avanço das marcações; 0: o do corte</translation>
         </message>
         <message>
             <source>The feed of the last pass at the wall; 0: the tool's own feed</source>
@@ -4147,6 +4171,10 @@
             <translation>Só se pode digitar linhas com a máquina parada ou em alarme.</translation>
         </message>
         <message>
+            <source>Lines that are marked with low power or lightly scribed before anything is cut</source>
+            <translation>Linhas marcadas com pouca potência ou levemente riscadas antes de qualquer corte</translation>
+        </message>
+        <message>
             <source>Load {0}</source>
             <translation>Carregar {0}</translation>
         </message>
@@ -4247,8 +4275,16 @@
             <translation>Margem</translation>
         </message>
         <message>
+            <source>Marking feed</source>
+            <translation>Avanço de marcação</translation>
+        </message>
+        <message>
             <source>Marking power</source>
             <translation>Potência de marcação</translation>
+        </message>
+        <message>
+            <source>Marks</source>
+            <translation>Marcações</translation>
         </message>
         <message>
             <source>Material</source>
@@ -5573,6 +5609,10 @@
         <message>
             <source>The edge of the sheet through which the wire comes in</source>
             <translation>A borda da chapa por onde o fio entra</translation>
+        </message>
+        <message>
+            <source>The feed of marks; 0: that of the cut</source>
+            <translation>O avanço das marcações; 0: o do corte</translation>
         </message>
         <message>
             <source>The feed of the last pass at the wall; 0: the tool's own feed</source>
@@ -7009,6 +7049,10 @@
         <message>
             <source>not given</source>
             <translation>não informado</translation>
+        </message>
+        <message>
+            <source>nothing is marked</source>
+            <translation>nada é marcado</translation>
         </message>
         <message>
             <source>nothing to correct</source>
@@ -8906,12 +8950,12 @@
             <translation>arcos fora do plano XY</translation>
         </message>
         <message>
-            <source>ask for fewer or narrower joints</source>
-            <translation>peça menos microjunções, ou mais estreitas</translation>
+            <source>ask for at most {fewer}</source>
+            <translation>peça no máximo {fewer}</translation>
         </message>
         <message>
-            <source>ask for fewer tabs, set a smaller pierce_mm, or leave more scrap there</source>
-            <translation>peça menos pontes, use um pierce_mm menor ou deixe mais retalho ali</translation>
+            <source>ask for at most {fewer}, or {narrower}</source>
+            <translation>peça no máximo {fewer}, ou {narrower}</translation>
         </message>
         <message>
             <source>ask for it again</source>
@@ -8986,12 +9030,16 @@
             <translation>no máximo {longest:g} vezes</translation>
         </message>
         <message>
-            <source>at most {most_mm:.2f} mm there</source>
-            <translation>no máximo {most_mm:.2f} mm ali</translation>
+            <source>at most {most_mm:.2f} mm</source>
+            <translation>no máximo {most_mm:.2f} mm</translation>
         </message>
         <message>
             <source>at most {narrowest_mm:.3f} mm</source>
             <translation>no máximo {narrowest_mm:.3f} mm</translation>
+        </message>
+        <message>
+            <source>at most {room_mm:.3f} mm</source>
+            <translation>no máximo {room_mm:.3f} mm</translation>
         </message>
         <message>
             <source>at the profile's interval the letters are too fast for {axis}</source>
@@ -9100,10 +9148,6 @@
         <message>
             <source>below {narrowest_mm:g} mm</source>
             <translation>abaixo de {narrowest_mm:g} mm</translation>
-        </message>
-        <message>
-            <source>below {room_mm:.2f} mm</source>
-            <translation>abaixo de {room_mm:.2f} mm</translation>
         </message>
         <message>
             <source>below {total_mm:g} mm</source>
@@ -9742,6 +9786,10 @@
             <translation>corte com largura de no máximo {most_mm:.3f} mm, ou desenhe esse lugar mais largo</translation>
         </message>
         <message>
+            <source>cut with a kerf of at most {room_mm:.3f} mm, draw the hole wider than the kerf, or set spot_below_mm above {diameter_mm:.3f} to spot it for drilling</source>
+            <translation>corte com uma largura de corte de no máximo {room_mm:.3f} mm, desenhe o furo mais largo que o corte, ou ponha spot_below_mm acima de {diameter_mm:.3f} para marcá-lo para furação</translation>
+        </message>
+        <message>
             <source>cuts {overlap_mm:.3g} mm before the place again</source>
             <translation>corta de novo {overlap_mm:.3g} mm antes do ponto</translation>
         </message>
@@ -9818,8 +9866,8 @@
             <translation>desenhe algo nele, ou escolha outro desenho</translation>
         </message>
         <message>
-            <source>draw the hole wider, spot it for drilling (spot_below_mm), or cut with a narrower kerf</source>
-            <translation>desenhe o furo mais largo, marque-o para furar (spot_below_mm), ou use um corte mais estreito</translation>
+            <source>draw them {kerf_mm:g} mm apart</source>
+            <translation>desenhe-as a {kerf_mm:g} mm uma da outra</translation>
         </message>
         <message>
             <source>drive a laser by a controller with grbl's laser mode</source>
@@ -10774,6 +10822,10 @@
             <translation>deixe nele uma elipse, desenhada como elipse e não como B-spline</translation>
         </message>
         <message>
+            <source>leave so much, ask for fewer tabs, or cut with a narrower kerf: no smaller pierce_mm does</source>
+            <translation>deixe tanta sobra, peça menos pontes, ou corte com uma largura menor: nenhum pierce_mm menor basta</translation>
+        </message>
+        <message>
             <source>leave that setting out</source>
             <translation>deixe essa configuração de fora</translation>
         </message>
@@ -10784,6 +10836,10 @@
         <message>
             <source>leave the check mode with $C</source>
             <translation>saia do modo de verificação com $C</translation>
+        </message>
+        <message>
+            <source>leave the joints out</source>
+            <translation>deixe as junções de fora</translation>
         </message>
         <message>
             <source>leave the others out</source>
@@ -10840,10 +10896,6 @@
         <message>
             <source>let it plunge at the start of the contour</source>
             <translation>faça-a mergulhar no início do contorno</translation>
-        </message>
-        <message>
-            <source>let it stand shorter, or cut more slowly</source>
-            <translation>deixe-o parado menos tempo, ou corte mais devagar</translation>
         </message>
         <message>
             <source>let the tool stick out farther</source>
@@ -11316,10 +11368,6 @@
         <message>
             <source>move the work zero {word} the {name} axis or make the program smaller</source>
             <translation>mova o zero-peça ({word}) no eixo {name} ou diminua o programa</translation>
-        </message>
-        <message>
-            <source>move them apart, or cut with a narrower kerf</source>
-            <translation>afaste-as, ou use um corte mais estreito</translation>
         </message>
         <message>
             <source>move them or the work zero</source>
@@ -12414,8 +12462,8 @@
             <translation>ajuste Z pela tabela</translation>
         </message>
         <message>
-            <source>set a lead_in, or pierce_mm to half of the kerf</source>
-            <translation>defina um lead_in, ou pierce_mm como metade da largura do corte</translation>
+            <source>set a lead_in, or pierce_mm to half of the kerf, {half_mm:g}</source>
+            <translation>defina um lead_in, ou pierce_mm como metade da largura de corte, {half_mm:g}</translation>
         </message>
         <message>
             <source>set again at the pause at line {line}: {places} (machine, mm); what comes after counts from there, what was before from the old one</source>
@@ -12424,6 +12472,10 @@
         <message>
             <source>set backlash_mm to 0 in the machine profile</source>
             <translation>ponha backlash_mm em 0 no perfil da máquina</translation>
+        </message>
+        <message>
+            <source>set corner_dwell_s to at most {stand_s:g}, or cut more slowly</source>
+            <translation>ponha corner_dwell_s em no máximo {stand_s:g}, ou corte mais devagar</translation>
         </message>
         <message>
             <source>set entry_slit = true, which cuts a slit through the part into each hole, or leave the holes out</source>
@@ -12442,8 +12494,8 @@
             <translation>defina margin_mm como no máximo {margin_mm:.3g}, ou afaste as peças</translation>
         </message>
         <message>
-            <source>set pierce_mm to that limit or less, or leave {short_mm:.2f} mm more scrap there</source>
-            <translation>defina pierce_mm como esse limite ou menos, ou deixe mais {short_mm:.2f} mm de retalho ali</translation>
+            <source>set pierce_mm to that limit, or leave {scrap}</source>
+            <translation>ponha pierce_mm nesse limite, ou deixe {scrap}</translation>
         </message>
         <message>
             <source>set process to "plasma", "oxyfuel", "laser", "waterjet", "drag-knife" or "scribe"</source>
@@ -12488,6 +12540,10 @@
         <message>
             <source>set up a program of that name on the machine</source>
             <translation>instale na máquina um programa com esse nome</translation>
+        </message>
+        <message>
+            <source>set width_mm to at most {width_mm:.2f}</source>
+            <translation>ponha width_mm em no máximo {width_mm:.2f}</translation>
         </message>
         <message>
             <source>sets G92 as it was: {array}</source>
@@ -14396,6 +14452,10 @@
         <message>
             <source>the program was proven for another machine, or its profile was changed since</source>
             <translation>o programa foi verificado para outra máquina, ou o perfil dela mudou desde então</translation>
+        </message>
+        <message>
+            <source>the program was proven for another process, material, thickness or consumable</source>
+            <translation>o programa foi provado para outro processo, material, espessura ou consumível</translation>
         </message>
         <message>
             <source>the program was proven from another start state: work zero, offsets or tool lengths differ</source>
@@ -17148,6 +17208,10 @@
         <message>
             <source>{says} is out of its bounds</source>
             <translation>{says} está fora de seus limites</translation>
+        </message>
+        <message>
+            <source>{scrap_mm:.2f} mm of scrap there</source>
+            <translation>{scrap_mm:.2f} mm de sobra ali</translation>
         </message>
         <message>
             <source>{skipped} other things</source>

@@ -320,9 +320,7 @@ def _refusals(certificate: Certificate, wanted: _Wanted, dialect: str) -> Iterat
     process, machine = wanted.process, wanted.machine
     cut = cut_content(machine, process, wanted.row) if machine and process else None
     checks: list[Callable[[], None]] = [partial(check_cut, certificate, machine, cut)]
-    checks += [
-        partial(certificate.compare, what, digest) for what, digest in digests.items() if digest
-    ]
+    checks += [partial(certificate.compare, what, digest) for what, digest in digests.items() if digest]
     for check in [*checks, certificate.check_clean]:
         try:
             check()

@@ -259,7 +259,7 @@ def test_process_and_chart_row_are_named_and_compared(tmp_path: Path) -> None:
     check_cut(made, TORCH, cut_content(TORCH, PROCESSES["plasma"], STEEL.model_copy(update={"source": "by hand"})))
     check_cut(made, None, None)
     thick = cut_data_for("plasma", "mild-steel", 6.0)
-    with pytest.raises(JobError, match="thickness_mm = 6.0.*thickness_mm = 3.0") as refusal:
+    with pytest.raises(JobError, match=r"thickness_mm = 6\.0.*thickness_mm = 3\.0") as refusal:
         check_cut(made, TORCH, cut_content(TORCH, PROCESSES["plasma"], thick))
     assert refusal.value.code == "certificate-cut"
 
