@@ -14,7 +14,7 @@ from collections.abc import Callable
 from threading import Thread
 
 from CNCStepper.control.pulses.pacing import Jitter
-from CNCStepper.controllers.planned_pulses import PulseOutput
+from CNCStepper.controllers.ended_output import Output
 from CNCStepper.controllers.port_signals import Relays
 from CNCStepper.controllers.pulse_axes import PulseAxes
 from CNCStepper.errors import CNCStepperError, MachineRefusal, ProgramError
@@ -42,7 +42,7 @@ def message(text: str) -> str:
 class MachineTestLines:
     """Carries them out on a board; each is answered as any other line."""
 
-    def __init__(self, machine: Machine, output: PulseOutput, axes: PulseAxes, relays: Relays):
+    def __init__(self, machine: Machine, output: Output, axes: PulseAxes, relays: Relays):
         self._machine, self._output, self._axes, self._relays = machine, output, axes, relays
         self._commands: dict[str, Callable[[Grbl, str], Waiting]] = {
             "$T=": self._try_rate,
@@ -156,7 +156,7 @@ def _number(text: str) -> float:
     return value
 
 
-def _outcome(output: PulseOutput, rate_hz: float) -> Jitter | CNCStepperError:
+def _outcome(output: Output, rate_hz: float) -> Jitter | CNCStepperError:
     try:
         return output.trial(rate_hz)
     except CNCStepperError as error:

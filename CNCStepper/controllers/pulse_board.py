@@ -12,14 +12,14 @@ from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
 
-from CNCStepper.controllers.dda_moves import DdaMoves
+from CNCStepper.controllers.ended_output import EndedOutput, Output
 from CNCStepper.controllers.machine_test_lines import MachineTestLines, message
-from CNCStepper.controllers.planned_pulses import EndedOutput, PulseOutput
 from CNCStepper.controllers.port_signals import Relays, Switches
 from CNCStepper.controllers.pulse_axes import PulseAxes, most_moves, moves_of
 from CNCStepper.errors import CNCStepperError, LinkError, MachineRefusal, Text
 from CNCStepper.machine.controller_family import family_of
 from CNCStepper.machine.profile import AXIS_NAMES, Machine
+from CNCStepper.motion.interpolation.dda_moves import DdaMoves
 from CNCStepper.virtual.grbl.alarms_and_errors import ALARM_RESET_IN_MOTION, refused
 from CNCStepper.virtual.grbl.board import Waiting
 from CNCStepper.virtual.grbl.firmware import GRBL, Firmware
@@ -51,7 +51,7 @@ class PulseBoard(Grbl):
 
     axes: PulseAxes
 
-    def __init__(self, machine: Machine, output: PulseOutput):
+    def __init__(self, machine: Machine, output: Output):
         if machine.spindle.laser:
             raise MachineRefusal(
                 "laser-pulses",

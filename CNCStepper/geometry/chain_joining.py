@@ -41,15 +41,23 @@ def chained(
 
     A piece no longer than `same_mm` lies within one place: what it would join is joined without it.
     """
-    pieces = [piece for piece in pieces if piece.length_mm > same_mm]
-    loose = [number for number, piece in enumerate(pieces) if not piece.closed]
-    partner = _partners([pieces[number] for number in loose], same_mm)
-    chains = {number: piece for number, piece in enumerate(pieces) if piece.closed}
+    chains, gaps = numbered_chains(pieces, same_mm, near_mm)
+    return tuple(chains.values()), gaps
+
+
+def numbered_chains(
+    pieces: Sequence[Curve], same_mm: float = JOINED_ENDS_MM, near_mm: float = NEAR_MM
+) -> tuple[dict[int, Curve], tuple[Gap, ...]]:
+    """Return the chains and gaps as `chained` does, each chain under the number of its first piece, ascending."""
+    long = {number: piece for number, piece in enumerate(pieces) if piece.length_mm > same_mm}
+    loose = [number for number, piece in long.items() if not piece.closed]
+    partner = _partners([long[number] for number in loose], same_mm)
+    chains = {number: piece for number, piece in long.items() if piece.closed}
     for walk in _walks(partner):
-        parts = [pieces[loose[end // 2]] if end % 2 == 0 else pieces[loose[end // 2]].reversed() for end in walk]
+        parts = [long[loose[end // 2]] if end % 2 == 0 else long[loose[end // 2]].reversed() for end in walk]
         chains[loose[min(walk) // 2]] = _one(parts, closed=partner[walk[0]] == walk[-1] ^ 1)
-    ordered = tuple(chains[number] for number in sorted(chains))
-    return ordered, _gaps([chain for chain in ordered if not chain.closed], near_mm)
+    ordered = dict(sorted(chains.items()))
+    return ordered, _gaps([chain for chain in ordered.values() if not chain.closed], near_mm)
 
 
 def _partners(pieces: Sequence[Curve], same_mm: float) -> np.ndarray:

@@ -7,8 +7,8 @@ import hashlib
 import json
 import math
 import re
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import asdict
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import asdict, replace
 from typing import Any, Protocol, TypeVar
 
 import numpy as np
@@ -18,8 +18,6 @@ from CNCStepper import __version__
 from CNCStepper.control.program.certificate import CHECK_AGAIN, FORMAT, OTHER, VERSION, Certificate, digest_of
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.protocol.grbl.readiness import expected_settings
-from CNCStepper.control.pulses.program import PeakRate
-from CNCStepper.controllers.dda_stream import dda_stream
 from CNCStepper.errors import JobError
 from CNCStepper.gcode.interpreter.functions.coordinate_offsets import HOMES
 from CNCStepper.gcode.interpreter.interpret import interpret
@@ -35,10 +33,13 @@ from CNCStepper.machine.processes import Process
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.machine.wiring import seen_by_sender
+from CNCStepper.motion.interpolation.dda_stream import dda_stream
 from CNCStepper.motion.planner.backlash import motor_moves
 from CNCStepper.motion.planner.buffers import TICKS_PER_S
 from CNCStepper.motion.planner.plan import begun
-from CNCStepper.motion.signals.pulse_stream import pulse_stream
+from CNCStepper.motion.signals.peak_rate import PeakRate
+from CNCStepper.motion.signals.pulse_stream import PulseChunk, PulseStream, pulse_stream
+from CNCStepper.motion.signals.step_direction import Timeline
 from CNCStepper.simulation.checks.clamps import Clamp
 from CNCStepper.simulation.cutter_solid import Tools
 from CNCStepper.simulation.stock import HeightField, Stock
@@ -234,7 +235,10 @@ def send_job(
 
 
 def peak_rate(job: SendJob) -> float:
-    """Return the fastest rate of pulses of a job, pulses/s, as the planner times its lines; 0 where none are ours."""
+    """Return the fastest rate of pulses of a job, pulses/s, as the planner times its lines; 0 where none are ours.
+
+    Raises MachineRefusal where the times of the machine's signals do not allow these pulses.
+    """
     profile = job.retrace.get("machine")
     machine = Machine.model_validate(profile) if profile else None
     if machine is None or not makes_pulses(machine):
@@ -242,11 +246,17 @@ def peak_rate(job: SendJob) -> float:
     text = "".join(f"{line}\n" for line in job.lines)
     path = interpret(text, start_from(job.retrace["start"]), job.dialect, job.file)
     motors = motor_moves(require_straight_axes(path, job.file), Backlash.of(machine))
-    rate = PeakRate()
-    way = begun(motors)
-    for chunk in pulse_stream(way, machine) if machine.interpolation == "planner" else dda_stream(way, machine):
-        rate.add(chunk.ticks)
+    rate, way = PeakRate(), begun(motors)
+    stream = pulse_stream(way, machine) if machine.interpolation == "planner" else dda_stream(way, machine)
+    for _ in Timeline(replace(stream, chunks=_counted(stream, rate)), machine.signals):
+        pass
     return rate.per_s(TICKS_PER_S)
+
+
+def _counted(stream: PulseStream, rate: PeakRate) -> Iterator[PulseChunk]:
+    for chunk in stream:
+        rate.add(chunk.ticks)
+        yield chunk
 
 
 def _path_retract(machine: Machine, start: Start, dialect: str) -> dict[str, Any]:

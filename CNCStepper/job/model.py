@@ -28,7 +28,7 @@ from CNCStepper.cycles.catalogue import cycle_class
 from CNCStepper.cycles.cycle import Cycle, Setup
 from CNCStepper.cycles.pockets.area_cycle import AreaCycle
 from CNCStepper.cycles.pockets.elliptical_pocket import EllipticalPocket
-from CNCStepper.drawing.dxf.reader import Share
+from CNCStepper.drawing.drawing import Share
 from CNCStepper.drawing.point_list import read_heights, read_points
 from CNCStepper.errors import JobError, Place, Text, placed
 from CNCStepper.gcode.dialects import dialect

@@ -20,7 +20,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Unpack
 
 import numpy as np
 
-from CNCStepper.controllers.dda_stream import DdaTimes
 from CNCStepper.gcode.interpreter.program_file import text_pieces
 from CNCStepper.gcode.wire.backlash_compensation import backlash_of
 from CNCStepper.gcode.wire.translation import TranslatedFile
@@ -34,6 +33,7 @@ from CNCStepper.job.wire_round_trip import translated_to
 from CNCStepper.machine.cut_data import CutData
 from CNCStepper.machine.processes import MILLING, Process
 from CNCStepper.machine.profile import Machine
+from CNCStepper.motion.interpolation.dda_stream import DdaTimes
 from CNCStepper.motion.planner.backlash import ToolMoves
 from CNCStepper.motion.planner.buffers import TICKS_PER_S
 from CNCStepper.motion.planner.chunk_window import ChunkWindow

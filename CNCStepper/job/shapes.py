@@ -20,7 +20,8 @@ import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, StrictBool, model_validator
 
 from CNCStepper.cycles.parameter_types import CurveField
-from CNCStepper.drawing.dxf.reader import Drawing, Share, read_dxf
+from CNCStepper.drawing.drawing import Drawing, Share
+from CNCStepper.drawing.dxf.reader import read_dxf
 from CNCStepper.drawing.point_list import read_points
 from CNCStepper.errors import GeometryError, JobError, Place, Text, placed
 from CNCStepper.geometry.curve import Curve, circle, from_points

@@ -366,8 +366,8 @@ def _checked(wanted: _Wanted, dialect: str, unchecked: bool) -> SendJob:
 
 def _plan(machine: Machine | None, motors: Toolpath) -> list[list[float]]:
     """Return the planned times from which the sender calculates what remains; none without a machine."""
-    from CNCStepper.controllers.dda_stream import times_and_whole_s
     from CNCStepper.job.planned_times import milestones
+    from CNCStepper.motion.interpolation.dda_stream import times_and_whole_s
     from CNCStepper.motion.planner.plan import begun
 
     return milestones(motors.table().line, times_and_whole_s(begun(motors), machine)[0]) if machine else []

@@ -119,7 +119,7 @@ def _planned(
     path, chunks = program_chunks(program, start, language, progress)
     path, chunks = motor_chunks(path, chunks, play) if play else (path, chunks)
     if machine.interpolation != "planner":
-        from CNCStepper.controllers.dda_stream import dda_stream
+        from CNCStepper.motion.interpolation.dda_stream import dda_stream
 
         return dda_stream(path, machine, chunks)
     return pulse_stream(path, machine, chunks)

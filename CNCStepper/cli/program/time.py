@@ -64,7 +64,7 @@ def _taken_s(path: Toolpath, chunks: Iterator[Chunk], machine: Machine, language
         path, chunks = motor_chunks(path, chunks, play)
     begun, known = begun_chunks(path, chunks)
     if machine.interpolation != "planner":
-        from CNCStepper.controllers.dda_stream import DdaTimes
+        from CNCStepper.motion.interpolation.dda_stream import DdaTimes
 
         times = DdaTimes(begun, machine, known)
         deque(times.row_ends_s(), maxlen=0)

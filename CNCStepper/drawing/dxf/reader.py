@@ -21,17 +21,17 @@ from __future__ import annotations
 import logging
 import re
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from CNCStepper.cancellation import checkpoint
+from CNCStepper.drawing.drawing import Attributes, Drawing, Piece, Share, Skipped, joined_pieces
 from CNCStepper.drawing.dxf.entities import BROKEN, Fits, curve_of
+from CNCStepper.drawing.read_drawing import ReadOptions
 from CNCStepper.errors import GeometryError, JobError, Place, Text, placed
-from CNCStepper.geometry.chain_joining import NEAR_MM, Gap, chained
-from CNCStepper.geometry.curve import Curve
+from CNCStepper.geometry.chain_joining import NEAR_MM
 from CNCStepper.input_file import read_input
 from CNCStepper.quantities import Bounds
 from CNCStepper.safe_text import printable
@@ -156,67 +156,20 @@ TOLD_EVERY = 256  # entities
 UNIT_NAME = b"$INSUNITS"  # where a file does not hold it, ezdxf may take it for one in metres
 
 
-@dataclass(frozen=True)
-class Layer:
-    """What one layer holds: chains of lines and arcs, mm, and where their ends nearly meet."""
-
-    name: str
-    curves: tuple[Curve, ...]
-    gaps: tuple[Gap, ...]
-
-
-@dataclass(frozen=True)
-class Skipped:
-    """An entity that is in no curve: its kind, layer and handle as the file names them, and why."""
-
-    kind: str
-    layer: str
-    handle: str
-    why: str
-
-
-@dataclass(frozen=True)
-class Drawing:
-    """The layers of a file that hold curves, in the order in which they first appear, and what was left out.
-
-    `damage` says what is wrong with a file that had to be mended, of which a part may be missing; "" for a sound one.
-    Names and sentences of the file and of ezdxf in it are printable.
-    """
-
-    layers: tuple[Layer, ...]
-    skipped: tuple[Skipped, ...]
-    unit_mm: float
-    damage: str
-
-    def layer(self, name: str) -> Layer:
-        """Return the layer of that name, capital or not; raises JobError that names those there are."""
-        for layer in self.layers:
-            if layer.name.casefold() == name.casefold():
-                return layer
-        names = ", ".join(f"'{layer.name}'" for layer in self.layers)
-        raise JobError(
-            "dxf-layer",
-            Text("the drawing has no curves on a layer '{name}'", name=name),
-            advice=Text("it has them on {names}", names=names),
-        )
-
-
-Share = Callable[[float], None]
-
-
 def read_dxf(
     path: Path,
     tolerance_mm: float,
     unit_mm: float | None = None,
     same_mm: float = JOINED_ENDS_MM,
     near_mm: float = NEAR_MM,
+    by_colour: bool = False,
     share: Share = lambda share: None,
 ) -> Drawing:
     """Return the curves of a DXF file; ellipses and splines within `tolerance_mm`, all else exact.
 
     `unit_mm` is the length of its unit where the file does not say it or is wrong; without either it is a mm. Ends
-    within `same_mm` are joined, gaps up to `near_mm` reported. `share` is called with the share that is done. Raises
-    JobError for no DXF file or no curve in it.
+    within `same_mm` are joined (`by_colour`: only lines of one colour), gaps up to `near_mm` reported. `share` is
+    called with the share that is done. Raises JobError for no DXF file or no curve in it.
     """
     if not tolerance_mm > 0:
         raise JobError("tolerance", "the tolerance must be above 0", value=f"{tolerance_mm:g} mm")
@@ -244,8 +197,16 @@ def read_dxf(
             place=Place(str(path)),
         )
     with placed(place):
-        layers = tuple(_layers(pieces, same_mm, near_mm, share))
-    return Drawing(layers, tuple(skipped), unit_mm, printable(damage, MOST_WORDS))
+        chains, gaps = joined_pieces(
+            pieces, same_mm, near_mm, by_colour, lambda done: share(CURVED + (1.0 - CURVED) * done)
+        )
+    return Drawing(chains, gaps, tuple(skipped), unit_mm, printable(damage, MOST_WORDS))
+
+
+def read(path: Path, options: ReadOptions, share: Share) -> Drawing:
+    """Return the drawing in a DXF file, as `read_drawing` wants it."""
+    same_mm, near_mm = options.same_mm, options.near_mm
+    return read_dxf(path, options.tolerance_mm, options.unit_mm, same_mm, near_mm, options.by_colour, share)
 
 
 def _told(entities: Iterator[tuple[Any, str]], count: int, share: Share) -> Iterator[tuple[Any, str]]:
@@ -257,11 +218,9 @@ def _told(entities: Iterator[tuple[Any, str]], count: int, share: Share) -> Iter
         yield entity
 
 
-def _pieces(
-    entities: Iterator[tuple[Any, str]], fits: Fits, unit_mm: float
-) -> tuple[dict[str, list[Curve]], list[Skipped]]:
-    """Return the curve of each entity in mm, by layer, and the entities that have none."""
-    pieces: dict[str, list[Curve]] = {}
+def _pieces(entities: Iterator[tuple[Any, str]], fits: Fits, unit_mm: float) -> tuple[list[Piece], list[Skipped]]:
+    """Return the curve of each entity in mm, and the entities that have none."""
+    pieces: list[Piece] = []
     skipped = []
     for entity, layer in entities:
         try:
@@ -271,16 +230,8 @@ def _pieces(
             kind, handle = printable(entity.dxftype(), MOST_WORDS), printable(str(entity.dxf.handle or ""), MOST_WORDS)
             skipped.append(Skipped(kind, printable(layer, MOST_WORDS), handle, error.what))
         else:
-            pieces.setdefault(printable(layer, MOST_WORDS), []).append(curve)
+            pieces.append(Piece(curve, Attributes(printable(layer, MOST_WORDS))))
     return pieces, skipped
-
-
-def _layers(pieces: dict[str, list[Curve]], same_mm: float, near_mm: float, share: Share) -> Iterator[Layer]:
-    """Yield the layers with their curves joined, and call `share` after each."""
-    for number, (name, curves) in enumerate(pieces.items(), start=1):
-        checkpoint()
-        yield Layer(name, *chained(curves, same_mm, near_mm))
-        share(CURVED + (1.0 - CURVED) * number / len(pieces))
 
 
 def _document(path: Path) -> tuple[Any, str]:

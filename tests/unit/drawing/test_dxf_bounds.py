@@ -14,7 +14,8 @@ import ezdxf
 import pytest
 
 from CNCStepper.cancellation import interruptible
-from CNCStepper.drawing.dxf.reader import MOST_ENTITIES, Drawing, read_dxf
+from CNCStepper.drawing.drawing import Drawing
+from CNCStepper.drawing.dxf.reader import MOST_ENTITIES, read_dxf
 from CNCStepper.errors import CNCStepperError, JobError
 
 MOST_S = 5.0  # of processor time

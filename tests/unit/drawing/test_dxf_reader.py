@@ -16,7 +16,8 @@ import numpy as np
 import pytest
 import shapely
 
-from CNCStepper.drawing.dxf.reader import Drawing, read_dxf
+from CNCStepper.drawing.drawing import Drawing
+from CNCStepper.drawing.dxf.reader import read_dxf
 from CNCStepper.errors import JobError
 
 DATA = Path(__file__).parents[2] / "data" / "dxf"

@@ -8,9 +8,9 @@ import random
 import numpy as np
 import pytest
 
-from CNCStepper.controllers.dda_stream import dda_stream, times_and_whole_s
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.machine.profile import Machine, load_machine
+from CNCStepper.motion.interpolation.dda_stream import dda_stream, times_and_whole_s
 from CNCStepper.motion.planner.buffers import TICKS_PER_S
 from CNCStepper.motion.signals.pulse_stream import moved_steps
 from CNCStepper.state import Start

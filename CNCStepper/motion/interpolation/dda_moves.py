@@ -18,11 +18,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from CNCStepper.controllers.planned_pulses import MoveSource, PlannedPulses
 from CNCStepper.motion.interpolation.circular_dda import circular_dda
 from CNCStepper.motion.interpolation.linear_dda import linear_dda
 from CNCStepper.motion.planner.buffers import TICKS_PER_S
 from CNCStepper.motion.planner.machine_limits import Limits
+from CNCStepper.motion.signals.planned_pulses import MoveSource, PlannedPulses
 from CNCStepper.motion.signals.pulse_stream import PulseStream
 from CNCStepper.units import mm_s_from_mm_min
 

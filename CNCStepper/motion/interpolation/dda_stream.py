@@ -12,8 +12,8 @@ from collections.abc import Callable, Iterable, Iterator
 
 import numpy as np
 
-from CNCStepper.controllers.dda_moves import DdaMoves
 from CNCStepper.machine.profile import Machine
+from CNCStepper.motion.interpolation.dda_moves import DdaMoves
 from CNCStepper.motion.planner import plan
 from CNCStepper.motion.planner.arc_segments import arc_points
 from CNCStepper.motion.planner.buffers import TICKS_PER_S

@@ -8,8 +8,8 @@ import math
 import numpy as np
 import pytest
 
-from CNCStepper.controllers.dda_moves import DdaMoves
 from CNCStepper.machine.profile import Machine, load_machine
+from CNCStepper.motion.interpolation.dda_moves import DdaMoves
 from CNCStepper.motion.planner.machine_limits import Limits
 from helpers.controllers.talk import Talk
 from helpers.controllers.thesis_programs import PROGRAMS, Move, line_pulses, moves_of

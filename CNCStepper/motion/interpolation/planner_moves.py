@@ -8,10 +8,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from CNCStepper.controllers.planned_pulses import MoveSource, PlannedPulses
 from CNCStepper.motion.planner.buffers import EIGHTHS, TICKS_PER_S
 from CNCStepper.motion.planner.live_motion import Motion
 from CNCStepper.motion.planner.machine_limits import Limits
+from CNCStepper.motion.signals.planned_pulses import MoveSource, PlannedPulses
 from CNCStepper.motion.signals.pulse_stream import pulses_of
 
 TAGS_A_MOVE, RAPID = 2, 1  # the tag of a line is twice its number, and one more for a rapid
