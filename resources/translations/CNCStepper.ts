@@ -7806,6 +7806,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>DejaVu Sans</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>DejaVu Sans Mono</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>DejaVu Serif</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Drag knife</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7958,6 +7970,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Liberation Mono</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Liberation Sans</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Liberation Serif</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>LinuxCNC with QtPlasmaC</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8007,6 +8031,18 @@
         </message>
         <message>
             <source>NOT cut on any stock: the machine's limits are checked, but nobody sees whether a rapid meets material; give --job, or --stock and --tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nimbus Mono PS</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nimbus Roman</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nimbus Sans</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8090,6 +8126,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Times New Roman</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Trial {0} pulses/s late mean {1} us worst {2} us</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8151,6 +8191,10 @@
         </message>
         <message>
             <source>a chip load needs flutes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a collection of {0} faces</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8255,6 +8299,18 @@
         </message>
         <message>
             <source>a file that calls this machine's position unknown belongs to {user} and cannot be opened</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a glyph calls too many subroutines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a glyph has too many parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a glyph has too many segments</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8382,6 +8438,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a list has no entry {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a list of glyphs is longer than its table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a machine is cutting</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8474,7 +8538,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a path has no length, or a coordinate that is no length in mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a path is mirrored along X or Y</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a path is too long for its tolerance</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8487,6 +8559,10 @@
         </message>
         <message>
             <source>a pipe (FIFO)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a place before the begin of a table</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8695,6 +8771,10 @@
         </message>
         <message>
             <source>a value is zero or negative where only positive ones are allowed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a variation that is not there</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9386,6 +9466,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>choose another font, or other characters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>choose another name</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9539,6 +9623,10 @@
         </message>
         <message>
             <source>constant surface speed became a speed a move</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>convert the text to paths in the drawing program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9867,6 +9955,10 @@
         </message>
         <message>
             <source>draw them {kerf_mm:g} mm apart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>drawings with the suffix '{suffix}' cannot be read</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10478,6 +10570,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>install it again, or choose another font</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>install it for the Python that proves (python -m pip install NAME)</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10522,11 +10618,43 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it has no face {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it has no glyph {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it has no outlines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it has no subroutines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it has no widths</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it has no {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it has none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>it has them on {names}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it has too many tables of pairs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it has {styles}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10583,6 +10711,10 @@
         </message>
         <message>
             <source>it is within a way into the cut, which begins at line {file_line}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it maps no characters</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11174,6 +11306,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>make several texts of it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>make spacing_mm larger</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11215,6 +11351,10 @@
         </message>
         <message>
             <source>make the tabs narrower or the tool smaller, or cut without tabs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>make the text smaller, move its start, or lengthen the curve</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11398,6 +11538,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>name a file that ends in .ttf, .otf, .ttc or .otc; unpack a web font first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>name a file that is not there yet, in a folder that you may write in</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11438,7 +11582,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>name the device file of a parallel port, such as /dev/parport0, or a file to record in</source>
+            <source>name one that the system has: {families}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11683,6 +11827,10 @@
         </message>
         <message>
             <source>not a TOML file: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>not a TrueType or OpenType font</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12354,6 +12502,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>save it as one of {known}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>save the file as UTF-8 text</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12371,6 +12523,10 @@
         </message>
         <message>
             <source>scale all axes alike, or write feeds a minute (G94)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>scripts that are written from the right are not set</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12618,10 +12774,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>split it there, or send it to a controller</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>split that line</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12783,6 +12935,10 @@
         </message>
         <message>
             <source>tabs need either count or spacing_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take a larger tolerance</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13634,6 +13790,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the font '{family}' has no style '{style}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the font '{font}' lacks characters of the text</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the font is damaged: {why}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the grid has too many holes</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14442,10 +14610,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the program waits or asks for what pulses cannot give</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>the program waits with the power on in the middle of a cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14495,18 +14659,6 @@
         </message>
         <message>
             <source>the pulses have ended</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the pulses were stopped before they were all sent</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the pulses were stopped on the way: {error}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the pulses were stopped: no more of them came in time</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14770,6 +14922,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the table of tables is damaged</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the table {0} lies beyond the end of the file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the tabs are as high as the contour is deep</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14786,7 +14946,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the text has no letter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the text is longer than the curve from its place on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the text is not found, or is the same already</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the text is too long</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15106,6 +15278,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>there is no font '{family}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there is no function {name}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15183,6 +15359,10 @@
         </message>
         <message>
             <source>there is no such file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no such font file</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16142,6 +16322,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write a letter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write a library, with the ending .fctl</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16434,6 +16618,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} units an em</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0}, program {1} of {2}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16483,6 +16671,10 @@
         </message>
         <message>
             <source>{counts} at one place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{count} characters</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17050,10 +17242,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{number:.0f} writes/s, the worst {worst_us:.0f} µs late</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>{obj} follows one drawing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17103,10 +17291,6 @@
         </message>
         <message>
             <source>{path} is JSON: only TOML profiles are changed</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{path} is no parallel port</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17298,6 +17482,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{width_mm:.2f} mm from {begin_mm:.2f} mm on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{width_mm:g} mm wide</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17307,10 +17495,6 @@
         </message>
         <message>
             <source>{word} is in force, wanted {wanted}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{writes_per_s:.0f} writes/s, {stall_ns:.0f} µs</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
