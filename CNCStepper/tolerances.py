@@ -13,6 +13,7 @@ OFFSET_ROUNDING_MM = 1e-8  # how much too near an offset piece may be to the cur
 SAME_SUM_MM = 1e-7  # places that differ by what adding up a text's numbers leaves; two places of a motor
 FULL_CIRCLE_RAD = 5e-7  # an arc of at most this angle is a full circle, as in grbl
 SAME_MM = 1e-6  # places or heights, calculated in different ways
+TOUCHING_PARTS_MM = 1e-6  # nested parts that lie closer than that, or that deep in each other, touch
 NO_MATERIAL_MM = 1e-6  # material that is thinner is none
 SAME_SHARE = 1e-6  # areas, by their share; angles of two arcs, in radians or degrees
 SAME_ENTRY_MM = 1e-5  # a restart's entry and the point of the path at which it ends

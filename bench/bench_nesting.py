@@ -18,8 +18,8 @@ import shapely
 from CNCStepper.job.nesting.nest_files import density_of
 from CNCStepper.job.nesting.order_file import Order, read_order
 from CNCStepper.job.nesting.strip_process import pack_strip
-from CNCStepper.nesting.model import Budget, Item, Sheet, Spacing, placed
 from CNCStepper.nesting.nest import nest
+from CNCStepper.nesting.nesting_model import Budget, Item, Sheet, Spacing, placed
 from CNCStepper.nesting.strips import StripPart, extents_mm, first_windows
 
 PUBLISHED = {  # best densities in %, sparrow's own logs of 1200 s on 16 cores

@@ -8,7 +8,7 @@ from dataclasses import replace
 import shapely
 from shapely import LineString
 
-from CNCStepper.nesting.model import Budget, Placement, moved
+from CNCStepper.nesting.nesting_model import Budget, Placement, moved
 from CNCStepper.nesting.sheet_filling import Filling, Room, Shapes
 
 LEAST_MM = 1e-4  # of a slide

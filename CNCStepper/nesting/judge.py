@@ -14,8 +14,7 @@ from shapely import Polygon
 from shapely.geometry.base import BaseGeometry
 
 from CNCStepper.errors import GeometryError, Text
-from CNCStepper.nesting.model import (
-    TOUCH_MM,
+from CNCStepper.nesting.nesting_model import (
     Item,
     Layout,
     Placement,
@@ -25,6 +24,7 @@ from CNCStepper.nesting.model import (
     is_among,
     placed,
 )
+from CNCStepper.tolerances import TOUCHING_PARTS_MM
 
 
 def require_sound(items: Sequence[Item], sheets: Sequence[Sheet], spacing: Spacing, layout: Layout) -> None:
@@ -61,23 +61,23 @@ def sheet_faults(
 
 
 def conflict(one: BaseGeometry, other: BaseGeometry, gap_mm: float) -> bool:
-    """Return whether two parts overlap or lie closer than the gap; what is within TOUCH_MM touches."""
-    if gap_mm > 0.0 and one.distance(other) < gap_mm - TOUCH_MM:
+    """Return whether two parts overlap or lie closer than the gap; what is within TOUCHING_PARTS_MM touches."""
+    if gap_mm > 0.0 and one.distance(other) < gap_mm - TOUCHING_PARTS_MM:
         return True
     return one.intersects(other) and is_thick(one.intersection(other))
 
 
 def lies_within(part: BaseGeometry, outline: Polygon, margin_mm: float) -> bool:
     """Return whether a part lies on a sheet and no closer than the margin to its rim."""
-    if margin_mm > 0.0 and part.distance(outline.boundary) < margin_mm - TOUCH_MM:
+    if margin_mm > 0.0 and part.distance(outline.boundary) < margin_mm - TOUCHING_PARTS_MM:
         return False
     return outline.covers(part) or not is_thick(part.difference(outline))
 
 
 def is_thick(overlap: BaseGeometry) -> bool:
-    """Return whether an overlap is deeper than TOUCH_MM anywhere: its mean width, of each piece."""
+    """Return whether an overlap is deeper than TOUCHING_PARTS_MM anywhere: its mean width, of each piece."""
     pieces = shapely.get_parts(overlap)
-    return any(piece.area > TOUCH_MM * max(piece.length / 2.0, TOUCH_MM) for piece in pieces)
+    return any(piece.area > TOUCHING_PARTS_MM * max(piece.length / 2.0, TOUCHING_PARTS_MM) for piece in pieces)
 
 
 def _may_turn(item: Item, sheet: Sheet, placement: Placement) -> bool:

@@ -18,7 +18,7 @@ from dataclasses import dataclass
 from CNCStepper.errors import Text
 from CNCStepper.nesting.compaction import compacted
 from CNCStepper.nesting.judge import require_sound
-from CNCStepper.nesting.model import Budget, Item, Layout, Placement, Sheet, Spacing, Unplaced
+from CNCStepper.nesting.nesting_model import Budget, Item, Layout, Placement, Sheet, Spacing, Unplaced
 from CNCStepper.nesting.order_checks import require_order
 from CNCStepper.nesting.sheet_filling import Filling, Room, Shapes, placed_on_first
 from CNCStepper.nesting.sheet_packing import in_holes, packed_sheets

@@ -11,9 +11,8 @@ import shapely
 from shapely import Polygon
 
 from CNCStepper.errors import JobError, Text
-from CNCStepper.nesting.model import (
+from CNCStepper.nesting.nesting_model import (
     MOST_PARTS,
-    TOUCH_MM,
     Item,
     Sheet,
     Spacing,
@@ -21,6 +20,7 @@ from CNCStepper.nesting.model import (
     tried_rotations_deg,
     turned,
 )
+from CNCStepper.tolerances import TOUCHING_PARTS_MM
 
 LEAST_AREA_MM2 = 1e-6
 MOST_MM = 1e6
@@ -108,7 +108,7 @@ def _require_room(item: Item, sheets: Sequence[Sheet], spacing: Spacing) -> None
 
 def _may_lie(item: Item, sheet: Sheet, spacing: Spacing) -> bool:
     low_x, low_y, high_x, high_y = sheet.outline.bounds
-    rim = 2.0 * spacing.margin_mm - TOUCH_MM
+    rim = 2.0 * spacing.margin_mm - TOUCHING_PARTS_MM
     for angle in tried_rotations_deg(item, sheet):
         left, bottom, right, top = turned(item.outline, angle).bounds
         if right - left <= high_x - low_x - rim and top - bottom <= high_y - low_y - rim:

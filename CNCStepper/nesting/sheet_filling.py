@@ -21,8 +21,7 @@ from shapely.geometry.base import BaseGeometry
 
 from CNCStepper.cancellation import checkpoint
 from CNCStepper.nesting.judge import conflict, lies_within
-from CNCStepper.nesting.model import (
-    TOUCH_MM,
+from CNCStepper.nesting.nesting_model import (
     Item,
     Placement,
     Sheet,
@@ -33,6 +32,7 @@ from CNCStepper.nesting.model import (
 )
 from CNCStepper.nesting.no_fit import inner_fit, no_fit
 from CNCStepper.nesting.outlines import grown, shrunk
+from CNCStepper.tolerances import TOUCHING_PARTS_MM
 
 LOOSE_MM = 2e-6  # how much larger a region is taken where nothing fits
 GRID_DECIMALS = 5  # of a place that is rounded: coarser than LOOSE_MM
@@ -256,7 +256,10 @@ def _same(one: Polygon, other: Polygon) -> bool:
     """Return whether two outlines are one but for rounding; two discs of chords are one too."""
     if one.symmetric_difference(other).area > SAME_SHARE * one.area:
         return False
-    return bool(np.allclose(one.bounds, other.bounds, rtol=0.0, atol=TOUCH_MM)) or len(one.exterior.coords) > ROUND
+    return (
+        bool(np.allclose(one.bounds, other.bounds, rtol=0.0, atol=TOUCHING_PARTS_MM))
+        or len(one.exterior.coords) > ROUND
+    )
 
 
 def _areas(found: BaseGeometry) -> BaseGeometry:

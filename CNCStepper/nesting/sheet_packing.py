@@ -18,7 +18,7 @@ import numpy as np
 import shapely
 from shapely import Polygon
 
-from CNCStepper.nesting.model import Budget, Item, Placement, allowed_rotations_deg, moved, tried_rotations_deg
+from CNCStepper.nesting.nesting_model import Budget, Item, Placement, allowed_rotations_deg, moved, tried_rotations_deg
 from CNCStepper.nesting.sheet_filling import Filling, Shapes, fill
 from CNCStepper.nesting.strips import StripPacker, StripPart, StripPlace, extents_mm, fullest_window
 

@@ -17,7 +17,7 @@ from typing import Protocol
 import numpy as np
 from shapely import Polygon
 
-from CNCStepper.nesting.model import Budget, turned
+from CNCStepper.nesting.nesting_model import Budget, turned
 
 
 @dataclass(frozen=True)

@@ -46,6 +46,9 @@ class _Numbers(click.ParamType):
         return numbers
 
 
+SizeType = _Numbers("X,Y", ",", (2,), 0.001)
+
+
 @click.command("arrange", cls=Verb)
 @click.argument("programs", type=FilePath, nargs=-1, required=True)
 @click.option("-o", "--out", type=OutputPath("program"), required=True, help="Write the whole program there.")
@@ -54,7 +57,7 @@ class _Numbers(click.ParamType):
 )
 @click.option("--at", type=_Numbers("X,Y[,DEG]", ",", (2, 3), -MOST_MM), multiple=True, help="A copy's work zero.")
 @click.option("--grid", type=_Numbers("COLUMNSxROWS", "x", (2,), 1), help="In rows: 3x2. One program fills it.")
-@click.option("--sheet", type=_Numbers("X,Y", ",", (2,), 0.001), help="Nest on a sheet of that size, from 0, 0.")
+@click.option("--sheet", type=SizeType, help="Nest on a sheet of that size, from 0, 0.")
 @click.option("--turn", is_flag=True, help="With --sheet, also by 90, 180 and 270 degrees.")
 @click.option("--gap", "gap_mm", type=NumberType(above=-1e-9), default=5.0, show_default=True, help="Between cuts, mm.")
 @click.option(

@@ -19,7 +19,7 @@ from CNCStepper.cli.common.verb import Verb
 
 if TYPE_CHECKING:
     from CNCStepper.job.nesting.order_file import Order
-    from CNCStepper.nesting.model import Budget, Layout
+    from CNCStepper.nesting.nesting_model import Budget, Layout
 
 
 def _names(params: Mapping[str, Any]) -> Mapping[str, str]:
@@ -46,8 +46,8 @@ def command(order: Path, time_s: float, out: Path, seed: int, no_spyrrow: bool) 
     from CNCStepper.job.nesting.nest_files import density_of, write_nest
     from CNCStepper.job.nesting.order_file import read_order
     from CNCStepper.job.nesting.strip_process import strip_packer
-    from CNCStepper.nesting.model import Budget
     from CNCStepper.nesting.nest import nest
+    from CNCStepper.nesting.nesting_model import Budget
 
     read = read_order(order)
     with Progress("nesting") as progress:

@@ -22,7 +22,7 @@ import numpy as np
 from CNCStepper.errors import Place, ProgramError, Text
 from CNCStepper.gcode.dialects import Dialect, dialect_named
 from CNCStepper.gcode.edit import path_transforms
-from CNCStepper.gcode.edit.executed_lines import Source
+from CNCStepper.gcode.edit.line_states import Source
 from CNCStepper.gcode.edit.line_tokens import tokens_of
 from CNCStepper.gcode.edit.path_transforms import Map
 from CNCStepper.gcode.edit.split_by_tool import ENDS, PAUSES, split

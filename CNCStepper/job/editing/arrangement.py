@@ -14,8 +14,8 @@ from shapely import Polygon
 from CNCStepper.errors import JobError, Place, Text
 from CNCStepper.gcode.edit.arrange import Copy
 from CNCStepper.gcode.interpreter.interpret import interpret
-from CNCStepper.nesting.model import Budget, Item, Sheet, Spacing, moved, turned
 from CNCStepper.nesting.nest import nest
+from CNCStepper.nesting.nesting_model import Budget, Item, Sheet, Spacing, moved, turned
 from CNCStepper.nesting.outlines import simplified
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, RAPID, Toolpath
 

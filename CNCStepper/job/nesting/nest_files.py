@@ -23,7 +23,7 @@ from CNCStepper.drawing.writers.dxf_writer import dxf_bytes
 from CNCStepper.geometry.curve import from_points
 from CNCStepper.job.nesting.nest_picture import save_nest_picture
 from CNCStepper.job.nesting.order_file import Order
-from CNCStepper.nesting.model import Layout, Placement, placed
+from CNCStepper.nesting.nesting_model import Layout, Placement, placed
 
 FILES = {  # names that are written, and what they are by output_files.py
     r"sheet-\d+\.dxf": "drawing",

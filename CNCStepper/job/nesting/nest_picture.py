@@ -15,7 +15,7 @@ from matplotlib.path import Path as Outline
 from shapely import Polygon
 
 from CNCStepper.job.nesting.order_file import Order
-from CNCStepper.nesting.model import Layout, placed
+from CNCStepper.nesting.nesting_model import Layout, placed
 from CNCStepper.simulation.views.picture_style import GREY, INK, STOCK_COLOUR, head, new_figure, save_figure
 
 MOST_DRAWN = 12  # sheets

@@ -32,9 +32,9 @@ from CNCStepper.drawing.read_drawing import ReadOptions, read_drawing
 from CNCStepper.errors import CNCStepperError, JobError, Place, Text, placed
 from CNCStepper.geometry.curve import Curve, circle, from_points
 from CNCStepper.geometry.region import Region
-from CNCStepper.machine.files.readers import read_json, read_toml
+from CNCStepper.machine.files.toml_reader import read_json, read_toml
 from CNCStepper.machine.profile import validated
-from CNCStepper.nesting.model import MOST_PARTS, MOST_ROTATIONS, Item, Placement, Sheet, Spacing
+from CNCStepper.nesting.nesting_model import MOST_PARTS, MOST_ROTATIONS, Item, Placement, Sheet, Spacing
 from CNCStepper.nesting.order_checks import polygon_from, require_count, require_finite
 from CNCStepper.nesting.outlines import EXACT_MM, holding_polygon, simplified, within_polygon
 from CNCStepper.quantities import MOST_ITEMS, Angle, Bounds, Coordinate, Length, LengthOr0

@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 
 from CNCStepper.control.processes.python_finder import command, environment, find_python
-from CNCStepper.nesting.model import Budget
+from CNCStepper.nesting.nesting_model import Budget
 from CNCStepper.nesting.strips import StripPacker, StripPart, StripPlace
 
 NEEDS = ("spyrrow",)

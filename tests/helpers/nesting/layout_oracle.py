@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 from shapely import Polygon, affinity
 
-from CNCStepper.nesting.model import Item, Layout, Sheet, Spacing
+from CNCStepper.nesting.nesting_model import Item, Layout, Sheet, Spacing
 
 NEAR_MM = 2e-6
 NOTHING_MM2 = 1e-4

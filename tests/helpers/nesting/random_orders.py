@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 import shapely
 from shapely import Polygon
 
-from CNCStepper.nesting.model import Item, Placement, Sheet, Spacing
+from CNCStepper.nesting.nesting_model import Item, Placement, Sheet, Spacing
 
 TRAITS = ("holes", "free", "grain", "gap", "margin", "odd sheet", "locked", "fill", "two stocks", "priority", "full")
 

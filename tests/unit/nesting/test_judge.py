@@ -10,7 +10,7 @@ import shapely
 
 from CNCStepper.errors import GeometryError
 from CNCStepper.nesting.judge import faults, require_sound
-from CNCStepper.nesting.model import Item, Layout, Placement, Sheet, Spacing, Unplaced
+from CNCStepper.nesting.nesting_model import Item, Layout, Placement, Sheet, Spacing, Unplaced
 
 SQUARE = shapely.box(0, 0, 10, 10)
 ITEMS = (Item("square", SQUARE, SQUARE, 3, (0.0, 90.0), grain_deg=0.0),)

@@ -12,8 +12,8 @@ import pytest
 import shapely
 
 from CNCStepper.errors import JobError
-from CNCStepper.nesting.model import Budget, Item, Sheet, Spacing, placed
 from CNCStepper.nesting.nest import nest
+from CNCStepper.nesting.nesting_model import Budget, Item, Sheet, Spacing, placed
 from CNCStepper.nesting.strips import StripPart, StripPlace, first_windows, fullest_window
 from helpers.cycles.seeds import SEEDS
 from helpers.nesting.layout_oracle import complaints

@@ -11,7 +11,7 @@ import pytest
 import shapely
 from shapely import Point, Polygon
 
-from CNCStepper.nesting.model import moved, turned
+from CNCStepper.nesting.nesting_model import moved, turned
 from CNCStepper.nesting.no_fit import convex_pieces, inner_fit, no_fit
 from helpers.nesting.random_orders import random_order
 

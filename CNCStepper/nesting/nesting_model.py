@@ -23,7 +23,6 @@ from shapely import Polygon
 
 MOST_PARTS = 10_000  # of an order: a search takes some ms for each
 MOST_ROTATIONS = 360
-TOUCH_MM = 1e-6  # parts that lie closer than that, or that deep in each other, touch
 FREE_STEP_DEG = 30.0  # between the rotations that our own search tries for an item of any rotation
 PRINCIPAL_AXES = ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))
 
