@@ -26,16 +26,18 @@ from CNCStepper.nesting.strips import StripPacker
 
 STRIP_SHARE = 0.6  # of the time, on sheets; a strip gets nearly all
 FIRST_SHARE = 0.25  # of the time, for the first attempt where strips follow
+LONGEST_FIRST = 5.0  # times the time given, and so many seconds more
 LAST_SHARE = 0.04  # of the time, for sliding and judging
 Rank = tuple[float, ...]
 
 
 @dataclass(frozen=True)
 class Attempt:
-    """The sheets of one attempt, filled, and the items that found no place, one by one."""
+    """The sheets of one attempt, filled, and the items that found no place, one by one; whether it was ended early."""
 
     fillings: tuple[Filling, ...]
     left: tuple[int, ...]
+    ended: bool = False
 
     def rank(self, items: Sequence[Item]) -> Rank:
         """Return what is compared: unplaced parts by priority, area of the sheets used, length of the last one."""
@@ -124,8 +126,8 @@ class _Group:
     def _reason(self, number: int) -> str:
         if not self._rooms:
             return Text("there is no sheet of the stock '{stock}'", stock=self._items[number].stock)
-        if self._budget.stopped.is_set():
-            return "the sheets were full, or the search was stopped before it had its turn"
+        if self._best.ended:
+            return "the sheets were full, or the search ended before it had its turn"
         return "the sheets are full"
 
     def _searched(self, seed: int) -> Attempt:
@@ -137,7 +139,7 @@ class _Group:
             fresh = [self._fresh(room) for room in self._rooms]
             time_s = end.left_s * (STRIP_SHARE if len(self._rooms) > 1 else 1.0)
             left = packed_sheets(fresh, self._order, hidden, self._strips, end.part(time_s), seed)
-            best = self._better(best, Attempt(tuple(fresh), tuple(left)))
+            best = self._better(best, Attempt(tuple(fresh), tuple(left), self._budget.stopped.is_set()))
         return self._improved(best or Attempt((), ()), end)
 
     def _first(self, end: Budget) -> Attempt | None:
@@ -183,16 +185,19 @@ class _Group:
         return [placement for item in self._items for placement in item.locked if placement.sheet == room.number]
 
     def _attempt(self, order: Sequence[int], end: Budget | None) -> Attempt | None:
-        """Return the sheets filled in an order; None where time ends before; without an end only a stop ends it."""
+        """Return the sheets filled in an order; None where time ends before.
+
+        Without an end it goes on beyond its time, up to LONGEST_FIRST times as long: some layout is better than none.
+        """
+        late = Budget(LONGEST_FIRST * self._budget.time_s + LONGEST_FIRST, stopped=self._budget.stopped)
         fillings = [self._fresh(room) for room in self._rooms]
         full = set[tuple[int, int]]()
         left: list[int] = []
         for done, number in enumerate(order):
             if end is not None and end.over:
                 return None
-            if self._budget.stopped.is_set():
-                left += order[done:]
-                break
+            if late.over:
+                return Attempt(tuple(fillings), (*left, *order[done:]), ended=True)
             left += [] if placed_on_first(fillings, number, full) else [number]
         return Attempt(tuple(fillings), tuple(left))
 

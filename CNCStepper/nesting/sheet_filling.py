@@ -10,7 +10,7 @@ of that, rounded, is a place only where the judge finds no conflict.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -22,6 +22,7 @@ from shapely.geometry.base import BaseGeometry
 from CNCStepper.cancellation import checkpoint
 from CNCStepper.nesting.judge import conflict, lies_within
 from CNCStepper.nesting.nesting_model import (
+    Budget,
     Item,
     Placement,
     Sheet,
@@ -40,6 +41,7 @@ MOST_TRIED = 40  # corners of a loose region
 SAME_SHARE = 1e-3  # of the area: outlines that differ by less are the same
 ROUND = 24  # corners of an outline whose rotations may be the same though its corners differ
 Key = tuple[int, float]  # of an item and its rotation
+Make = Callable[[Key, Key], BaseGeometry]
 
 
 class Shapes:
@@ -97,25 +99,26 @@ class Shapes:
             return Polygon()
         return self._relative(self._in_holes, still, part, self._hole_fit)
 
-    def _relative(self, kept: dict, still: Key, part: Key, make: object) -> BaseGeometry:
+    def _relative(
+        self, kept: dict[tuple[int, int, float], BaseGeometry], still: Key, part: Key, make: Make
+    ) -> BaseGeometry:
         between = (part[1] - still[1]) % 360.0
         key = still[0], part[0], between
         if key not in kept:
             checkpoint()
-            kept[key] = make(self._grown[still[0]], self.turned((part[0], between)), (still, part))  # type: ignore[operator]
+            kept[key] = make((still[0], 0.0), (part[0], between))
         return turned(kept[key], still[1]) if still[1] else kept[key]
 
-    def _no_fit(self, still: Polygon, part: Polygon, keys: tuple[Key, Key]) -> BaseGeometry:
-        beside = no_fit(still, part)
-        in_holes = self.in_holes((keys[0][0], 0.0), (keys[1][0], (keys[1][1] - keys[0][1]) % 360.0))
+    def _no_fit(self, still: Key, part: Key) -> BaseGeometry:
+        beside, in_holes = no_fit(self.turned(still), self.turned(part)), self.in_holes(still, part)
         return beside if in_holes.is_empty else beside.difference(in_holes)
 
-    def _loose_no_fit(self, still: Polygon, part: Polygon, keys: tuple[Key, Key]) -> BaseGeometry:
-        relative = (keys[1][0], (keys[1][1] - keys[0][1]) % 360.0)
-        return self.no_fit((keys[0][0], 0.0), relative).buffer(-LOOSE_MM, join_style="mitre")
+    def _loose_no_fit(self, still: Key, part: Key) -> BaseGeometry:
+        return self.no_fit(still, part).buffer(-LOOSE_MM, join_style="mitre")
 
-    def _hole_fit(self, still: Polygon, part: Polygon, keys: tuple[Key, Key]) -> BaseGeometry:
-        return shapely.union_all([inner_fit(Polygon(hole), part) for hole in still.interiors])
+    def _hole_fit(self, still: Key, part: Key) -> BaseGeometry:
+        holes = self.turned(still).interiors
+        return shapely.union_all([inner_fit(Polygon(hole), self.turned(part)) for hole in holes])
 
 
 @dataclass(frozen=True)
@@ -275,10 +278,10 @@ def _loose_fit(room: Room, shapes: Shapes, key: Key) -> BaseGeometry:
     return shapely.union_all([_fit(piece, part) for piece in pieces if isinstance(piece, Polygon)])
 
 
-def fill(filling: Filling, order: Iterator[int]) -> list[int]:
-    """Place the items in their order on one sheet; return those that found no place."""
+def fill(filling: Filling, order: Iterator[int], budget: Budget) -> list[int]:
+    """Place the items in their order on one sheet; return those that found no place, after a stop all others."""
     full = set[tuple[int, int]]()
-    return [number for number in order if not placed_on_first([filling], number, full)]
+    return [number for number in order if budget.stopped.is_set() or not placed_on_first([filling], number, full)]
 
 
 def placed_on_first(fillings: Sequence[Filling], number: int, full: set[tuple[int, int]]) -> bool:

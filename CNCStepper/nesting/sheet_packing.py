@@ -62,7 +62,7 @@ def packed_sheets(
             if filling.is_free(placement):
                 filling.add(placement)
                 left[placement.item] -= 1
-        rest = fill(filling, iter(_in_order(order, left)))
+        rest = fill(filling, iter(_in_order(order, left)), budget)
         left = Counter(rest)
     return _in_order(order, left)
 

@@ -50,6 +50,7 @@ def command(order: Path, time_s: float, out: Path, seed: int, no_spyrrow: bool) 
     from CNCStepper.nesting.nesting_model import Budget
 
     read = read_order(order)
+    parts = sum(item.count + len(item.locked) for item in read.items)
     with Progress("nesting") as progress:
         budget = Budget(time_s, progress=progress.share)
         packer = None if no_spyrrow else strip_packer()
@@ -58,6 +59,7 @@ def command(order: Path, time_s: float, out: Path, seed: int, no_spyrrow: bool) 
                 "   note: spyrrow is not installed; our own search alone is slower: pip install spyrrow", err=True
             )
         with _stopped_by_ctrl_c(budget):
+            click.echo(f"nesting {parts} parts for {time_s:g} s; Ctrl+C ends it with the best so far", err=True)
             layout = nest(read.items, read.sheets, read.spacing, budget, packer, seed)
     for path in write_nest(read, layout, out):
         click.echo(f"{path}")

@@ -6,7 +6,7 @@
     B.nc (T1)     ── turned, moved ──► B copy 1: T1      ─┘
 
 Each stretch of a copy between two tool changes is a program of its own (split_by_tool.py), moved by transform_verbs.py.
-Between two stretches the modes of a program's start are said anew and the tool goes to the greatest height of all. The
+Between two stretches the modes of a program's start are said anew and the tool goes on at the greatest height of all. The
 stretches are operations, so that a restart may begin at each. The whole is read back: its moves are those of the parts.
 """
 
@@ -26,7 +26,7 @@ from CNCStepper.gcode.edit.line_states import Source
 from CNCStepper.gcode.edit.line_tokens import tokens_of
 from CNCStepper.gcode.edit.path_transforms import Map
 from CNCStepper.gcode.edit.split_by_tool import ENDS, PAUSES, split
-from CNCStepper.gcode.edit.transform_verbs import convert_units, start_units, transformed
+from CNCStepper.gcode.edit.transform_verbs import convert_units, transformed
 from CNCStepper.gcode.edit.word_values import number_text
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.syntax.words import is_percent_mark, program_lines
@@ -82,12 +82,17 @@ def arranged(copies: Sequence[Copy], dialect: str | Dialect = "grbl", start: Sta
     language = dialect_named(dialect)
     if not copies:
         raise ProgramError("arrange-none", "there is no program to arrange", advice="name one")
-    units = start_units(Source(copies[0].text, language, start, copies[0].name))
+    units = _units(interpret(copies[0].text, start, language, copies[0].name))
     stretches = [_stretches(copy, language, start, units) for copy in copies]
     ordered = _by_tool(stretches)
     text = _joined(ordered, language, units)
     _verify(text, ordered, language, start)
     return text
+
+
+def _units(path: Toolpath) -> str:
+    """Return the units in force at the first move of a program."""
+    return path.states[int(path.table().state[0])].units if len(path) else "mm"
 
 
 def require_movable(text: str, file: str) -> None:
@@ -178,7 +183,7 @@ def _joined(stretches: Sequence[_Stretch], language: Dialect, units: str) -> str
     for number, stretch in enumerate(stretches):
         lines.append(f"(begin operation: {_comment(stretch.title)})")
         if number:
-            lines += ["M5", reset, *height]
+            lines += ["M5", reset, *height, *_approach_line(stretch, units)]
         if stretch.tool != tool:
             lines += stretch.change
         lines += stretch.lines
@@ -199,6 +204,16 @@ def _height_line(stretches: Sequence[_Stretch], units: str) -> list[str]:
     if not len(known):
         return []
     return [f"G0 Z{number_text(float(known.max()) / UNIT_MM[units], HEIGHT_DECIMALS)}"]
+
+
+def _approach_line(stretch: _Stretch, units: str) -> list[str]:
+    """Return the rapid to the first known place of a stretch, at the height that is there."""
+    places = _ends(stretch.path)[:, :2]
+    known = places[np.isfinite(places).all(axis=1)]
+    if not len(known):
+        return []
+    x, y = (number_text(float(value) / UNIT_MM[units], HEIGHT_DECIMALS) for value in known[0])
+    return [f"G0 X{x} Y{y}"]
 
 
 def _ends(path: Toolpath) -> np.ndarray:

@@ -159,8 +159,9 @@ def test_ctrl_c_ends_the_search_with_what_it_has(tmp_path: Path) -> None:
     path = instance(tmp_path, [SQUARE | {"demand": 9}])
     words = [sys.executable, "-m", "CNCStepper.cli.main", "nest", path, "--time", "300", "-o", tmp_path / "out"]
     process = subprocess.Popen([*map(str, words)], cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    time.sleep(6.0)
+    assert process.stderr and "Ctrl+C ends it" in process.stderr.readline()
+    time.sleep(1.0)
     process.send_signal(signal.SIGINT)
-    output, errors = process.communicate(timeout=60)
+    output, errors = process.communicate(timeout=120)
     assert process.returncode == 0, errors
     assert output.splitlines()[-1].startswith("density 0.")
