@@ -32,7 +32,7 @@ PUBLISHED = {  # best densities in %, sparrow's own logs of 1200 s on 16 cores
     "swim": 79.8,
     "trousers": 92.6,
 }
-SHEET_SHARES = {"fu": 0.62, "marques": 0.45, "shirts": 0.42, "trousers": 0.6}  # a sheet's length by the strip's height
+SHEET_SHARES = {"fu": 0.62, "marques": 0.45, "shirts": 0.42, "trousers": 0.8}  # a sheet's length by the strip's height
 MOST_SHEETS = 24
 
 

@@ -6,7 +6,7 @@
     B.nc (T1)     ── turned, moved ──► B copy 1: T1      ─┘
 
 Each stretch of a copy between two tool changes is a program of its own (split_by_tool.py), moved by transform_verbs.py.
-Between two stretches the modes of a program's start are said anew and the tool goes on at the greatest height of all. The
+Between two stretches come the modes of a program's start, and the tool goes on at the greatest height of all. The
 stretches are operations, so that a restart may begin at each. The whole is read back: its moves are those of the parts.
 """
 

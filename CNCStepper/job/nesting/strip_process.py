@@ -85,6 +85,9 @@ def _last_answer(question: dict[str, Any], budget: Budget) -> list[list[Any]] | 
                     break
                 found = answer["places"]
         process.kill()
+        reader.join()
+        while not lines.empty():
+            found = _told(lines.get()).get("places", found)
         return found
 
 
