@@ -34,7 +34,7 @@ from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.machine.wiring import seen_by_sender
 from CNCStepper.motion.interpolation.dda_stream import dda_stream
-from CNCStepper.motion.planner.backlash import motor_moves
+from CNCStepper.motion.planner.backlash_moves import motor_moves
 from CNCStepper.motion.planner.buffers import TICKS_PER_S
 from CNCStepper.motion.planner.plan import begun
 from CNCStepper.motion.signals.peak_rate import PeakRate

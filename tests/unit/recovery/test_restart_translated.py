@@ -14,8 +14,8 @@ from CNCStepper.errors import CNCStepperError, ProgramError
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.recovery.restart.interrupted_program import read_on_machine
-from CNCStepper.recovery.restart.places import RequestedPlace, contours
-from CNCStepper.recovery.restart.prove import certificate_of_restart, restart_program
+from CNCStepper.recovery.restart.prove_restart import certificate_of_restart, restart_program
+from CNCStepper.recovery.restart.restart_places import RequestedPlace, contours
 from CNCStepper.state import Start
 from helpers.controllers.thesis_programs import PROGRAMS, moves_of
 

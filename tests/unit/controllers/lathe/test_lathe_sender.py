@@ -7,7 +7,7 @@ import re
 
 import pytest
 
-from CNCStepper.control.operator.actions import set_zero
+from CNCStepper.control.operator.zero_and_unlock import set_zero
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.protocol.grbl.connect import handshake
 from CNCStepper.control.protocol.grbl.driver import Grbl

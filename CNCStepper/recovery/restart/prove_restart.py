@@ -33,7 +33,7 @@ from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.recovery.restart.approach import Options
 from CNCStepper.recovery.restart.description import height_mm
 from CNCStepper.recovery.restart.interrupted_program import read_on_machine
-from CNCStepper.recovery.restart.places import RequestedPlace
+from CNCStepper.recovery.restart.restart_places import RequestedPlace
 from CNCStepper.recovery.restart.restart_program import Restart, restart_of
 from CNCStepper.simulation.checks.stock_checks import JUDGE_ERROR_MM
 from CNCStepper.simulation.finding import Finding
