@@ -18,7 +18,8 @@ def _holes(diameter_mm: float, *places: tuple[float, float]) -> tuple:
 
 @shape("Gusset", "A right-angled stiffening plate, its right angle at the zero, cut off there to clear a weld.",
        width_mm=length("Width", 60.0), height_mm=length("Height", 60.0),
-       weld_clearance_mm=length("Cut off at the right angle", 10.0), nose_mm=length("Ends of the legs", 8.0))  # fmt: skip
+       weld_clearance_mm=length("Cut off at the right angle", 10.0),
+       nose_mm=length("Ends of the legs", 8.0))  # fmt: skip
 def gusset(width_mm: float, height_mm: float, weld_clearance_mm: float, nose_mm: float) -> Figure:
     """Draw six lines."""
     require_above(min(width_mm, height_mm), weld_clearance_mm, "width and height", "what is cut off")

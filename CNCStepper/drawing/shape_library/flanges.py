@@ -85,7 +85,8 @@ def nema_plate(size: int, margin_mm: float, corner_radius_mm: float) -> Figure:
 
 @shape("Mounting plate", "A rectangular plate about the zero with a hole near each corner.",
        width_mm=length("Width", 100.0), height_mm=length("Height", 60.0), corner_radius_mm=CORNER,
-       edge_mm=length("From the edges to the holes", 8.0), hole_diameter_mm=length("Diameter of the holes", 5.0))  # fmt: skip
+       edge_mm=length("From the edges to the holes", 8.0),
+       hole_diameter_mm=length("Diameter of the holes", 5.0))  # fmt: skip
 def mounting_plate(
     width_mm: float, height_mm: float, corner_radius_mm: float, edge_mm: float, hole_diameter_mm: float
 ) -> Figure:

@@ -48,7 +48,8 @@ def locking_wheel(outer_diameter_mm: float, notches: int, notch_diameter_mm: flo
 
 @shape("Hook", "A hook to hang things on: a plate with two holes above, the hook's round inside about the zero.",
        inner_diameter_mm=length("Inside of the hook", 24.0), width_mm=length("Width of the bar", 10.0),
-       height_mm=length("Height of the plate above the middle", 60.0), hole_diameter_mm=length("Holes", 4.5))  # fmt: skip
+       height_mm=length("Height of the plate above the middle", 60.0),
+       hole_diameter_mm=length("Holes", 4.5))  # fmt: skip
 def hook(inner_diameter_mm: float, width_mm: float, height_mm: float, hole_diameter_mm: float) -> Figure:
     """Draw the plate, the bend and its round end."""
     require_above(height_mm, 3.0 * width_mm, "the height", "three times the bar's width")

@@ -46,7 +46,8 @@ def trapezoid(base_mm: float, top_mm: float, height_mm: float, corner_radius_mm:
 
 
 @shape("Parallelogram", "A parallelogram, its left lower corner at the zero.",
-       width_mm=length("Width", 50.0), height_mm=length("Height", 30.0), angle_deg=angle("Angle", 65.0, 5.0, 175.0))  # fmt: skip
+       width_mm=length("Width", 50.0), height_mm=length("Height", 30.0),
+       angle_deg=angle("Angle", 65.0, 5.0, 175.0))  # fmt: skip
 def parallelogram(width_mm: float, height_mm: float, angle_deg: float) -> Figure:
     """Draw four lines."""
     across, up = on_circle(1.0, angle_deg)

@@ -120,7 +120,7 @@ class Rule(Selection):
 
 
 class Template(_Checked):
-    """A template that can be used. job: the keys of a job file that it gives; folder: where its files are looked for."""
+    """A template that can be used. job: the keys of a job file that it gives; path: of the template's file."""
 
     stock: StockRule
     drawing: DrawingRule = DrawingRule()

@@ -136,7 +136,7 @@ def _draw_problems(axes: Axes, problems: Sequence[Problem]) -> list[Line2D]:
 
 
 def _numbers(problems: Sequence[Problem], near_mm: float) -> list[tuple[tuple[float, float], str, Kind]]:
-    """Return where numbers are written, those of problems in one place together, and the kind whose colour they have."""
+    """Return where numbers are written, those of problems in one place together, and the kind of the first."""
     found: dict[tuple[int, int], tuple[tuple[float, float], list[str], Kind]] = {}
     for number, problem in enumerate(problems, start=1):
         x, y = problem.place_mm

@@ -50,8 +50,9 @@ def test_a_person_can_read_it() -> None:
 
 
 def test_a_job_with_more_curves_than_names_keeps_them_in_its_operations(monkeypatch: pytest.MonkeyPatch) -> None:
+    job = Job.load(EXAMPLES / "plate.toml")
     monkeypatch.setitem(job_text.MOST_ITEMS, "shapes", 2)
-    text = write_job_file(Job.load(EXAMPLES / "plate.toml"))
+    text = write_job_file(job)
     assert "[[shape]]" not in text and "islands = [{ xy = " in text
 
 
