@@ -52,8 +52,8 @@ library = { kind = "flange", outer_diameter_mm = 90, holes = 8, offset_mm = [60,
 ```
 
 `offset_mm` moves the shape's zero, the cross in its picture, after `rotation_deg` has turned it. `part = "outline"` or
-`part = "holes"` takes some of its curves: a contour takes all, a drill the holes. Dimensions that do not go together are
-refused.
+`part = "holes"` takes some of its curves: a contour takes all, a drill the holes. Dimensions that do not go together
+are refused.
 """
 PICTURE_PIXELS, PICTURE_MARGIN = 160.0, 0.08
 HEAD = ["| key | value | default | |", "|---|---|---|---|"]

@@ -42,6 +42,7 @@ def command(
     from CNCStepper.job.templates.template import read_template
 
     rules = read_template(template)
+    out.parent.mkdir(parents=True, exist_ok=True)
     with Progress(f"reading {drawing.name}") as progress:
         made = job_of_drawing(
             rules, drawing, out, thickness_mm=thickness_mm, material=material, unit_mm=unit_mm, strict=strict,
@@ -51,9 +52,9 @@ def command(
         click.echo(f"{title}: {count} chains")
     for note in made.job.notes:
         click.echo(f"note: {note}")
-    for count in made.untaken:
-        layer = f"layer '{count.layer}' {count.colour}".strip()
-        click.echo(f"warning: no rule takes {count.closed + count.open} chains: {layer}")
+    for untaken in made.untaken:
+        layer = f"layer '{untaken.layer}' {untaken.colour}".strip()
+        click.echo(f"warning: no rule takes {untaken.closed + untaken.open} chains: {layer}")
     save(out, made.text.encode("utf-8"))
     size = " x ".join(f"{length:g}" for length in made.job.stock.size_mm)
     click.echo(f"{out}: {len(made.job.operation)} operations, stock {size} mm")

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import io
+from typing import Any
 
 import numpy as np
 
@@ -34,7 +35,7 @@ def dxf_bytes(drawing: Drawing) -> bytes:
     return f"999\n{MADE_BY}\n{text.getvalue()}".encode("utf-8", "replace")
 
 
-def _attributes(chain: Chain) -> dict[str, object]:
+def _attributes(chain: Chain) -> dict[str, Any]:
     """Return layer and colour as ezdxf takes them."""
     told = chain.attributes
     layer = told.layer.translate(NOT_IN_NAMES)[:LONGEST_NAME].strip() or "0"

@@ -13,6 +13,7 @@ from CNCStepper.drawing.nesting_levels import nesting_levels
 from CNCStepper.drawing.read_drawing import ReadOptions
 from CNCStepper.drawing.repair.problems import RepairLimits
 from CNCStepper.drawing.selection import Selection
+from CNCStepper.drawing.trace.options import TraceOptions
 from CNCStepper.geometry.chain_joining import NEAR_MM
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.quantities import Angle, Bounds, Coordinate, Unit
@@ -24,7 +25,8 @@ class DrawingForm(Selection):
     """Chains of a drawing of any format: those that the keys of `Selection` take and none of `without` does.
 
     nesting: only closed chains that lie in so many others of them. The drawing is turned about its zero and then
-    moved. mend: repairs it first, within these limits; unit_mm as for DXF.
+    moved. mend: repairs it first, within these limits; unit_mm as for DXF; trace: how a picture
+    becomes contours.
     """
 
     file: str = Field(min_length=1)
@@ -36,11 +38,12 @@ class DrawingForm(Selection):
     unit_mm: Unit | None = None
     by_colour: StrictBool = True
     mend: RepairLimits | None = None
+    trace: TraceOptions = TraceOptions()
 
     def options(self) -> ReadOptions:
         """Return how the drawing is read."""
         near_mm = max(NEAR_MM, self.mend.close_mm) if self.mend else NEAR_MM
-        return ReadOptions(self.tolerance_mm, self.unit_mm, near_mm=near_mm, by_colour=self.by_colour)
+        return ReadOptions(self.tolerance_mm, self.unit_mm, near_mm=near_mm, by_colour=self.by_colour, trace=self.trace)
 
     def selected(self, chains: Sequence[Chain]) -> tuple[Chain, ...]:
         """Return the chains that it means, before they are turned and moved."""

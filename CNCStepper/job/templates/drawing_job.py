@@ -74,7 +74,7 @@ def job_of_drawing(
     strict: bool = False,
     share: Share = lambda share: None,
 ) -> DrawingJob:
-    """Return the job that a template makes of a drawing, for a job file at `job_path`, which need not exist.
+    """Return the job that a template makes of a drawing, for a job file at `job_path`, whose folder exists.
 
     thickness_mm, material, unit_mm: instead of those of the template. strict: chains that no rule takes are refused.
     Raises JobError for a drawing that cannot be read or does not fit, and for what no job can be made of.
@@ -105,7 +105,12 @@ def _with(template: Template, thickness_mm: float | None, unit_mm: float | None)
 
 def _form(template: Template, file: str, **keys: Any) -> DrawingForm:
     told = template.drawing
-    given = {"tolerance_mm": told.tolerance_mm, "unit_mm": told.unit_mm, "by_colour": told.by_colour}
+    given: Content = {
+        "tolerance_mm": told.tolerance_mm,
+        "unit_mm": told.unit_mm,
+        "by_colour": told.by_colour,
+        "trace": told.trace,
+    }
     return DrawingForm(file=file, mend=told.mend, **given, **keys)
 
 

@@ -33,6 +33,7 @@ from pydantic import BaseModel, ConfigDict, Field, StrictBool, model_validator
 from CNCStepper.cycles.catalogue import cycle_class
 from CNCStepper.drawing.repair.problems import RepairLimits
 from CNCStepper.drawing.selection import Selection
+from CNCStepper.drawing.trace.options import TraceOptions
 from CNCStepper.errors import JobError, Place, Text, placed
 from CNCStepper.job.shapes import SHAPE_KEYS
 from CNCStepper.machine.files.readers import read_toml
@@ -73,6 +74,7 @@ class DrawingRule(_Checked):
     unit_mm: Unit | None = None
     by_colour: StrictBool = True
     mend: RepairLimits | None = None
+    trace: TraceOptions = TraceOptions()
 
 
 class Rule(Selection):
