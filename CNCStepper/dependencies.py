@@ -25,6 +25,7 @@ NEEDS = (
     Need("numpy", "numpy", (PROGRAM,)),
     Need("shapely", "shapely", (PROGRAM,)),
     Need("ezdxf", "ezdxf", (FILES,)),
+    Need("fontTools", "fonttools", (FILES,)),
     Need("pydantic", "pydantic", (PROGRAM,)),
     Need("platformdirs", "platformdirs", (PROGRAM,)),
     Need("serial", "pyserial", (MACHINE,)),

@@ -21,7 +21,7 @@ sys.path.append(str(ROOT))
 import click  # noqa: E402
 from pydantic import BaseModel  # noqa: E402
 
-from CNCStepper.cli.main import FAMILIES, group  # noqa: E402
+from CNCStepper.cli.main import FAMILIES, OTHER_NAMES, group  # noqa: E402
 from CNCStepper.cycles.catalogue import CYCLES  # noqa: E402
 from CNCStepper.cycles.holes.hole_parameters import PATTERNS  # noqa: E402
 from CNCStepper.cycles.parameter import Declared, Parameters, declared  # noqa: E402
@@ -145,6 +145,9 @@ def cli_page() -> str:
     for title, verbs in FAMILIES.values():
         parts.append(f"## {title}\n")
         for verb in verbs:
+            if other := OTHER_NAMES.get(verb):
+                parts.append(f"### `cncstepper {verb}`\n\nAnother name of [`{other}`](#cncstepper-{other}).\n")
+                continue
             command = group.get_command(context, verb)
             assert command is not None
             parts += command_parts(command, click.Context(command, info_name=verb, parent=context))

@@ -74,7 +74,7 @@ FAMILIES = {  # folder of the verbs' modules: title in the help, and its verbs
             "go": "Let a job go on that stands.",
             "stop": "End a job that runs.",
             "override": "Change feed, rapid, spindle or coolant of a job that runs.",
-            "drive": "Send a program's pulses to a parallel port, or to a file that records them.",
+            "drive": "Another name of `send`.",
         },
     ),
     "recovery": (
@@ -86,6 +86,7 @@ FAMILIES = {  # folder of the verbs' modules: title in the help, and its verbs
         },
     ),
 }
+OTHER_NAMES = {"drive": "send"}
 FAMILY_OF = {verb: family for family, (_, verbs) in FAMILIES.items() for verb in verbs}
 
 
@@ -104,8 +105,8 @@ class _Verbs(click.Group):
         os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")  # looking for them takes longer than a short verb
         if name in SHORT and "CNCStepper.kernels" not in sys.modules:
             kernel_cache.postponed = True
-        module = importlib.import_module(f"CNCStepper.cli.{FAMILY_OF[name]}.{name.replace('-', '_')}")
-        return module.command
+        module = OTHER_NAMES.get(name, name).replace("-", "_")
+        return importlib.import_module(f"CNCStepper.cli.{FAMILY_OF[name]}.{module}").command
 
     def invoke(self, context: click.Context) -> Any:
         """Run the verb; Ctrl+C ends it with the status that shells give a program which it has stopped."""

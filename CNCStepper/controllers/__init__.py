@@ -5,5 +5,5 @@ workers/controller.py ── families ──► pulse_board (lines, bytes, wall-
                                             │                                      └─ port_signals (relays, inputs)
                                       pulse_axes (what is played, hold, resume, reset)
                                             │
-                  planned_pulses ◄── planner_moves (grbl's planner) or dda_moves (the thesis's interpolators)
+       motion/interpolation/  planner_moves (grbl's planner) or dda_moves (the thesis's interpolators)
 """

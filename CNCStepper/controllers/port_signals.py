@@ -14,8 +14,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from CNCStepper.control.operator.buttons import Debouncer
-from CNCStepper.controllers.planned_pulses import EndedOutput, PulseOutput
+from CNCStepper.control.operator.hardware_buttons import Debouncer
+from CNCStepper.controllers.ended_output import EndedOutput, Output
 from CNCStepper.machine.controller_family import family_of
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.wiring import ENABLE, Input, letters_of_own
@@ -38,7 +38,7 @@ class Relays:
     further: those that are on and that no word of a program switches, by their names.
     """
 
-    def __init__(self, machine: Machine, output: PulseOutput):
+    def __init__(self, machine: Machine, output: Output):
         lines = machine.signals.wired if family_of(machine) == "parport" else {}
         self.wired = frozenset(name for name in lines if not name.endswith(MOTOR_LINES) and name != ENABLE)
         self.further: set[str] = set()

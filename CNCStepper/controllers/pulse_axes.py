@@ -19,12 +19,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from CNCStepper.controllers.dda_moves import DdaMoves
-from CNCStepper.controllers.planned_pulses import EndedOutput, MoveSource, PlannedPulses, PulseOutput
-from CNCStepper.controllers.planner_moves import PlannerMoves
+from CNCStepper.controllers.ended_output import EndedOutput, Output
 from CNCStepper.machine.profile import Machine
+from CNCStepper.motion.interpolation.dda_moves import DdaMoves
+from CNCStepper.motion.interpolation.planner_moves import PlannerMoves
 from CNCStepper.motion.planner.buffers import SEGMENT_PLACES, TICKS_PER_S, UNLIMITED
 from CNCStepper.motion.planner.machine_limits import Limits
+from CNCStepper.motion.signals.planned_pulses import MoveSource, PlannedPulses
 from CNCStepper.virtual.grbl.planner import Axes
 from CNCStepper.virtual.grbl.settings import Settings
 
@@ -67,7 +68,7 @@ class PulseAxes(Axes):
     Its time is that of the output; `advance` only sees to it that enough is queued there.
     """
 
-    def __init__(self, settings: Settings, output: PulseOutput, new_moves: NewMoves = PlannerMoves):
+    def __init__(self, settings: Settings, output: Output, new_moves: NewMoves = PlannerMoves):
         super().__init__(settings)
         self._output = output
         self._waiting: deque[PlannedPulses] = deque()  # made, and the output has had no room

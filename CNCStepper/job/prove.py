@@ -16,7 +16,6 @@ from typing import TYPE_CHECKING, Any, TypedDict, TypeVar, Unpack
 import numpy as np
 
 from CNCStepper.control.program.certificate import digest_of_text
-from CNCStepper.controllers.dda_stream import times_and_whole_s
 from CNCStepper.cycles.cycle import Answer, Removal
 from CNCStepper.errors import JobError, Place, Text
 from CNCStepper.gcode.wire.wire_text import WireText
@@ -30,11 +29,12 @@ from CNCStepper.machine.cut_data import CutData
 from CNCStepper.machine.processes import MILLING, Process
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tools.tool import Tool
+from CNCStepper.motion.interpolation.dda_stream import times_and_whole_s
 from CNCStepper.motion.planner.plan import begun
 from CNCStepper.simulation.check_context import CheckContext, Cutting
 from CNCStepper.simulation.checks.check_program import check
 from CNCStepper.simulation.checks.clamps import Clamp
-from CNCStepper.simulation.checks.report import report
+from CNCStepper.simulation.checks.program_report import report
 from CNCStepper.simulation.exact.swept_area import Judgement, judge
 from CNCStepper.simulation.finding import Finding, refused, worst_first
 from CNCStepper.simulation.prior_programs import followed

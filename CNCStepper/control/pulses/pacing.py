@@ -6,8 +6,8 @@
     stall    |     |                    later than that: a motor has stood still, and would be asked to go on at full
                          ^ the end      rate. Nothing more is written: steps may be lost already
 
-The difference is the jitter. The trial before the start paces writes that change nothing: where one of them comes as
-late as a stall, or all together take longer than they should, this computer cannot keep the rate.
+The difference is the jitter. The trial at the start paces pulses of no axis: where one of them comes as late as a
+stall, or all together take longer than they should, this computer cannot keep the rate.
 """
 
 from __future__ import annotations
@@ -16,13 +16,12 @@ import ctypes
 import os
 import time
 from collections.abc import Iterable
-from dataclasses import asdict, dataclass
-from itertools import chain
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from CNCStepper.control.pulses.ports import Port
-from CNCStepper.errors import LinkError, MachineRefusal, Text
+from CNCStepper.errors import LinkError, Text
 
 TRIAL_S = 3.0  # what comes between pulses once a second comes in it
 MOST_LONGER = 1.02  # of the time that a trial should take
@@ -50,10 +49,6 @@ class Jitter:
     mean_us: float
     p99_us: float
     worst_us: float
-
-    def as_dict(self) -> dict[str, Any]:
-        """Return it as plain data."""
-        return asdict(self)
 
 
 def stall_ns(writes_per_s: float) -> int:
@@ -120,26 +115,10 @@ class Pacer:
         finally:
             self._now, self._before, self.writes, self.late_ns, self.worst_ns = now, before, count, total, worst
 
-    def jitter(self) -> Jitter:
-        """Return how late the writes were so far."""
-        taken_s = (time.perf_counter_ns() - self._begin_ns) / NS_PER_S if self.writes else 0.0
-        return jitter_of(self.writes, taken_s, self.late_ns, self.worst_ns, self._bins)
-
 
 def jitter_of(writes: int, taken_s: float, late_ns: int, worst_ns: int, bins: Any) -> Jitter:
     """Return the jitter of so many writes that were late by so much together, and at worst."""
     return Jitter(writes, taken_s, late_ns / max(writes, 1) / 1000, _percentile_us(bins, writes), worst_ns / 1000)
-
-
-def pace(writes: Iterable[Write], port: Port, keep_ns: int, most_late_ns: int = NEVER_NS) -> Jitter:
-    """Write each when it is due, the first at once, and return how late they were; raises as `Pacer.write` does."""
-    coming = iter(writes)
-    first = next(coming, None)
-    if first is None:
-        return Jitter(0, 0.0, 0.0, 0.0, 0.0)
-    pacer = Pacer(port, keep_ns, time.perf_counter_ns() - first[0], [0] * (BINS + 1))
-    pacer.write(chain([first], coming), most_late_ns)
-    return pacer.jitter()
 
 
 def _sleep_until(moment_ns: int) -> None:
@@ -171,33 +150,6 @@ def _percentile_us(bins: Any, count: int) -> float:
         if left <= 0:
             return (number + 1) * BIN_NS / 1000
     return 0.0
-
-
-def require_rate(
-    port: Port, writes_per_s: float, idle: tuple[int, int], keep_ns: int, trial_s: float = TRIAL_S
-) -> Jitter:
-    """Return the jitter of a trial at a rate, with the port at rest; raises MachineRefusal where it cannot be kept."""
-    interval_ns = NS_PER_S / writes_per_s
-    number = int(trial_s * writes_per_s) + 1
-    trial = pace(((int(place * interval_ns), *idle) for place in range(number)), port, keep_ns)
-    wanted_s = number / writes_per_s
-    if trial.taken_s > wanted_s * MOST_LONGER or trial.worst_us * 1000 > stall_ns(writes_per_s):
-        raise MachineRefusal(
-            "pulse-rate",
-            "this computer cannot keep the rate of the program's pulses",
-            value=Text(
-                "{number:.0f} writes/s, the worst {worst_us:.0f} µs late",
-                number=number / trial.taken_s,
-                worst_us=trial.worst_us,
-            ),
-            limit=Text(
-                "{writes_per_s:.0f} writes/s, {stall_ns:.0f} µs",
-                writes_per_s=writes_per_s,
-                stall_ns=stall_ns(writes_per_s) / 1000,
-            ),
-            advice="end other programs, or lower max_rate_mm_min in the machine's profile",
-        )
-    return trial
 
 
 def come_first() -> bool:

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Where pulses go out: a parallel port through its device file (Linux), or a file that records what it would get.
 
-A recording is MAGIC, and behind it a RECORD for each write. Nothing else is opened for writing: no other device, and
-no file that is something else.
+Nothing else is opened for writing: no other device, and no file that is something else than a recording.
 """
 
 from __future__ import annotations
@@ -10,7 +9,6 @@ from __future__ import annotations
 import os
 import stat
 import struct
-import time
 from pathlib import Path
 from typing import BinaryIO, Protocol
 
@@ -24,9 +22,6 @@ OUTPUT = struct.pack("i", 0)  # the direction of the data pins
 STATUS_BITS = {15: 3, 13: 4, 12: 5, 10: 6, 11: 7}  # of the pins
 INVERTED_STATUS = (11,)
 PARALLEL_PORTS = 99  # the major number of Linux's /dev/parport*
-MAGIC = b"CNCStepper pulses 1\n"
-FIELDS = (("ns", "q"), ("data", "B"), ("control", "B"))  # of a RECORD, little-endian
-RECORD = struct.Struct("<" + "".join(code for _, code in FIELDS))
 
 
 def high_pins(register: int) -> frozenset[int]:
@@ -73,22 +68,6 @@ class ParallelPort:
         os.close(self._file)
 
 
-class RecordingPort:
-    """A file that gets a RECORD for each write: when it was, and both registers."""
-
-    def __init__(self, file: BinaryIO):
-        self._file = file
-        file.write(MAGIC)
-
-    def write(self, data: int, control: int) -> None:
-        """Note a write."""
-        self._file.write(RECORD.pack(time.perf_counter_ns(), data, control))
-
-    def close(self) -> None:
-        """Write what is still held back."""
-        self._file.close()
-
-
 def is_parallel_port(path: Path) -> bool:
     """Return whether a path is the device file of a parallel port; nothing is opened."""
     if not path.is_char_device():
@@ -96,29 +75,7 @@ def is_parallel_port(path: Path) -> bool:
     return os.major(path.stat().st_rdev) == PARALLEL_PORTS
 
 
-def open_port(path: Path) -> Port:
-    """Return the port of a parallel port's device file, else one that records in a file that is new or a recording.
-
-    Raises LinkError for any other device, for a file that is something else, and where it cannot be had.
-    """
-    if is_parallel_port(path):
-        return ParallelPort(path)
-    if path.parent == Path("/dev") or (path.exists() and not path.is_file()):
-        advice = "name the device file of a parallel port, such as /dev/parport0, or a file to record in"
-        raise LinkError("pulse-port", Text("{path} is no parallel port", path=path), advice=advice)
-    return RecordingPort(recording_file(path))
-
-
-def read_recording(path: Path) -> list[tuple[int, int, int]]:
-    """Return the writes of a recording: time in ns on the clock of its process, data, control.
-
-    A process that was killed may have left a part of its last record, which is left out.
-    """
-    records = path.read_bytes()[len(MAGIC) :]
-    return list(RECORD.iter_unpack(records[: len(records) // RECORD.size * RECORD.size]))
-
-
-def recording_file(path: Path, begin: bytes = MAGIC) -> BinaryIO:
+def recording_file(path: Path, begin: bytes) -> BinaryIO:
     """Open a file to record in, empty; raises LinkError where it holds something else, which is left as it is.
 
     begin: what each recording of the kind begins with.

@@ -86,6 +86,7 @@ from CNCStepper.control.pulses.pulse_ring import TRIAL_S as TRIAL_LENGTH
 from CNCStepper.errors import MachineRefusal, Text
 from CNCStepper.machine.profile import Machine
 from CNCStepper.motion.planner.buffers import TICKS_PER_S
+from CNCStepper.motion.signals.peak_rate import PeakRate
 from CNCStepper.motion.signals.pulse_player import (
     ENDS_AT_REST,
     FEED_SHARE,
@@ -104,7 +105,6 @@ LEAST_SHARE = 0.1
 LEAST_ACCELERATION, MOST_ACCELERATION = 1e-3, 1e9  # mm/s²: sums of them stay exact enough
 REST_STEPS = 3.0  # a path that went so many steps of all axes before a pulse has stood on the way
 AT_REST_S = 0.025  # a path that is so near its stop may end
-BUSY_PULSES = 32  # over which the fastest rate is taken
 LONGER = 1.5  # of the time that a trial may take where no motor follows
 ANSWER_LIMIT_S, END_LIMIT_S = 300.0, 10.0  # kernels may have to be compiled; a way to a stop may be long
 LOOK_S = 0.002
@@ -124,7 +124,7 @@ class PulseOutput:
         self._declared = [0] * PLAYED_AXES
         self._is_first = True  # the next row is the first one, or the first one behind a `drop`
         self._tick = 0
-        self._last_ticks = np.empty(0, np.int64)
+        self._peak = PeakRate()
         self._step_mm = hypot(*(1.0 / axis.steps_per_mm for axis in machine.axes))
         self._error: Exception | None = None
         self._is_closed = False
@@ -227,7 +227,8 @@ class PulseOutput:
         waits = np.diff(ticks, prepend=self._tick) * NS_PER_TICK
         if count > self.room or (waits[1:] <= 0.0).any() or (waits[0] <= 0.0 and not self._is_first):
             raise ValueError(Text("{count} pulses do not fit: no room, or ticks that do not rise", count=count))
-        self._note_rate(ticks)
+        self._peak.add(ticks)
+        self._reals[PEAK_PER_S] = max(self._reals[PEAK_PER_S], self._peak.per_s(TICKS_PER_S))
         speed = np.maximum(speed_mm_s, 0.0).astype(np.float64)
         way_mm = speed * waits / NS_PER_S
         rests = (speed == 0.0) | (way_mm > REST_STEPS * self._step_mm)
@@ -307,7 +308,7 @@ class PulseOutput:
         if self.state not in (STATES[IDLE], STATES[AT_HOLD]):
             raise ValueError(Text("a rate is tried at rest only, not in state {state}", state=self.state))
         self._reals[TRIAL_PER_S], self._reals[TRIAL_LENGTH] = pulses_per_s, trial_s
-        self._reals[PEAK_PER_S] = pulses_per_s
+        self._reals[PEAK_PER_S], self._peak = pulses_per_s, PeakRate()
         self._command(TRIAL)
         while self._words[ACKNOWLEDGED] != self._words[SERIAL]:
             self.check()
@@ -366,14 +367,6 @@ class PulseOutput:
         rows.time_ns[places] = rows.time_ns[before] + np.cumsum(waits)
         rows.energy[places] = rows.energy[before] + np.cumsum(changes)
         rows.speed[places], rows.step[places], rows.back[places], rows.flags[places] = speed, step, back, flags
-
-    def _note_rate(self, ticks: np.ndarray) -> None:
-        """Keep the fastest rate of pulses, by which a stall is told."""
-        ticks = np.concatenate([self._last_ticks, ticks])
-        if len(ticks) > BUSY_PULSES:
-            least = int((ticks[BUSY_PULSES:] - ticks[:-BUSY_PULSES]).min())
-            self._reals[PEAK_PER_S] = max(self._reals[PEAK_PER_S], BUSY_PULSES * TICKS_PER_S / least)
-        self._last_ticks = ticks[-BUSY_PULSES:]
 
     def _lateness(self) -> tuple[int, float, int, int, Any]:
         words = self._words

@@ -76,7 +76,6 @@ def require_pin(signals: Signals, name: str) -> None:
 def port_chunks(stream: PulseStream, signals: Signals) -> Iterator[PortChunk]:
     """Yield what is written to the port and when, tick 0 being the first write; edges without a pin are left out.
 
-    While the axes stand in a hold the same is written again and again, so that whoever waits for writes hears them.
     Raises MachineRefusal where a motor that the stream may move has no pin for its steps.
     """
     check_motor_pins(signals)
@@ -84,7 +83,7 @@ def port_chunks(stream: PulseStream, signals: Signals) -> Iterator[PortChunk]:
     last = -1
     for edges in timeline:
         words = port_words(signals, timeline.lines, edges.levels)
-        kept = (np.diff(words.astype(np.int64), prepend=last) != 0) | edges.held
+        kept = np.diff(words.astype(np.int64), prepend=last) != 0
         last = int(words[-1]) if len(words) else last
         yield _chunk(edges, words, kept)
 

@@ -34,10 +34,9 @@ from CNCStepper.kernels import njit, njit_inline
 from CNCStepper.machine.profile import Machine
 from CNCStepper.motion.planner.buffers import EIGHTHS, TICKS_PER_S
 from CNCStepper.motion.planner.chunk_window import ChunkWindow
-from CNCStepper.motion.planner.feed_hold import FeedHold
 from CNCStepper.motion.planner.machine_limits import Limits
 from CNCStepper.motion.planner.plan import Run
-from CNCStepper.motion.signals.device_switching import SPINDLES, Change, Changes, Switch
+from CNCStepper.motion.signals.device_switching import Change, Changes, Switch
 from CNCStepper.toolpath import Chunk, Toolpath
 
 AXES_AT_ONCE = 4
@@ -138,21 +137,16 @@ def keep_steps(segment, first, last, bits, ticks, step, back, count):
 
 PULSE_ROWS = 65_536
 MOST_AXES = 8  # bits of a mask
-BEAM = SPINDLES["cw"]
 
 
 @dataclass(frozen=True)
 class PulseChunk:
-    """Consecutive pulses: ticks int64[k], step uint8[k], back uint8[k]; what is switched between them.
-
-    held_until: the tick up to which the axes stand in a hold, in a chunk without pulses; None in any other.
-    """
+    """Consecutive pulses: ticks int64[k], step uint8[k], back uint8[k]; what is switched between them."""
 
     ticks: np.ndarray
     step: np.ndarray
     back: np.ndarray
     switches: tuple[Switch, ...] = ()
-    held_until: int | None = None
 
     def __len__(self) -> int:
         return len(self.ticks)
@@ -178,14 +172,11 @@ class PulseStream:
         return iter(self.chunks)
 
 
-def pulse_stream(
-    toolpath: Toolpath, machine: Machine | Limits, chunks: Iterable[Chunk] | None = None, reins: FeedHold | None = None
-) -> PulseStream:
+def pulse_stream(toolpath: Toolpath, machine: Machine | Limits, chunks: Iterable[Chunk] | None = None) -> PulseStream:
     """Return the pulses of a table of moves, as the planner times them; each chunk is valid until the next one.
 
     chunks: the table's own when left out; those of a table that is still being read come as they are made, its states
-    and events before them. reins: whose holds and overrides the pulses follow; a laser's beam is off while it is held.
-    Raises MachineRefusal where there are more than MOST_AXES axes.
+    and events before them. Raises MachineRefusal where there are more than MOST_AXES axes.
     """
     limits = machine if isinstance(machine, Limits) else Limits.of(machine)
     changes = Changes(toolpath.states, toolpath.events, limits.laser)
@@ -193,9 +184,7 @@ def pulse_stream(
     window = ChunkWindow(toolpath.chunks if chunks is None else chunks, lambda chunk: coming.extend(changes.of(chunk)))
     run = Run(replace(toolpath, chunks=window), limits)  # type: ignore[arg-type]
     begin = tuple(run.course.planner.position.tolist())
-    pulses = _switched(run, reins.segments(run) if reins else run.segments(), coming, changes)
-    pulses = beam_off_in_hold(pulses) if limits.laser else pulses
-    return PulseStream(pulses, check_axes(run.limits.axes), TICKS_PER_S, begin)
+    return PulseStream(_switched(run, coming, changes), check_axes(run.limits.axes), TICKS_PER_S, begin)
 
 
 def check_axes(axes: int, most: int = MOST_AXES) -> int:
@@ -205,13 +194,10 @@ def check_axes(axes: int, most: int = MOST_AXES) -> int:
     return axes
 
 
-def _switched(run: Run, pieces: Iterable[np.recarray], coming: deque[Change], changes: Changes) -> Iterator[PulseChunk]:
+def _switched(run: Run, coming: deque[Change], changes: Changes) -> Iterator[PulseChunk]:
     """Yield the pulses of a pass with what is switched among them; `coming` grows as the pass takes up chunks."""
     waiting: list[tuple[int, Change]] = []  # with the clock behind whose pulses each comes
-    for segments in pieces:
-        if not len(segments):
-            yield replace(NO_PULSES, held_until=run.clock)
-            continue
+    for segments in run.segments():
         while coming and coming[0].row <= segments.tag[-1]:
             change = coming.popleft()
             waiting.append((int(segments.start[np.searchsorted(segments.tag, change.row)]), change))
@@ -222,23 +208,6 @@ def _switched(run: Run, pieces: Iterable[np.recarray], coming: deque[Change], ch
     last = [*waiting, *((run.clock, change) for change in (*coming, *changes.last()))]
     if last:
         yield replace(NO_PULSES, switches=_on_rows(NO_PULSES.ticks, last))
-
-
-def beam_off_in_hold(chunks: Iterable[PulseChunk]) -> Iterator[PulseChunk]:
-    """Yield chunks with a laser's beam off while a hold is complete; it comes back with the pulses."""
-    beam = dark = None  # the last switch of the beam; the moment at which a hold has put it out
-    for chunk in chunks:
-        if chunk.held_until is None:
-            if beam and dark is not None and all(switch.row or switch.device != BEAM for switch in chunk.switches):
-                lit = beam._replace(row=0, tick=int(chunk.ticks[0]) if len(chunk) else dark)
-                chunk = replace(chunk, switches=(lit, *chunk.switches))
-            dark = None
-            beam = next((switch for switch in reversed(chunk.switches) if switch.device == BEAM), beam)
-        elif beam and beam.on:
-            out = () if dark is not None else (Switch(0, chunk.held_until, BEAM, False),)
-            chunk = replace(chunk, switches=out)
-            dark = chunk.held_until
-        yield chunk
 
 
 def _on_rows(ticks: np.ndarray, waiting: list[tuple[int, Change]]) -> tuple[Switch, ...]:

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -36,14 +36,10 @@ WIDTH, GAP, SETUP = range(3)  # of its times, in ticks
 
 @dataclass(frozen=True)
 class Edges:
-    """Consecutive edges: ticks int64[k], strictly rising; levels uint32[k] from each on, bit n: line n is active.
-
-    held: no level changes, the axes stand in a hold.
-    """
+    """Consecutive edges: ticks int64[k], strictly rising; levels uint32[k] from each on, bit n: line n is active."""
 
     ticks: np.ndarray
     levels: np.ndarray
-    held: bool = False
 
     def __len__(self) -> int:
         return len(self.ticks)
@@ -84,8 +80,6 @@ class Timeline:
             yield from self._device(switch)
             done = switch.row
         yield from self._pulses(chunk, done, len(chunk))
-        if chunk.held_until is not None:
-            yield replace(self._edge(chunk.held_until + self.lead), held=True)
 
     def _pulses(self, chunk: PulseChunk, first: int, last: int) -> Iterator[Edges]:
         if first == last:

@@ -79,7 +79,6 @@ def test_the_walk_finds_the_verbs_that_write() -> None:
         "chart",
         "tools",
         "restart",
-        "drive",
         "virtual",
         "machine-test",
     }

@@ -9,12 +9,15 @@ from functools import partial
 
 import pytest
 
+from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.service.sender import Sender
 from CNCStepper.control.transport.link import open_link
+from CNCStepper.errors import MachineRefusal
 from CNCStepper.job.certify import peak_rate, send_job
 from CNCStepper.job.letter_file import letter_job
 from CNCStepper.job.wire_round_trip import wire_round_trip
 from CNCStepper.machine.profile import load_machine
+from CNCStepper.state import Start
 
 FIGURE_11 = "G0\nX1.5 Y1\nG90\nX3.5\nX2.5 Y1.7\nX1.5 Y1\n"  # a tenth of the published size
 
@@ -48,6 +51,28 @@ def test_thesis_program_goes_the_whole_way_to_the_port(tmp_path) -> None:
                 place[axis] += -1 if word & (step << 1) else 1
         before = word
     assert place == [60, 40], "X1.5 Y1 at 40 pulses/mm"
+
+
+def job_of(program: str, **signals: float) -> SendJob:
+    table = load_machine("thesis-table")
+    machine = table.model_copy(update={"signals": table.signals.model_copy(update=signals)})
+    wire, _, path = wire_round_trip(f"G21 G90 G17 G94\n{program}\nM2\n", machine, "grbl", "p.nc", Start.at_zero())
+    return send_job(wire, machine, "p.nc", path.start, "grbl")
+
+
+def test_the_rate_is_that_of_the_fastest_stretch() -> None:
+    """1200 mm/min at 40 steps/mm are 800 pulses/s; two axes together share their moments."""
+    assert peak_rate(job_of("G1 X2 F60\nG1 X40 F1200\nG1 X41 F60")) == pytest.approx(800, rel=0.02)
+    assert peak_rate(job_of("G1 X30 Y30 F1200")) == pytest.approx(800 / 2**0.5, rel=0.03)
+    assert peak_rate(job_of("G4 P1")) == 0.0
+
+
+def test_pulses_that_the_signals_cannot_follow_are_refused_before_a_port_is_opened() -> None:
+    """A pulse takes 4 ms here: 250 a second; the last move asks for 800."""
+    slow = {"pulse_us": 2000.0, "gap_us": 2000.0}
+    assert peak_rate(job_of("G1 X3 F100", **slow)) < 100
+    with pytest.raises(MachineRefusal, match="faster than the signals"):
+        peak_rate(job_of("G1 X3 F100\nG1 X30 F1200", **slow))
 
 
 @pytest.mark.slow

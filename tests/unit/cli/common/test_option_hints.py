@@ -23,7 +23,7 @@ VERBS = {
     "print": ("-o", "sheet.pdf"),
     "send": ("--machine", "table-a", "--port", "socket://127.0.0.1:1"),
     "compact": ("--tolerance", "0.01"),
-    "drive": ("--machine", "table-a", "--port", "pulses"),
+    "drive": ("--machine", "table-a", "--port", "socket://127.0.0.1:1"),
     "restart": ("--machine", "table-a", "--line", "9"),
 }
 

@@ -4,49 +4,26 @@
 from __future__ import annotations
 
 import os
-import socket
 import time
 from pathlib import Path
 
 import pytest
 
-from CNCStepper.control.pulses import output_ports, ports
-from CNCStepper.control.pulses.output_ports import ParallelOutput, SerialOutput
+from CNCStepper.control.pulses import output_ports
+from CNCStepper.control.pulses.output_ports import ParallelOutput, SerialOutput, open_output
 from CNCStepper.control.pulses.ports import (
     CLAIM,
     DATA_DIRECTION,
-    MAGIC,
     READ_STATUS,
-    RECORD,
     RELEASE,
     WRITE_CONTROL,
     WRITE_DATA,
     ParallelPort,
     high_pins,
-    open_port,
-    read_recording,
 )
 from CNCStepper.errors import LinkError
 
 POSIX = os.name != "nt"
-
-
-def test_a_recording_holds_what_was_written_and_when(tmp_path: Path) -> None:
-    path = tmp_path / "gravação 1"
-    for data in (1, 7):  # the second time over the first recording
-        port = open_port(path)
-        port.write(data, 11)
-        port.write(0, 3)
-        port.close()
-        assert [(d, c) for _, d, c in read_recording(path)] == [(data, 11), (0, 3)]
-    first, second = (at for at, _, _ in read_recording(path))
-    assert first <= second and path.read_bytes().startswith(MAGIC)
-
-
-def test_a_recording_that_was_cut_off_is_read_as_far_as_it_goes(tmp_path: Path) -> None:
-    path = tmp_path / "pulses"
-    path.write_bytes(MAGIC + RECORD.pack(5, 1, 2) + b"\0\0\0")
-    assert read_recording(path) == [(5, 1, 2)]
 
 
 @pytest.mark.parametrize("content", [b"G21 G90\nG1 X1 F100\n", b"G", b"\0" * 50])
@@ -54,42 +31,17 @@ def test_a_file_that_is_no_recording_is_left_as_it_is(tmp_path: Path, content: b
     path = tmp_path / "job.nc"
     path.write_bytes(content)
     with pytest.raises(LinkError, match=r"job\.nc is no recording of pulses, and is not written over"):
-        open_port(path)
+        open_output(f"record:{path}", False, 0)
     assert path.read_bytes() == content
 
 
 def test_a_folder_that_is_not_there_is_said(tmp_path: Path) -> None:
     with pytest.raises(LinkError, match="cannot be written") as caught:
-        open_port(tmp_path / "none" / "pulses")
+        open_output(f"record:{tmp_path / 'none' / 'pulses'}", False, 0)
     assert caught.value.code == "pulse-port"
 
 
 if POSIX:
-
-    @pytest.mark.parametrize("path", ["/dev/no-such-port", "/dev/zero", os.devnull, "/dev"])
-    def test_what_is_no_parallel_port_is_said(path: str) -> None:
-        with pytest.raises(LinkError, match="pulse-port"):
-            open_port(Path(path))
-
-    def test_a_serial_line_is_not_even_opened(monkeypatch: pytest.MonkeyPatch) -> None:
-        """To open one resets many a controller."""
-        ours, theirs = os.openpty()
-        try:
-            monkeypatch.setattr(ports.os, "open", lambda *_: pytest.fail("it was opened"))
-            with pytest.raises(LinkError, match="no parallel port"):
-                open_port(Path(os.ttyname(theirs)))
-        finally:
-            os.close(ours)
-            os.close(theirs)
-
-    def test_sockets_pipes_and_links_to_devices_are_refused(tmp_path: Path) -> None:
-        os.mkfifo(tmp_path / "pipe")
-        (tmp_path / "link").symlink_to("/dev/zero")
-        with socket.socket(socket.AF_UNIX) as one:
-            one.bind(str(tmp_path / "socket"))
-            for name in ("pipe", "link", "socket"):
-                with pytest.raises(LinkError, match="no parallel port"):
-                    open_port(tmp_path / name)
 
     class Device:
         """ioctl of a parallel port, on a file; notes what it is asked, and refuses `deaf_to`."""

@@ -15,6 +15,7 @@ from CNCStepper.motion.signals.pulse_player import (
     BRAKES,
     DUE_NS,
     HEAD,
+    IS_REST,
     PLACE,
     POSITION,
     SENSE,
@@ -69,6 +70,7 @@ def even_rows(count: int, change: float = 1.0) -> PulseRows:
     rows.time_ns[:] = np.arange(count) * 1e6
     rows.energy[:] = np.arange(count) * change
     rows.speed[:], rows.step[:] = 5.0, 1
+    rows.flags[0] = IS_REST  # as the first row of an output has it: nothing lies before it
     return rows
 
 
