@@ -25,9 +25,9 @@ from CNCStepper.cli.main import FAMILIES, OTHER_NAMES, group  # noqa: E402
 from CNCStepper.cycles.catalogue import CYCLES  # noqa: E402
 from CNCStepper.cycles.holes.hole_parameters import PATTERNS  # noqa: E402
 from CNCStepper.cycles.parameter import Declared, Parameters, declared  # noqa: E402
-from CNCStepper.drawing.shape_library.catalogue import FAMILIES as SHAPE_FAMILIES  # noqa: E402
-from CNCStepper.drawing.shape_library.catalogue import shapes_of  # noqa: E402
 from CNCStepper.drawing.shape_library.declaration import LibraryShape  # noqa: E402
+from CNCStepper.drawing.shape_library.shape_families import FAMILIES as SHAPE_FAMILIES  # noqa: E402
+from CNCStepper.drawing.shape_library.shape_families import shapes_of  # noqa: E402
 from CNCStepper.drawing.writers.svg_writer import path_data  # noqa: E402
 from CNCStepper.job.shapes import SHAPE_KEYS  # noqa: E402
 

@@ -40,9 +40,9 @@ class ReadOptions:
 Reader = Callable[[Path, ReadOptions, Share], Drawing]
 READERS = {  # suffix: the module whose function `read` is the reader
     ".dxf": "CNCStepper.drawing.dxf.reader",
-    ".jpeg": "CNCStepper.drawing.trace.reader",
-    ".jpg": "CNCStepper.drawing.trace.reader",
-    ".png": "CNCStepper.drawing.trace.reader",
+    ".jpeg": "CNCStepper.drawing.trace.picture_tracer",
+    ".jpg": "CNCStepper.drawing.trace.picture_tracer",
+    ".png": "CNCStepper.drawing.trace.picture_tracer",
 }
 
 

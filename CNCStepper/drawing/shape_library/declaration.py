@@ -95,7 +95,7 @@ class LibraryShape:
         if unknown:
             raise GeometryError(
                 "shape-key",
-                Text("the shape '{kind}' has no dimension '{key}'", kind=self.kind, key=shown(unknown[0])),
+                Text("the shape '{kind}' has no dimension {key}", kind=self.kind, key=shown(unknown[0])),
                 advice=Text("it has {known}", known=", ".join(self.dimensions)),
             )
         whole = {key: self._value(key, values.get(key, one.usual)) for key, one in self.dimensions.items()}

@@ -17,7 +17,7 @@ from CNCStepper.atomic_file import write_whole
 from CNCStepper.errors import JobError, Place
 from CNCStepper.job.model import Job, save_job
 from CNCStepper.job.shapes import SHAPE_KEYS, ShapeKey
-from CNCStepper.machine.files.readers import MOST_BYTES
+from CNCStepper.machine.files.toml_reader import MOST_BYTES
 from CNCStepper.machine.files.toml_text import key_text, value_text
 from CNCStepper.output_files import MADE_BY
 from CNCStepper.quantities import MOST_ITEMS

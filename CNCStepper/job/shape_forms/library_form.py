@@ -7,7 +7,7 @@ from typing import Literal
 
 from pydantic import BaseModel, ConfigDict, model_validator
 
-from CNCStepper.drawing.shape_library.catalogue import figure_of
+from CNCStepper.drawing.shape_library.shape_families import figure_of
 from CNCStepper.errors import GeometryError, JobError
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.quantities import Angle, Coordinate

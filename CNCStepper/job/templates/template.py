@@ -36,7 +36,7 @@ from CNCStepper.drawing.selection import Selection
 from CNCStepper.drawing.trace.options import TraceOptions
 from CNCStepper.errors import JobError, Place, Text, placed
 from CNCStepper.job.shapes import SHAPE_KEYS
-from CNCStepper.machine.files.readers import read_toml
+from CNCStepper.machine.files.toml_reader import read_toml
 from CNCStepper.machine.profile import validated
 from CNCStepper.quantities import Bounds, Depth, DepthOr0, Length, LengthOr0, Unit
 

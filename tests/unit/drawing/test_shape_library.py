@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 import shapely
 
-from CNCStepper.drawing.shape_library.catalogue import FAMILIES, figure_of, library_shape, shapes_of
 from CNCStepper.drawing.shape_library.declaration import SHAPES, Figure
+from CNCStepper.drawing.shape_library.shape_families import FAMILIES, figure_of, library_shape, shapes_of
 from CNCStepper.errors import GeometryError, JobError
 
 AREAS: dict[str, Any] = {  # by formula, with the usual dimensions
