@@ -33,7 +33,7 @@ from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.interpreter.program_file import FileReading
 from CNCStepper.gcode.wire.wire_text import WireLines, WireText, check_wire_line
 from CNCStepper.state import ZERO3, Start, State
-from CNCStepper.tolerances import SAME_SUM_MM
+from CNCStepper.tolerances import SAME_SUM_MM, SAME_TRANSLATED_FEED
 from CNCStepper.toolpath import (
     ARC_CCW,
     LINE,
@@ -52,9 +52,8 @@ from CNCStepper.toolpath import (
 
 AXES, CENTRES = "XYZ", "IJK"
 DECIMALS = 5  # of a mm: grbl keeps seven digits
-SAME_MM = 2.1 * 10.0**-DECIMALS  # of an end or a centre, whose begin is rounded too
+ROUNDED_END_MM = 2.1 * 10.0**-DECIMALS  # of an end or a centre, whose begin is rounded too
 SMALLEST_RAD = 2e-6  # twice what grbl takes for a full circle
-SAME_FEED = 0.001  # mm/min and share
 PLANE_WORDS = dict(zip(PLANE_NAMES, ("G17", "G18", "G19"), strict=True))
 SPINDLES = {"off": "M5", "cw": "M3", "ccw": "M4"}
 STOPS = {"pause": "M0", "optional_pause": "M1", "end": "M2"}
@@ -166,9 +165,9 @@ def _compare(chunk: Chunk, again: Chunk, states: Sequence[State], again_states: 
     centre_mm = np.abs(again.centre - chunk.centre)
     for plane, (_, _, normal) in enumerate(PLANE_AXES):
         centre_mm[again.plane == plane, normal] = 0.0
-    other = (np.nan_to_num(end_mm) > SAME_MM).any(axis=1) | (arcs & (centre_mm > 2 * SAME_MM).any(axis=1))
+    other = (np.nan_to_num(end_mm) > ROUNDED_END_MM).any(axis=1) | (arcs & (centre_mm > 2 * ROUNDED_END_MM).any(axis=1))
     other |= (again.kind != chunk.kind) & ~((again.kind == LINE) & (chunk.kind > LINE))
-    other |= np.abs(again.feed - chunk.feed) > SAME_FEED * np.maximum(1.0, chunk.feed)
+    other |= np.abs(again.feed - chunk.feed) > SAME_TRANSLATED_FEED * np.maximum(1.0, chunk.feed)
     pairs, of_row = np.unique(np.stack([chunk.state, again.state], axis=1), axis=0, return_inverse=True)
     switched = [_switched(states[int(one)]) != _switched(again_states[int(two)]) for one, two in pairs]
     other |= np.array(switched, bool)[of_row.ravel()] if len(chunk) else False
@@ -291,7 +290,7 @@ class _LineWriter:
             offset - g92 - (state.tool_length_mm if axis == XYZ - 1 else 0.0)
             for axis, (offset, g92) in enumerate(zip(state.offset_mm, state.g92_mm, strict=False))
         ]
-        if any(abs(own - told) > SAME_MM for own, told in zip(own_mm, system, strict=False)):
+        if any(abs(own - told) > ROUNDED_END_MM for own, told in zip(own_mm, system, strict=False)):
             what = "the program sets its own work zero (G10)"
             raise ProgramError("translate-zero", what, advice="use G92", place=Place(self.file, self._line))
         return tuple(told + g92 for told, g92 in zip(system, start.g92_mm, strict=False))
@@ -336,7 +335,7 @@ class _LineWriter:
         """Return whether an arc turns by so little that its ends are one place in what is written."""
         (x, y), (to_x, to_y) = begin_mm - centre_mm, end_mm - centre_mm
         turned = math.atan2(x * to_y - y * to_x, x * to_x + y * to_y) * (1 if kind == ARC_CCW else -1)
-        return turned > 0.0 and (turned < SMALLEST_RAD or turned * math.hypot(x, y) < SAME_MM)
+        return turned > 0.0 and (turned < SMALLEST_RAD or turned * math.hypot(x, y) < ROUNDED_END_MM)
 
     def _feed_word(self, feed_mm_min: float) -> str:
         text = _number(feed_mm_min, 3)

@@ -24,6 +24,7 @@ from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects import Dialect, Writing
 from CNCStepper.gcode.dialects.codes import AXES, MOTION_NAMES, PLANE_CODES
 from CNCStepper.gcode.writer.write_options import Notes
+from CNCStepper.tolerances import SAME_SHARE
 from CNCStepper.toolpath import LINE, PLANE_AXES, RAPID, XY
 from CNCStepper.units import MM_PER_INCH
 
@@ -131,7 +132,6 @@ def _trimmed(number: str) -> str:
 
 CENTRES = "IJK"
 MOST_FEED_ERROR = 0.005  # relative
-SAME_SHARE = 1e-6
 CUT_FEED = "F#<_hal[plasmac.cut-feed-rate]>"  # the feed of QtPlasmaC's material
 Counts = list[int | None]
 

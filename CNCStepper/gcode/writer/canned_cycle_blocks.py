@@ -21,10 +21,10 @@ from CNCStepper.canned_drilling_moves import DWELL, FEED, OWN_WORD, PECK_BACK_MM
 from CNCStepper.gcode.dialects.codes import AXES
 from CNCStepper.gcode.writer.block_emitter import BlockEmitter
 from CNCStepper.gcode.writer.move_rows import RowWriter
+from CNCStepper.tolerances import SAME_COUNT
 from CNCStepper.toolpath import LINE, Event, Span, Toolpath
 from CNCStepper.toolpath import RAPID as RAPID_ROW
 
-SAME_COUNT = 1e-6  # of a length that lies on the grid already
 ROUNDED_ENDS = 1.5 + SAME_COUNT  # counts
 KINDS = {RAPID_ROW: RAPID, LINE: FEED}
 

@@ -17,9 +17,8 @@ from CNCStepper.gcode.writer.block_emitter import BlockEmitter, Counts
 from CNCStepper.gcode.writer.rounded_arcs import Limits, Piece, TrueArc, rounded
 from CNCStepper.gcode.writer.write_options import WriteOptions
 from CNCStepper.state import State
+from CNCStepper.tolerances import SAME_COUNT
 from CNCStepper.toolpath import ARC_CW, LINE, PLANE_AXES, RAPID, Toolpath
-
-SAME_COUNT = 1e-6  # of a length that lies on the grid
 
 
 class RowWriter:

@@ -42,7 +42,7 @@ from CNCStepper.recovery.restart.interrupted_program import Program, read_progra
 from CNCStepper.recovery.restart.preamble import EntryWriter
 from CNCStepper.recovery.restart.restart_places import RequestedPlace, place_of
 from CNCStepper.state import WORK_SYSTEMS, ZERO3, Start, State
-from CNCStepper.tolerances import SAME_ENTRY_MM
+from CNCStepper.tolerances import SAME_ENTRY_MM, SAME_RESTART_FEED
 from CNCStepper.toolpath import COLUMNS, RAPID, XY, Chunk, Toolpath
 
 
@@ -122,9 +122,6 @@ def _sticky(model: Model, tokens: list[Token]) -> list[str]:
     return [f"{letter}{number_text(value, MOST_DECIMALS)}" for letter, value in stuck.items() if letter not in said]
 
 
-SAME_FEED = 1e-6  # of the feed
-
-
 def require_same_rest(program: Program, entrance: EntryPoint, restart: Toolpath, entry_lines: int) -> None:
     """Raise ProgramError, naming the first line that would differ, unless the rest is run as in the undisturbed run.
 
@@ -145,7 +142,7 @@ def require_same_rest(program: Program, entrance: EntryPoint, restart: Toolpath,
     for name in ("end", "centre"):
         one, other = getattr(new, name)[own:], getattr(old, name)[first:]
         _require(program, first, np.isclose(one, other, 0.0, SAME_ENTRY_MM, equal_nan=True).all(axis=1), name)
-    _require(program, first, np.isclose(new.feed[own:], old.feed[first:], SAME_FEED, SAME_FEED), "feed")
+    _require(program, first, np.isclose(new.feed[own:], old.feed[first:], SAME_RESTART_FEED, SAME_RESTART_FEED), "feed")
     _require_states(program, first, restart, own)
     _require_events(program, first, restart, own, entrance)
 
@@ -191,7 +188,7 @@ def _same(old: State, new: State) -> bool:
         "feed_mm_min": 0.0,
         "feed_mm_turn": 0.0,
     }
-    near = bool(np.allclose(one, other, rtol=SAME_FEED, atol=SAME_ENTRY_MM))
+    near = bool(np.allclose(one, other, rtol=SAME_RESTART_FEED, atol=SAME_ENTRY_MM))
     return near and replace(old, **blank) == replace(new, **blank)
 
 

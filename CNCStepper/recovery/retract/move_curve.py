@@ -13,11 +13,10 @@ from dataclasses import dataclass
 from functools import cached_property
 from math import atan2, ceil, cos, dist, hypot, isnan, sin, sqrt, tau
 
-from CNCStepper.tolerances import FULL_CIRCLE_RAD
+from CNCStepper.tolerances import FULL_CIRCLE_RAD, WHOLE_TURNS
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, PLANE_AXES, RAPID
 
 Point = tuple[float, float, float]
-SAME_SHARE = 1e-9
 STILL_MM = 1e-4  # far less than a step, and more than the last digits of a text
 
 
@@ -94,7 +93,7 @@ class Move:
         kind = self.kind
         if end < begin and self.is_arc:
             kind = ARC_CW if kind == ARC_CCW else ARC_CCW
-        turns = max(1, ceil(abs(self.sweep_rad * (end - begin)) / tau - SAME_SHARE)) if self.is_arc else 0
+        turns = max(1, ceil(abs(self.sweep_rad * (end - begin)) / tau - WHOLE_TURNS)) if self.is_arc else 0
         return Move(kind, self.at(begin), self.at(end), self.centre, self.plane, turns, self.feed_mm_min)
 
     def straight(self) -> Move:

@@ -19,7 +19,6 @@ from CNCStepper.gcode.interpreter.state.parameters import length_scale
 from CNCStepper.state import ZERO9, ToolEntry
 
 LARGEST_ORIENTATION = 9
-NEAR = 1e-4  # how far from a whole number a word may be that means one
 _ITEM = re.compile(r"([A-Z])\s*([+-]?[0-9]*\.?[0-9]+)")
 USE_LENGTH = "USE_TOOL_LENGTH_OFFSET({} {} {}, {} {} {}, {} {} {})"
 
