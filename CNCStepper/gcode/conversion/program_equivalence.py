@@ -59,7 +59,7 @@ class Switched:
 
 
 def switched_of(path: Toolpath, options: WriteOptions, target: Dialect) -> Switched:
-    """Return what is on in a program, but for what the target leaves out."""
+    """Return the outputs that are on in a program, without those that the target lacks."""
     table = path.table()
     on = np.array([_on(state, options) for state in path.states], float).reshape(-1, 4)
     if "spindle" in options.leave_out:
@@ -230,7 +230,7 @@ def _owners(old: Side, new: Side, slack_mm: float, chord_mm: float, file: str) -
 
 
 def _allowed(old: Side, slack_mm: float, chord_mm: float) -> np.ndarray:
-    """Return by how much the length of what stands for each row may differ, mm: chords are shorter than their arc."""
+    """Return the permitted length difference for each row, mm: chords are shorter than their arc."""
     ways = old.ways
     with np.errstate(divide="ignore", invalid="ignore"):
         chords = np.where(ways.radius_mm > 0, np.minimum(chord_mm / ways.radius_mm, 1.0), 0.0)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where an edit puts each place of a path: offset, scale, rotation about Z, mirror image, or another unit.
+"""The map of an edit's path: offset, scale, rotation about Z, mirror image, or another unit.
 
 new = linear @ old + shift        work coordinates in mm, about the work zero in force
 
@@ -49,7 +49,7 @@ class Map:
         return factor if even else None
 
     def of(self, point: np.ndarray) -> np.ndarray:
-        """Return where a point, or each row of many, comes to lie."""
+        """Return the image of a point, or of each row of many."""
         return point @ self.linear.T + self.shift
 
     @cached_property

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The words and assignments of a line whose values are computed: `G1 X[#1 + 2] #3=4`.
 
-Every value is worked out with what the parameters were before the line; the assignments take effect after it is read.
+Every value is computed with the parameters before the line; assignments take effect after the line is read.
 """
 
 from __future__ import annotations

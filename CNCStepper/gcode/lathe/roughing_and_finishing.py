@@ -276,7 +276,7 @@ class Turning:
         return None
 
     def _cut(self, place: complex, index: int, out: Tool) -> tuple[int, bool]:
-        """Cut one pass along Z; return the segment to go on with, and whether the next pass is lower."""
+        """Cut one pass along Z; return the segment to continue with, and whether the next pass is lower."""
         for other in range(index, len(self.segments)):
             at = self.segments[other].crossings(place.imag)
             if not at:

@@ -248,7 +248,7 @@ def _dive_arc(segment: Segment, place: complex, x: float, tool: Tool) -> complex
 
 
 def climb(segment: Segment, place: complex, tool: Tool) -> tuple[complex, bool]:
-    """Go up along a segment; return where the tool is, and whether the segment leads (or has led) down again."""
+    """Go up along a segment; return the tool's position, and whether the segment falls again."""
     if segment.centre is None:
         if segment.end.imag + SAME_PROFILE_POINT < segment.start.imag:
             return place, True

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Values that are computed: `[1 + #2 * SIN[30]]`, read as RS274/NGC reads them.
+"""Expressions: `[1 + #2 * SIN[30]]`, evaluated as in RS274/NGC.
 
     value       number | expression | parameter | function | + value | - value
     expression  [ value { operator value } ]     left to right among operators of one strength
@@ -62,7 +62,7 @@ class Scanner:
 
     @property
     def column(self) -> int:
-        """Where the next character stood in its line."""
+        """The column of the next character in its line."""
         return self.columns[min(self.position, len(self.columns) - 1)] if self.columns else 1
 
     def take(self, text: str) -> bool:

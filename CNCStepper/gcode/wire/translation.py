@@ -10,7 +10,7 @@
 
 Places are those of the program's own work system; G92 and tool lengths are in the coordinates already, and centres
 count from the begin of the arc. What was written is read back at once, in the language in which it is sent, and
-compared row by row with the path: only what the read-back says is planned, checked and proven.
+compared row by row with the path: only the read-back is planned, checked and proven.
 """
 
 from __future__ import annotations
@@ -59,11 +59,11 @@ SPINDLES = {"off": "M5", "cw": "M3", "ccw": "M4"}
 STOPS = {"pause": "M0", "optional_pause": "M1", "end": "M2"}
 PASSED_OVER = ("comment", "warning", "tool_select", "override", "material")  # the path has what they mean
 TAKEN_AWAY = "the machine's controller does not have it: take it out, or cut the program in two there"
-HAPPENS = ("dwell", "pause", "optional_pause", "output")  # what the read-back must show too
+HAPPENS = ("dwell", "pause", "optional_pause", "output")  # state that the read-back must have too
 
 
 class Translation(NamedTuple):
-    """wire: what is sent. toolpath: the program's path with the places that are read back from the wire."""
+    """wire: the lines sent. toolpath: the program's path with the positions that are read back from the wire."""
 
     wire: WireText
     toolpath: Toolpath
@@ -103,7 +103,7 @@ class WireTranslator:
         self._before = np.asarray(start.position_mm[:XYZ], float)
 
     def translated(self, chunk: Chunk, states: Sequence[State], events: Iterator[Event]) -> tuple[WireText, Chunk]:
-        """Return what is sent of a chunk, with all that happens before its rows, and the chunk as it is read back."""
+        """Return the lines of a chunk, with all events before its rows, and the chunk as it is read back."""
         happened: list[tuple] = []
         begins = begins_of(chunk, self._before)
         for row in range(len(chunk)):
@@ -116,7 +116,7 @@ class WireTranslator:
         return wire, again
 
     def ended(self, states: Sequence[State], events: Iterator[Event]) -> WireText:
-        """Return what is sent behind the last row; a program that just ends is ended."""
+        """Return the lines after the last row; a program without an end code gets one."""
         happened: list[tuple] = []
         for event in self._until(events, None):
             self._happen(event, states, happened)
@@ -186,7 +186,7 @@ def _differs(place: Place) -> ProgramError:
 
 @dataclass
 class _LineWriter:
-    """The lines of a wire text in grbl's language, with what is in force at the controller."""
+    """The lines of a wire text in grbl's language, with the controller's modal state."""
 
     target: Dialect
     start: Start
@@ -223,7 +223,7 @@ class _LineWriter:
         self._write(words + (self._feed_word(float(chunk.feed[row])) if kind != RAPID else ""))
 
     def event(self, event: Event, state: State) -> None:
-        """Write what happens between two rows; raises ProgramError for what no controller of ours does."""
+        """Write the events between two rows; raises ProgramError for one that no CNCStepper controller has."""
         self._line = event.line or self._line
         if event.kind == "message":
             self._message = f"{self._message}\n{event.text}".strip()
@@ -296,7 +296,7 @@ class _LineWriter:
         return tuple(told + g92 for told, g92 in zip(system, start.g92_mm, strict=False))
 
     def _places(self, begin_mm: np.ndarray, end_mm: np.ndarray, base_mm: Sequence[float], named: set[int]) -> str:
-        """Return the words of the axes that move or are named, of one that stands where none does."""
+        """Return the words of the axes that move or are named; of one resting axis where there are none."""
         texts = [_number(float(end - base), DECIMALS) for end, base in zip(end_mm, base_mm, strict=False)]
         known = [axis for axis in range(XYZ) if not np.isnan(end_mm[axis]) and (axis < 2 or self.target.has_z)]
         moved = [axis for axis in known if axis in named or end_mm[axis] != begin_mm[axis]]
@@ -332,7 +332,7 @@ class _LineWriter:
 
     @staticmethod
     def _is_tiny(begin_mm: np.ndarray, end_mm: np.ndarray, centre_mm: np.ndarray, kind: int) -> bool:
-        """Return whether an arc turns by so little that its ends are one place in what is written."""
+        """Return whether an arc is so short that its written ends are one place."""
         (x, y), (to_x, to_y) = begin_mm - centre_mm, end_mm - centre_mm
         turned = math.atan2(x * to_y - y * to_x, x * to_x + y * to_y) * (1 if kind == ARC_CCW else -1)
         return turned > 0.0 and (turned < SMALLEST_RAD or turned * math.hypot(x, y) < ROUNDED_END_MM)

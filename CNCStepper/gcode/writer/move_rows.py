@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Writes the rows of a table onto a page: rounded ends, arcs that every controller accepts, safe approaches."""
+"""Writes the rows of a table as blocks: rounded ends, arcs that every controller accepts, safe approaches."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class RowWriter:
 
     keeps_lengths: the lengths of tools are words of the text (or nobody's business); else they are in the coordinates.
     must_lift: Z goes to clearance before the next row. lifted: it has, and the row's own place is still to be reached.
-    off_grid: the machine stands beside the numbers that `page.at` says, less than a last digit away.
+    off_grid: the machine is off the position of `page.at` by less than a last digit.
     """
 
     def __init__(self, toolpath: Toolpath, page: BlockEmitter, options: WriteOptions, keeps_lengths: bool = True):

@@ -13,9 +13,9 @@ The program's own lines from the entry point on, unchanged but for a motion word
 program   G1 X10 F800  /  X20  /  X30           entered at X20, after a plunge or an arc of the entry
 rest                      G1 X20  /  X30        the first line that moves names what was modal
 
-Whether a restart program does, from the entrance on, what the program itself does: the judge of the restart's text.
+Judges a restart program's text: from the entrance on it must have the moves and states of the program itself.
 
-It looks at the two tables of moves alone, and knows nothing of how the entry was written.
+It compares the two tables of moves alone, independently of the writer of the entry.
 """
 
 from __future__ import annotations
@@ -174,7 +174,7 @@ def _require_events(program: Program, first: int, restart: Toolpath, own: int, e
 
 
 def _same(old: State, new: State) -> bool:
-    """Whether two states are one, but for what the numbers of the entry leave in offsets and feeds."""
+    """Whether two states are equal but for the entry's rounding of offsets and feeds."""
     if old == new:
         return True
     one, other = (

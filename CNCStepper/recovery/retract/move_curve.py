@@ -49,7 +49,7 @@ class Move:
 
     @cached_property
     def length_mm(self) -> float:
-        """The length of the way."""
+        """The length of the move."""
         if not self.is_arc:
             return dist(self.begin, self.end)
         normal = PLANE_AXES[self.plane][2]
@@ -69,7 +69,7 @@ class Move:
         return self._radii[0]
 
     def at(self, share: float) -> Point:
-        """Return the point at a share of the way, 0 to 1."""
+        """Return the point at a share of the move, 0 to 1."""
         point = [one + (other - one) * share for one, other in zip(self.begin, self.end, strict=True)]
         if self.is_arc and 0.0 < share < 1.0:
             first, second, _ = PLANE_AXES[self.plane]
@@ -89,7 +89,7 @@ class Move:
             yield share, dist(self.at(share), point)
 
     def part(self, begin: float, end: float) -> Move:
-        """Return the way from one share to another, in the other sense where `end` is the smaller."""
+        """Return the part from one share to another, reversed where `end` is the smaller."""
         kind = self.kind
         if end < begin and self.is_arc:
             kind = ARC_CW if kind == ARC_CCW else ARC_CCW

@@ -95,7 +95,7 @@ def _here(block: Block) -> tuple[complex, float]:
 
 
 def _enter_straight(block: Block, motion: int, goal: Path3, feed: float) -> None:
-    """The first move ends beside its goal, perpendicular to the way there."""
+    """The first move ends offset from its goal, perpendicular to the programmed move."""
     ours = _ours(block)
     here, _ = _here(block)
     way = complex(*goal[:2]) - here

@@ -80,7 +80,7 @@ def compensation_off(block: Block, code: Code) -> None:
     block.call('COMMENT("interpreter: cutter radius compensation off")')
     ours = block.model.compensation
     if ours and ours.entered and ours.radius:
-        block.model.arc_allowed = False  # the way off the contour is a line
+        block.model.arc_allowed = False  # the move off the contour is a line
     end_compensation(block)
 
 

@@ -85,7 +85,7 @@ def tool_change(block: Block, code: Code) -> None:
 
 
 def tool_is(block: Block, code: Code) -> None:
-    """M61: another tool is in the spindle than was thought; LinuxCNC's bare interpreter goes on with its length."""
+    """M61: sets the number of the tool in the spindle; LinuxCNC's stand-alone interpreter continues with its length."""
     block.must_have("Q", code.name)
     tool = round(block.not_negative("Q"))
     if tool:
@@ -147,7 +147,7 @@ def _given_offset(block: Block) -> tuple[float, ...]:
 
 
 def _more_offset(block: Block) -> tuple[float, ...]:
-    """G43.2: the offset of the tool H comes on top of what is in force."""
+    """G43.2: adds the offset of the tool H to the one in force."""
     block.must_have("H", "G43.2")
     if block.axis_words():
         what = "G43.2 takes H, and a line with it takes no axis words"
