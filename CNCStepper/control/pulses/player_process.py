@@ -23,11 +23,34 @@ from CNCStepper.control.pulses.pulse_ring import BEGIN_NS, PLACES
 from CNCStepper.control.session.files import session_folder
 from CNCStepper.control.session.status import error_from_json
 from CNCStepper.control.transport.port_identity import identify
-from CNCStepper.errors import LinkError
+from CNCStepper.errors import LinkError, Text
 from CNCStepper.machine.controller_family import family_of
 from CNCStepper.machine.profile import Machine
 from CNCStepper.motion.signals.parallel_port import RegisterWriter, idle_registers
 from CNCStepper.motion.signals.port_bytes import BoardWriter
+
+MOST_LOOK_S = 0.1
+
+
+class StallWatch:
+    """Tells a process that gets no time any more (stopped, or starved) by its counter of looks.
+
+    limit_s: for so long it may stand. Only the time between two close looks of ours counts: where both processes
+    stood, as in a computer that slept, it goes on counting first.
+    """
+
+    def __init__(self, limit_s: float):
+        self.limit_s = limit_s
+        self._beat, self._looked_s, self._still_s = -1, 0.0, 0.0
+
+    def still_s(self, beat: int, now_s: float) -> float:
+        """Return for how long the counter has been the same."""
+        if beat != self._beat:
+            self._beat, self._still_s = beat, 0.0
+        else:
+            self._still_s += min(now_s - self._looked_s, MOST_LOOK_S)
+        self._looked_s = now_s
+        return self._still_s
 
 
 def is_board(machine: Machine) -> bool:
@@ -81,6 +104,18 @@ def answer(line: bytes, wanted: str) -> dict[str, Any]:
         raise gone()
     content: dict[str, Any] = said[wanted]
     return content
+
+
+def stands(still_s: float, limit_s: float) -> LinkError:
+    """Return the error of a process that was stopped, or that gets no time."""
+    return LinkError(
+        "pulse-worker",
+        "the process that plays the pulses stood still: it was stopped, or the computer gave it no time; "
+        "everything is off, and steps may be lost",
+        value=Text("{still_s:.1f} s", still_s=still_s),
+        limit=Text("{limit_s:g} s", limit_s=limit_s),
+        advice=HOME,
+    )
 
 
 def gone() -> LinkError:

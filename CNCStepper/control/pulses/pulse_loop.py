@@ -24,6 +24,7 @@ from CNCStepper.control.pulses.pulse_ring import (
     ACKNOWLEDGED,
     AT_HOLD,
     BACK,
+    BEAT,
     BRAKING,
     CLOSE,
     COMMAND,
@@ -284,6 +285,7 @@ class PulseLoop:
             words[PLACES : PLACES + len(places)] = places
         words[STATE] = state
         words[ACKNOWLEDGED] = self._heard
+        words[BEAT] += 1
 
     def _rest(self) -> None:
         """Sleep until it is time to look again."""
@@ -306,6 +308,7 @@ class PulseLoop:
         self._new_jitter()
         while words[PLACE] < words[HEAD] and not self.is_left:
             self._switch_relays()  # a reset must not wait for the trial's end
+            self._words[BEAT] += 1
             now = self._pacer.now_ns()
             writes = self._play_to(rows, words, reals, begin, now + SLICE_NS)
             self._pacer.write(writes)

@@ -24,7 +24,7 @@ from CNCStepper.control.operator.hardware_buttons import quicker
 from CNCStepper.control.preflight.checks import check_found, try_rate
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.protocol.grbl import connect
-from CNCStepper.control.protocol.grbl.capabilities import check_can, missing
+from CNCStepper.control.protocol.grbl.capabilities import check_can
 from CNCStepper.control.protocol.grbl.driver import Answered, Grbl, Received
 from CNCStepper.control.protocol.grbl.motion_interlock import UNKNOWN
 from CNCStepper.control.protocol.grbl.readiness import check_zero
@@ -163,12 +163,9 @@ class JobRun:
 
     def _refuse_stop(self, command: Command) -> None:
         """Say where what was sent runs on all the same; nothing more is sent."""
-        if self.driver and self.has_begun and missing("stop", self.driver.cannot):
-            try:
-                check_can("stop", self.driver.cannot)
-            except MachineRefusal as refusal:
-                self._cannot_stop = refusal
-                self._refuse(command, refusal)
+        if self.driver and self.has_begun and (refusal := self._refusal("stop")):
+            self._cannot_stop = refusal
+            self._refuse(command, refusal)
 
     def run(self, connected: Callable[[], connect.ControllerInfo]) -> Outcome:
         """Send the job and return how it ended; refusals and failures are in the outcome, not raised.
@@ -423,16 +420,25 @@ class JobRun:
             if error
             else Text("stopped as asked after {acknowledged} lines", acknowledged=self.status().acknowledged)
         )
-        state = self._cannot_stop or (KEPT if known else LOST)
         left_s = driver.status.left_s if driver.status else None
+        runs_on = self._cannot_stop or (self._refusal("stop") if left_s else None)
+        state = runs_on or (KEPT if known else LOST)
         if left_s:
             state = Text("{state}; it runs on for {left_s:.0f} s", state=state, left_s=left_s)
         return self._outcome(
             FAILED if error else STOPPED,
             Text("{why}. Now {state}", why=why, state=state),
-            known and not self._cannot_stop,
+            known and not runs_on,
             error,
         )
+
+    def _refusal(self, what: str) -> MachineRefusal | None:
+        """Return why the machine cannot do something, None where it can."""
+        try:
+            check_can(what, self.driver.cannot if self.driver else ())
+        except MachineRefusal as refusal:
+            return refusal
+        return None
 
     def _may_have_restarted(self, error: CNCStepperError | None) -> bool:
         """Return whether an answer is missing, perhaps since the controller restarted unheard."""

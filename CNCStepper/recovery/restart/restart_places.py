@@ -77,7 +77,10 @@ def _runs_of(program: Program, number: int) -> list[int]:
     later = program.file_lines[program.file_lines >= number]
     if not len(later):
         return [len(program.lines) + 1]
-    return (np.flatnonzero(program.file_lines == later.min()) + 1).tolist()
+    runs = np.flatnonzero(program.file_lines == later.min())
+    if program.is_translated:  # lines one behind the other are one run of it
+        runs = runs[np.diff(runs, prepend=-2) > 1]
+    return (runs + 1).tolist()
 
 
 def operation_of(program: Program, name: str) -> Span:
