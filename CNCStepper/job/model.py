@@ -306,7 +306,7 @@ class Job(BaseModel):
 
     @property
     def begin(self) -> Start:
-        """The tool's position before the first operation, in work coordinates: the zero if the language starts there."""
+        """The position before the first operation, in work coordinates: the zero if the language starts there."""
         return Start.at_zero() if self._starts_at_zero else Start()
 
     @property
@@ -490,7 +490,7 @@ def _notes(content: dict[str, Any], path: Path) -> list[Any]:
 
 
 def file_in_job_folder(folder: Path, name: Any, key: str, file: str) -> Path:
-    """Return the path of a file that a job names, relative to its folder; raises JobError for a value of another type."""
+    """Return the path of a job's file, relative to its folder; raises JobError for a value of another type."""
     if not isinstance(name, str):
         advice = Text('write {key} = "file"', key=key)
         raise JobError(
