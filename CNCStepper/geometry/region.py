@@ -30,11 +30,10 @@ from CNCStepper.geometry.nearest_point import nearest
 from CNCStepper.geometry.offset import left_loops
 from CNCStepper.geometry.proximity_tree import spines_of
 from CNCStepper.geometry.winding_number import windings
-from CNCStepper.tolerances import SAME_MM
+from CNCStepper.tolerances import NO_AREA_MM2, SAME_MM
 
 SMALL_MM = (1e-4, 2e-4, 5e-4, 1e-3)  # how long a step of an outline must be to count; more where that tangles
 BESIDE_MM = (4.0 * SAME_MM, 1.2 * SAME_MM)  # how far beside a piece its two sides are looked at
-NOTHING_MM2 = 1e-9  # a loop round less is rounding
 
 
 @dataclass(frozen=True, eq=False)
@@ -171,7 +170,7 @@ def _bounds(curves: Sequence[Curve], outlines: int) -> Bundle:
     for small_mm, beside_mm in itertools.product(SMALL_MM, BESIDE_MM):
         closes, found = bounds(bundle, outlines, small_mm, beside_mm)
         if closes:
-            return found.where(np.abs(areas(*found)) > NOTHING_MM2)
+            return found.where(np.abs(areas(*found)) > NO_AREA_MM2)
     x, y = bundle.xy[0]
     raise GeometryError(
         "region-tangle",

@@ -40,7 +40,7 @@ Point = tuple[Coordinate, Coordinate]
 ELLIPSE_TOLERANCE_MM = 0.001
 MOST_DRAWINGS = 32  # that one job reads: each may take a minute
 MOST_DRAWN = 2_000_000  # lines and arcs in the files of one job
-MOST_SKIPPED = 5  # entities told one by one
+MOST_SKIPPED = 5  # entities that are listed
 MOST_LISTED = 12  # layers that a refusal names
 MOST_GAPS = 1000  # that the notes of one shape name
 
@@ -50,7 +50,7 @@ class _Checked(BaseModel):
 
 
 class CircleForm(_Checked):
-    """A circle; lengths in mm, as the name of its key says."""
+    """A circle; lengths in mm, as the suffix of a key says."""
 
     centre: Point
     radius: Length
@@ -401,7 +401,7 @@ def with_curves(content: dict[str, Any], shapes: Shapes, file: str) -> dict[str,
 
 
 def _inner(content: dict[str, Any], tables: Iterable[str]) -> dict[str, Any] | None:
-    """Return the table in which a key stands, as a copy that may be changed; None where there is none."""
+    """Return the table that has a key, as a copy that may be changed; None where there is none."""
     for name in tables:
         if not isinstance(content.get(name), dict):
             return None

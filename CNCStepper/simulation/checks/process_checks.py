@@ -25,8 +25,8 @@ from CNCStepper.simulation.exact.beams import beam_rows
 from CNCStepper.simulation.exact.sheet_cuts import is_torch
 from CNCStepper.simulation.finding import Finding
 from CNCStepper.simulation.stock import Stock
+from CNCStepper.tolerances import NO_LENGTH_MM
 
-NO_LENGTH_MM = 1e-6
 STAND_S = 0.1  # which every process bears
 SHORTEST, LONGEST = 0.5, 2.0  # shares of the chart's pierce delay, beyond which a program is refused
 CLOSE = 0.1  # to the chart, as a share of the delay

@@ -24,13 +24,13 @@ from CNCStepper.simulation.exact.beams import beam_rows
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.simulation.tip_segments import Segments, segments
 from CNCStepper.state import State
+from CNCStepper.tolerances import NO_LENGTH_MM
 from CNCStepper.toolpath import RAPID
 
 FLATTEN_MM = 0.01
 MOST_SEGMENTS = 1_000_000
 MARKING_SHARE = 0.5  # of the chart's power
 BESIDE_MM = 1000.0  # how far a sheet that is not known reaches beyond the path
-NO_LENGTH_MM = 1e-6
 TORCH = 0  # of $ behind M3
 
 
