@@ -38,7 +38,7 @@ def faulty(tmp_path: Path) -> Path:
 def test_the_drawing_is_printed_listed_and_drawn(tmp_path: Path) -> None:
     result = run("drawing", GASKET, "--json", tmp_path / "a" / "chains.json", "--picture", tmp_path / "g.svg")
     assert result.exit_code == 0, result.output
-    assert "DXF, unit 1 mm" in result.output and "layer 'CUT': 7 closed, 0 open" in result.output
+    assert "DXF, unit 1 mm" in result.output and "7 closed, 0 open" in result.output
     rows = json.loads((tmp_path / "a" / "chains.json").read_text("utf-8"))
     assert len(rows) == 7 and rows[0]["closed"] and rows[0]["area_mm2"] > 20_000
     assert set(rows[0]) >= {"layer", "colour", "name", "closed", "length_mm", "area_mm2", "box_mm"}
