@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What goes with the player's process: what its machine writes, what it says, and what is done in its stead.
+"""The player's process for its parent: its start, its output lines, and its clean-up after a kill.
 
 Where it was killed, its parent leaves the port idle; the places in a board's sequences are kept from job to job.
 """
@@ -59,7 +59,7 @@ def is_board(machine: Machine) -> bool:
 
 
 def leave_port_idle(port: str, machine: Machine, places: Path | None, words: np.ndarray) -> None:
-    """Write what a worker that was killed could not: registers without an active line, or a board's places."""
+    """Do the clean-up of a killed worker: write registers without an active line, or a board's positions."""
     if is_board(machine):
         if places:
             kept = words[PLACES : PLACES + len(machine.signals.motors) + 1].tolist()
@@ -89,14 +89,14 @@ def places_file(port: str) -> Path | None:
 
 
 def line_of(worker: subprocess.Popen) -> bytes:
-    """Return the next line that it says, b"" where it has ended."""
+    """Return the next line of its output, b"" at its end."""
     assert worker.stdout
     line: bytes = worker.stdout.readline()
     return line
 
 
 def answer(line: bytes, wanted: str) -> dict[str, Any]:
-    """Return what the worker says; raises its error, or LinkError where it ended without a word."""
+    """Return the worker's answer; raises its error, or LinkError where it ended without one."""
     said = json.loads(line) if line.endswith(b"\n") else {}
     if "error" in said:
         raise error_from_json(said["error"])

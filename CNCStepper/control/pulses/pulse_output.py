@@ -174,7 +174,7 @@ class PulseOutput:
 
     @property
     def queued_s(self) -> float:
-        """The planned time of what is appended and not played yet."""
+        """The planned time of the rows that are appended and not played yet."""
         head, time_ns = int(self._words[HEAD]), self._rows.time_ns
         place = min(int(self._words[PLACE]), head)
         if place == head:
@@ -252,11 +252,11 @@ class PulseOutput:
         self._declared[axis] = steps - int(self._words[POSITION + axis])
 
     def hold(self) -> None:
-        """Brake along the path, within the planned acceleration; also ends a way back."""
+        """Brake along the path, within the planned acceleration; also ends a retract."""
         self._command(HOLD)
 
     def resume(self) -> None:
-        """Go forwards again from wherever it is; a way back brakes first."""
+        """Move forwards again from the present place; a retract brakes first."""
         self._command(RESUME)
 
     def share(self, feed: float, rapid: float) -> None:
@@ -279,7 +279,7 @@ class PulseOutput:
         return min(int(self._words[PLACE] - self._words[OLDEST]), KEPT)
 
     def drop(self) -> None:
-        """At rest ("idle" or "held"): forget what is appended and not played.
+        """At rest ("idle" or "held"): discard the rows that are appended and not played.
 
         It stays "held" until `resume`, which finds nothing queued then. Raises ValueError where it is not at rest.
         """
@@ -429,7 +429,7 @@ class PulseOutput:
             "places_file": str(self._places) if self._places else "",
         }
         assert self._worker.stdin
-        with suppress(OSError):  # it may have ended already: its answer says why
+        with suppress(OSError):  # it may have ended already: its answer has the reason
             self._worker.stdin.write(json.dumps(wanted).encode("ascii") + b"\n")
             self._worker.stdin.flush()
 

@@ -239,7 +239,7 @@ def stretch_of(program: Program, row: int) -> Stretch:
 def descents(program: Program, stretch: Stretch) -> list[Stretch]:
     """Return the ways down within a stretch: its first fall, plunges, and ramps from one level to another.
 
-    A fall on a surface that rises and falls all the way is none.
+    A fall on a surface that rises and falls repeatedly is none.
     """
     rows = slice(stretch.first, stretch.last)
     way = program.table.end[rows, :3] - program.begins[rows]
@@ -266,7 +266,7 @@ def entry_of(program: Program, stretch: Stretch, row: int) -> Stretch:
 
 
 def _lead_end(program: Program, stretch: Stretch, first: int) -> int:
-    """Return where a lead-in from `first` on ends: the first place to which the way comes back; `first` for none."""
+    """Return the end of a lead-in from `first` on: the first place that the path visits again; `first` for none."""
     ends = program.table.end[first : stretch.last, :3]
     for row in range(first, min(first + LEAD_ROWS, stretch.last - 1)):
         back = np.abs(ends[row - first :] - program.begins[row]).max(axis=1) <= CLOSED_CONTOUR_MM

@@ -52,7 +52,7 @@ class EntryOptions:
 
 @dataclass(frozen=True)
 class ProvenRestart:
-    """A restart program and its proof; `certificate_of_restart` is what a sender wants."""
+    """A restart program and its proof; `certificate_of_restart` makes the certificate for a sender."""
 
     restart: Restart
     proof: Proof
@@ -174,7 +174,7 @@ def _before(made: Restart, text: str, earlier: Sequence[Proof]) -> PriorPrograms
 def _incomplete(proof: Proof) -> list[Finding]:
     """Return that the whole part is not as it is wanted, where the worst place lies in what was cut before.
 
-    The checks tell only of the program's own lines; whoever restarts wants to know whether the part will be good.
+    The checks report only the program's own lines; a restart must also show whether the part will be good.
     """
     allowed_mm = max((removal.tolerance_mm for removal in proof.given.removals), default=0.0) + JUDGE_ERROR_MM
     found = []

@@ -15,7 +15,7 @@ from CNCStepper.recovery.restart.interrupted_program import Program, Stretch, cu
 from CNCStepper.tolerances import PICKED_MM
 from CNCStepper.toolpath import LINE, Span
 
-COARSE, FINE = 9, 65  # places on an arc that are looked at: on all arcs, then on the nearest, then about the best
+COARSE, FINE = 9, 65  # places on an arc that are compared: on all arcs, then on the nearest, then about the best
 
 
 class Place(NamedTuple):
@@ -127,7 +127,7 @@ def by_point(program: Program, at_mm: Sequence[float]) -> Place:
 
 
 def _nearest(program: Program, rows: np.ndarray, at_mm: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return how far each row is from a point, and after which share of the row; far arcs are looked at coarsely."""
+    """Return the distance of each row from a point, and the share of the row there; coarse for far arcs."""
     away, shares = np.empty(len(rows)), np.empty(len(rows))
     arcs = program.table.kind[rows] > LINE
     away[~arcs], shares[~arcs] = _nearest_on_lines(program, rows[~arcs], at_mm)
