@@ -222,11 +222,11 @@ def _fitted_glyph(font: Any, style: TextStyle, character: str, tolerance_mm: flo
     shear = math.tan(math.radians(style.slant_deg))
     matrix = np.array([(style.width_factor * scale, shear * scale, 0.0), (0.0, scale, 0.0)])
     curves = [path.transformed(matrix).curve(tolerance_mm) for path in glyph.paths]
-    outlines = _oriented([curve for curve in curves if curve.closed])
+    outlines = oriented([curve for curve in curves if curve.closed])
     return (*without_overlaps(outlines, tolerance_mm), *(curve for curve in curves if not curve.closed))
 
 
-def _oriented(outlines: list[Curve]) -> list[Curve]:
+def oriented(outlines: list[Curve]) -> list[Curve]:
     """Return the outlines of a glyph so that the largest one, and all that run as it does, are counter-clockwise."""
     largest = max((outline.area_mm2 for outline in outlines), key=abs, default=0.0)
     return [outline.reversed() for outline in outlines] if largest < 0.0 else outlines
