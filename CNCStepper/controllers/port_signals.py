@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from CNCStepper.control.operator.buttons import Debouncer
+from CNCStepper.control.operator.hardware_buttons import Debouncer
 from CNCStepper.controllers.ended_output import EndedOutput, Output
 from CNCStepper.machine.controller_family import family_of
 from CNCStepper.machine.profile import Machine

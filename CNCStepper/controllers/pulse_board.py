@@ -2,7 +2,7 @@
 """The board of a machine without a controller: grbl 1.1h in Python, with pulses in place of simulated axes.
 
 It differs from grbl where the machine does: no homing, no probe, relays for spindle, coolant and M62 to M65, switches
-on the port's own status pins, and the lines of `machine_test_lines.py`. A machine without Z reports Z as 0 and refuses
+on the port's own status pins, and the lines of `own_command_lines.py`. A machine without Z reports Z as 0 and refuses
 moves of it. Where the output ends by itself, the position is lost as by a reset in motion: a message, and ALARM:3.
 """
 
@@ -13,7 +13,7 @@ from contextlib import suppress
 from dataclasses import replace
 
 from CNCStepper.controllers.ended_output import EndedOutput, Output
-from CNCStepper.controllers.machine_test_lines import MachineTestLines, message
+from CNCStepper.controllers.own_command_lines import MachineTestLines, message
 from CNCStepper.controllers.port_signals import Relays, Switches
 from CNCStepper.controllers.pulse_axes import PulseAxes, most_moves, moves_of
 from CNCStepper.errors import CNCStepperError, LinkError, MachineRefusal, Text

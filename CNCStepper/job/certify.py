@@ -15,7 +15,7 @@ import numpy as np
 from pydantic import TypeAdapter
 
 from CNCStepper import __version__
-from CNCStepper.control.program.certificate import CHECK_AGAIN, FORMAT, VERSION, Certificate, digest_of
+from CNCStepper.control.program.certificate import CHECK_AGAIN, FORMAT, OTHER, VERSION, Certificate, digest_of
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.protocol.grbl.readiness import expected_settings
 from CNCStepper.errors import JobError
@@ -28,11 +28,13 @@ from CNCStepper.job.start_state_file import start_from
 from CNCStepper.job.wire_round_trip import translated_to, wire_of
 from CNCStepper.machine.backlash import Backlash
 from CNCStepper.machine.controller_family import makes_pulses
+from CNCStepper.machine.cut_data import CutData
+from CNCStepper.machine.processes import Process
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.machine.wiring import seen_by_sender
 from CNCStepper.motion.interpolation.dda_stream import dda_stream
-from CNCStepper.motion.planner.backlash import motor_moves
+from CNCStepper.motion.planner.backlash_moves import motor_moves
 from CNCStepper.motion.planner.buffers import TICKS_PER_S
 from CNCStepper.motion.planner.plan import begun
 from CNCStepper.motion.signals.peak_rate import PeakRate
@@ -57,6 +59,8 @@ SENT = (
 )
 Read = TypeVar("Read")
 _PLAY = TypeAdapter(Backlash)
+SOURCE = ("number", "name", "source")  # of a chart's row: where it comes from
+MOST_NAMED = 4  # values in a refusal
 ANY_TOOL = "any"  # the number of a tool that stands for every number
 
 
@@ -137,6 +141,7 @@ def certificate_of(proof: Proven) -> Certificate:
                 "sha256": keep_out_digest(given.keep_out, given.edge_mm),
                 **_keep_out(given.keep_out, given.edge_mm),
             },
+            "cut": cut_content(given.machine, given.process, given.cut_data),
             "tolerance": _tolerance(proof),
             "times": {"program_s": report["time_s"], "operations_s": _times(report["operations"])},
             "figures": {name: report[name] for name in (*FIGURES, *VERDICT)},
@@ -278,6 +283,44 @@ def _places(start: Start, lines: Sequence[str]) -> dict[str, tuple[float, ...]]:
 def machine_digest(machine: Machine) -> str:
     """Return the fingerprint of a machine profile without its buttons, which change no proof."""
     return digest_of(machine.model_dump(mode="json", exclude={"input"}))
+
+
+def cut_content(machine: Machine, process: Process, row: CutData | None) -> dict[str, Any]:
+    """Return the process of a program and its row of the cut chart as a certificate has them.
+
+    A process that the machine does not have was not named by anybody: it is null.
+    """
+    name = process.name if process.name in machine.processes else None
+    return {"process": name, "row": row.model_dump(mode="json") if row else None}
+
+
+def check_cut(certificate: Certificate, machine: Machine | None, wanted: Mapping[str, Any] | None) -> None:
+    """Refuse a program whose proven process the machine does not have, or whose process or chart row is another one.
+
+    machine: None is that of the proof. wanted: as `cut_content` gives it, None compares nothing. Raises JobError that
+    names the values that differ.
+    """
+    theirs = _part_of(certificate, lambda content: _cut_values(content.get("cut") or {"process": None, "row": None}))
+    on = machine or _part_of(certificate, _machine_in)
+    if theirs["process"] is not None and on:
+        on.process(str(theirs["process"]))
+    if wanted is None:
+        return
+    ours = _cut_values(wanted)
+    other = [key for key in {**ours, **theirs} if ours.get(key) != theirs.get(key)]
+    if other:
+        raise JobError("certificate-cut", OTHER["cut"], value=_named(ours, other), limit=_named(theirs, other),
+                       advice=CHECK_AGAIN)  # fmt: skip
+
+
+def _cut_values(cut: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the process and the values of the row that cut."""
+    return {"process": cut["process"]} | {key: value for key, value in (cut["row"] or {}).items() if key not in SOURCE}
+
+
+def _named(values: Mapping[str, Any], keys: Sequence[str]) -> str:
+    """Return the first of some values, each with its key."""
+    return ", ".join(f"{key} = {values[key]}" for key in keys[:MOST_NAMED] if key in values) or "none"
 
 
 def stock_digest(stock: Stock | None) -> str:

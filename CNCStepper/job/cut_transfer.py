@@ -15,7 +15,7 @@ from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.job.make import is_split, make_parts, make_program
 from CNCStepper.job.model import Job, StockForm, operation_of
 from CNCStepper.job.path_commands import commands, gcode
-from CNCStepper.job.question_key import Content
+from CNCStepper.job.request_digest import Content
 from CNCStepper.machine.cut_data import CutData
 from CNCStepper.machine.profile import Machine, validated
 from CNCStepper.machine.tools.tool import Tool

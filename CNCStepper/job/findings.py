@@ -15,7 +15,7 @@ import shapely
 from shapely.geometry.base import BaseGeometry
 
 from CNCStepper.cycles.contours.contour import Contour
-from CNCStepper.cycles.contours.sides import enclosed
+from CNCStepper.cycles.contours.scrap_side import enclosed
 from CNCStepper.cycles.cycle import Answer, Cycle
 from CNCStepper.errors import Place, Text
 from CNCStepper.geometry.shapely_polygons import polygons_of

@@ -38,7 +38,7 @@ from CNCStepper.job.shapes import NO_SHAPES, Drawn, Shapes, read_shapes, with_cu
 from CNCStepper.machine.cut_charts import cut_data_for
 from CNCStepper.machine.cut_data import CutData
 from CNCStepper.machine.feeds_and_speeds import Remark, remarks_on, with_feeds
-from CNCStepper.machine.files.readers import read_json, read_toml
+from CNCStepper.machine.files.toml_reader import read_json, read_toml
 from CNCStepper.machine.materials import material, material_names
 from CNCStepper.machine.processes import MILLING, PROCESSES, Process, ProcessName
 from CNCStepper.machine.profile import ON_RPM, Machine, load_machine, profile_names, validated

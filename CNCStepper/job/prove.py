@@ -34,7 +34,7 @@ from CNCStepper.motion.planner.plan import begun
 from CNCStepper.simulation.check_context import CheckContext, Cutting
 from CNCStepper.simulation.checks.check_program import check
 from CNCStepper.simulation.checks.clamps import Clamp
-from CNCStepper.simulation.checks.report import report
+from CNCStepper.simulation.checks.program_report import report
 from CNCStepper.simulation.exact.swept_area import Judgement, judge
 from CNCStepper.simulation.finding import Finding, refused, worst_first
 from CNCStepper.simulation.prior_programs import followed

@@ -34,14 +34,14 @@ from CNCStepper.machine.cut_data import CutData
 from CNCStepper.machine.processes import MILLING, Process
 from CNCStepper.machine.profile import Machine
 from CNCStepper.motion.interpolation.dda_stream import DdaTimes
-from CNCStepper.motion.planner.backlash import ToolMoves
+from CNCStepper.motion.planner.backlash_moves import ToolMoves
 from CNCStepper.motion.planner.buffers import TICKS_PER_S
 from CNCStepper.motion.planner.chunk_window import ChunkWindow
 from CNCStepper.motion.planner.plan import Run, begun_chunks
 from CNCStepper.motion.planner.standstills import StopEvents
 from CNCStepper.simulation.check_context import CheckContext, Cutting
 from CNCStepper.simulation.checks.check_program import Checks
-from CNCStepper.simulation.checks.report import Figures
+from CNCStepper.simulation.checks.program_report import Figures
 from CNCStepper.simulation.finding import MOST_LISTED, Finding, refused
 from CNCStepper.simulation.table_parts import PART_ROWS, TableParts
 from CNCStepper.state import Start

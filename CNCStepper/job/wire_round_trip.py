@@ -14,7 +14,7 @@ from CNCStepper.gcode.wire.translation import translate
 from CNCStepper.gcode.wire.wire_text import WireText
 from CNCStepper.machine.backlash import Backlash
 from CNCStepper.machine.profile import Machine
-from CNCStepper.motion.planner.backlash import tool_moves
+from CNCStepper.motion.planner.backlash_moves import tool_moves
 from CNCStepper.state import Start
 from CNCStepper.toolpath import Toolpath, require_straight_axes
 

@@ -25,7 +25,7 @@ from typing import Any
 from CNCStepper.atomic_file import write_whole
 from CNCStepper.errors import JobError, Place, Text
 from CNCStepper.machine.cut_data import CutData, between
-from CNCStepper.machine.files.readers import read_toml
+from CNCStepper.machine.files.toml_reader import read_toml
 from CNCStepper.machine.files.toml_text import value_text
 from CNCStepper.machine.processes import PROCESSES, process_named
 from CNCStepper.machine.profile import validated

@@ -18,7 +18,7 @@ from CNCStepper.atomic_file import write_whole
 from CNCStepper.errors import CNCStepperError, JobError, Text
 from CNCStepper.input_file import is_there, read_input
 from CNCStepper.machine.files.profile_files import NAME, own_folder, own_names, own_path, shipped_file, shipped_names
-from CNCStepper.machine.files.readers import MOST_BYTES, read_json, read_toml
+from CNCStepper.machine.files.toml_reader import MOST_BYTES, read_json, read_toml
 from CNCStepper.machine.files.toml_text import changed_text, document_text, value_text
 from CNCStepper.machine.profile import Machine, load_machine, profile_names, validated
 from CNCStepper.safe_text import printable

@@ -18,7 +18,7 @@ from CNCStepper.input_file import is_there
 from CNCStepper.machine.axis_drive import Drive
 from CNCStepper.machine.controller_family import LANGUAGES, WIRE_LANGUAGE, family_of, makes_pulses
 from CNCStepper.machine.files.profile_files import own_names, own_path, shipped_file, shipped_names
-from CNCStepper.machine.files.readers import read_json, read_toml
+from CNCStepper.machine.files.toml_reader import read_json, read_toml
 from CNCStepper.machine.files.validation_errors import refusal_of
 from CNCStepper.machine.lathe_link import LatheLink
 from CNCStepper.machine.processes import PROCESSES, Process, ProcessName, process_named

@@ -1016,6 +1016,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Lines that are marked with low power or lightly scribed before anything is cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Loop radius</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1076,11 +1080,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Mark Drawings</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Mark Feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Mark Power</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Marking feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Marking power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Marks</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1765,6 +1785,10 @@
         </message>
         <message>
             <source>The edge of the sheet through which the wire comes in</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The feed of marks; 0: that of the cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4147,6 +4171,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Lines that are marked with low power or lightly scribed before anything is cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Load {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4247,7 +4275,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Marking feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Marking power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Marks</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5572,6 +5608,10 @@
         </message>
         <message>
             <source>The edge of the sheet through which the wire comes in</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The feed of marks; 0: that of the cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7011,6 +7051,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>nothing is marked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>nothing to correct</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7762,6 +7806,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>DejaVu Sans</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>DejaVu Sans Mono</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>DejaVu Serif</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Drag knife</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7914,6 +7970,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Liberation Mono</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Liberation Sans</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Liberation Serif</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>LinuxCNC with QtPlasmaC</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7963,6 +8031,18 @@
         </message>
         <message>
             <source>NOT cut on any stock: the machine's limits are checked, but nobody sees whether a rapid meets material; give --job, or --stock and --tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nimbus Mono PS</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nimbus Roman</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nimbus Sans</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8046,6 +8126,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Times New Roman</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Trial {0} pulses/s late mean {1} us worst {2} us</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8107,6 +8191,10 @@
         </message>
         <message>
             <source>a chip load needs flutes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a collection of {0} faces</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8211,6 +8299,18 @@
         </message>
         <message>
             <source>a file that calls this machine's position unknown belongs to {user} and cannot be opened</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a glyph calls too many subroutines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a glyph has too many parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a glyph has too many segments</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8338,6 +8438,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a list has no entry {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a list of glyphs is longer than its table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a machine is cutting</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8430,7 +8538,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a path has no length, or a coordinate that is no length in mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a path is mirrored along X or Y</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a path is too long for its tolerance</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8443,6 +8559,10 @@
         </message>
         <message>
             <source>a pipe (FIFO)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a place before the begin of a table</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8651,6 +8771,10 @@
         </message>
         <message>
             <source>a value is zero or negative where only positive ones are allowed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a variation that is not there</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8906,11 +9030,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>ask for fewer or narrower joints</source>
+            <source>ask for at most {fewer}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>ask for fewer tabs, set a smaller pierce_mm, or leave more scrap there</source>
+            <source>ask for at most {fewer}, or {narrower}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8986,11 +9110,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>at most {most_mm:.2f} mm there</source>
+            <source>at most {most_mm:.2f} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>at most {narrowest_mm:.3f} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at most {room_mm:.3f} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9099,10 +9227,6 @@
         </message>
         <message>
             <source>below {narrowest_mm:g} mm</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>below {room_mm:.2f} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9342,6 +9466,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>choose another font, or other characters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>choose another name</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9495,6 +9623,10 @@
         </message>
         <message>
             <source>constant surface speed became a speed a move</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>convert the text to paths in the drawing program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9742,6 +9874,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>cut with a kerf of at most {room_mm:.3f} mm, draw the hole wider than the kerf, or set spot_below_mm above {diameter_mm:.3f} to spot it for drilling</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>cuts {overlap_mm:.3g} mm before the place again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9818,7 +9954,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>draw the hole wider, spot it for drilling (spot_below_mm), or cut with a narrower kerf</source>
+            <source>draw them {kerf_mm:g} mm apart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>drawings with the suffix '{suffix}' cannot be read</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10430,6 +10570,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>install it again, or choose another font</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>install it for the Python that proves (python -m pip install NAME)</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10474,11 +10618,43 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it has no face {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it has no glyph {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it has no outlines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it has no subroutines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it has no widths</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it has no {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it has none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>it has them on {names}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it has too many tables of pairs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it has {styles}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10535,6 +10711,10 @@
         </message>
         <message>
             <source>it is within a way into the cut, which begins at line {file_line}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it maps no characters</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10774,6 +10954,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>leave so much, ask for fewer tabs, or cut with a narrower kerf: no smaller pierce_mm does</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>leave that setting out</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10783,6 +10967,10 @@
         </message>
         <message>
             <source>leave the check mode with $C</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>leave the joints out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10839,10 +11027,6 @@
         </message>
         <message>
             <source>let it plunge at the start of the contour</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>let it stand shorter, or cut more slowly</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11122,6 +11306,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>make several texts of it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>make spacing_mm larger</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11163,6 +11351,10 @@
         </message>
         <message>
             <source>make the tabs narrower or the tool smaller, or cut without tabs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>make the text smaller, move its start, or lengthen the curve</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11318,10 +11510,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>move them apart, or cut with a narrower kerf</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>move them or the work zero</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11347,6 +11535,10 @@
         </message>
         <message>
             <source>name X and Y in a rapid above the stock first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>name a file that ends in .ttf, .otf, .ttc or .otc; unpack a web font first</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11390,7 +11582,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>name the device file of a parallel port, such as /dev/parport0, or a file to record in</source>
+            <source>name one that the system has: {families}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11635,6 +11827,10 @@
         </message>
         <message>
             <source>not a TOML file: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>not a TrueType or OpenType font</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12306,6 +12502,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>save it as one of {known}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>save the file as UTF-8 text</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12323,6 +12523,10 @@
         </message>
         <message>
             <source>scale all axes alike, or write feeds a minute (G94)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>scripts that are written from the right are not set</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12414,7 +12618,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>set a lead_in, or pierce_mm to half of the kerf</source>
+            <source>set a lead_in, or pierce_mm to half of the kerf, {half_mm:g}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12423,6 +12627,10 @@
         </message>
         <message>
             <source>set backlash_mm to 0 in the machine profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set corner_dwell_s to at most {stand_s:g}, or cut more slowly</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12442,7 +12650,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>set pierce_mm to that limit or less, or leave {short_mm:.2f} mm more scrap there</source>
+            <source>set pierce_mm to that limit, or leave {scrap}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12487,6 +12695,10 @@
         </message>
         <message>
             <source>set up a program of that name on the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set width_mm to at most {width_mm:.2f}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12559,10 +12771,6 @@
         </message>
         <message>
             <source>splines lie in the plane XY</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>split it there, or send it to a controller</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12727,6 +12935,10 @@
         </message>
         <message>
             <source>tabs need either count or spacing_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take a larger tolerance</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13578,6 +13790,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the font '{family}' has no style '{style}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the font '{font}' lacks characters of the text</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the font is damaged: {why}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the grid has too many holes</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14386,15 +14610,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the program waits or asks for what pulses cannot give</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>the program waits with the power on in the middle of a cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the program was proven for another machine, or its profile was changed since</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the program was proven for another process, material, thickness or consumable</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14435,18 +14659,6 @@
         </message>
         <message>
             <source>the pulses have ended</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the pulses were stopped before they were all sent</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the pulses were stopped on the way: {error}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the pulses were stopped: no more of them came in time</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14710,6 +14922,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the table of tables is damaged</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the table {0} lies beyond the end of the file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the tabs are as high as the contour is deep</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14726,7 +14946,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the text has no letter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the text is longer than the curve from its place on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the text is not found, or is the same already</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the text is too long</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15046,6 +15278,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>there is no font '{family}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there is no function {name}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15123,6 +15359,10 @@
         </message>
         <message>
             <source>there is no such file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no such font file</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16082,6 +16322,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write a letter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write a library, with the ending .fctl</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16374,6 +16618,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} units an em</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0}, program {1} of {2}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16423,6 +16671,10 @@
         </message>
         <message>
             <source>{counts} at one place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{count} characters</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16990,10 +17242,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{number:.0f} writes/s, the worst {worst_us:.0f} µs late</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>{obj} follows one drawing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17043,10 +17291,6 @@
         </message>
         <message>
             <source>{path} is JSON: only TOML profiles are changed</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{path} is no parallel port</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17150,6 +17394,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{scrap_mm:.2f} mm of scrap there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{skipped} other things</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17234,6 +17482,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{width_mm:.2f} mm from {begin_mm:.2f} mm on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{width_mm:g} mm wide</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17243,10 +17495,6 @@
         </message>
         <message>
             <source>{word} is in force, wanted {wanted}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{writes_per_s:.0f} writes/s, {stall_ns:.0f} µs</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

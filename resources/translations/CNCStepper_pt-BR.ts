@@ -1016,6 +1016,10 @@
             <translation>Linhas</translation>
         </message>
         <message>
+            <source>Lines that are marked with low power or lightly scribed before anything is cut</source>
+            <translation>Linhas marcadas com pouca potência ou levemente riscadas antes de qualquer corte</translation>
+        </message>
+        <message>
             <source>Loop radius</source>
             <translation>Raio do laço</translation>
         </message>
@@ -1076,12 +1080,28 @@
             <translation>Margem</translation>
         </message>
         <message>
+            <source>Mark Drawings</source>
+            <translation>Desenhos de marcação</translation>
+        </message>
+        <message>
+            <source>Mark Feed</source>
+            <translation>Avanço de marcação</translation>
+        </message>
+        <message>
             <source>Mark Power</source>
             <translation>Potência de marcação</translation>
         </message>
         <message>
+            <source>Marking feed</source>
+            <translation>Avanço de marcação</translation>
+        </message>
+        <message>
             <source>Marking power</source>
             <translation>Potência de marcação</translation>
+        </message>
+        <message>
+            <source>Marks</source>
+            <translation>Marcações</translation>
         </message>
         <message>
             <source>Material</source>
@@ -1766,6 +1786,10 @@
         <message>
             <source>The edge of the sheet through which the wire comes in</source>
             <translation>A borda da chapa por onde o fio entra</translation>
+        </message>
+        <message>
+            <source>The feed of marks; 0: that of the cut</source>
+            <translation>O avanço das marcações; 0: o do corte</translation>
         </message>
         <message>
             <source>The feed of the last pass at the wall; 0: the tool's own feed</source>
@@ -4147,6 +4171,10 @@
             <translation>Só se pode digitar linhas com a máquina parada ou em alarme.</translation>
         </message>
         <message>
+            <source>Lines that are marked with low power or lightly scribed before anything is cut</source>
+            <translation>Linhas marcadas com pouca potência ou levemente riscadas antes de qualquer corte</translation>
+        </message>
+        <message>
             <source>Load {0}</source>
             <translation>Carregar {0}</translation>
         </message>
@@ -4247,8 +4275,16 @@
             <translation>Margem</translation>
         </message>
         <message>
+            <source>Marking feed</source>
+            <translation>Avanço de marcação</translation>
+        </message>
+        <message>
             <source>Marking power</source>
             <translation>Potência de marcação</translation>
+        </message>
+        <message>
+            <source>Marks</source>
+            <translation>Marcações</translation>
         </message>
         <message>
             <source>Material</source>
@@ -5573,6 +5609,10 @@
         <message>
             <source>The edge of the sheet through which the wire comes in</source>
             <translation>A borda da chapa por onde o fio entra</translation>
+        </message>
+        <message>
+            <source>The feed of marks; 0: that of the cut</source>
+            <translation>O avanço das marcações; 0: o do corte</translation>
         </message>
         <message>
             <source>The feed of the last pass at the wall; 0: the tool's own feed</source>
@@ -7011,6 +7051,10 @@
             <translation>não informado</translation>
         </message>
         <message>
+            <source>nothing is marked</source>
+            <translation>nada é marcado</translation>
+        </message>
+        <message>
             <source>nothing to correct</source>
             <translation>nada a corrigir</translation>
         </message>
@@ -7762,6 +7806,18 @@
             <translation>o D de {code} é o número de uma ferramenta</translation>
         </message>
         <message>
+            <source>DejaVu Sans</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>DejaVu Sans Mono</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>DejaVu Serif</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Drag knife</source>
             <translation>Faca de arrasto</translation>
         </message>
@@ -7914,6 +7970,18 @@
             <translation>L não pode ser negativo</translation>
         </message>
         <message>
+            <source>Liberation Mono</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Liberation Sans</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Liberation Serif</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>LinuxCNC with QtPlasmaC</source>
             <translation>LinuxCNC com QtPlasmaC</translation>
         </message>
@@ -7964,6 +8032,18 @@
         <message>
             <source>NOT cut on any stock: the machine's limits are checked, but nobody sees whether a rapid meets material; give --job, or --stock and --tool</source>
             <translation>NÃO cortado em nenhum material: os limites da máquina são verificados, mas ninguém vê se um avanço rápido encontra material; dê --job, ou --stock e --tool</translation>
+        </message>
+        <message>
+            <source>Nimbus Mono PS</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nimbus Roman</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nimbus Sans</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>O-words are nested too deeply</source>
@@ -8046,6 +8126,10 @@
             <translation>T seleciona um extrusor: faça uma pausa com M0 onde a ferramenta deve ser trocada</translation>
         </message>
         <message>
+            <source>Times New Roman</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Trial {0} pulses/s late mean {1} us worst {2} us</source>
             <translation>Ensaio {0} pulsos/s atraso médio {1} us pior {2} us</translation>
         </message>
@@ -8108,6 +8192,10 @@
         <message>
             <source>a chip load needs flutes</source>
             <translation>um avanço por dente precisa do número de dentes</translation>
+        </message>
+        <message>
+            <source>a collection of {0} faces</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>a comment is closed that was not opened</source>
@@ -8212,6 +8300,18 @@
         <message>
             <source>a file that calls this machine's position unknown belongs to {user} and cannot be opened</source>
             <translation>um arquivo que dá a posição desta máquina como desconhecida pertence a {user} e não pode ser aberto</translation>
+        </message>
+        <message>
+            <source>a glyph calls too many subroutines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a glyph has too many parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a glyph has too many segments</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>a height field needs two rows and two columns of finite heights at least</source>
@@ -8338,6 +8438,14 @@
             <translation>uma linha com G80 não aceita palavras de eixo, nem as de G43.1</translation>
         </message>
         <message>
+            <source>a list has no entry {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a list of glyphs is longer than its table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a machine is cutting</source>
             <translation>uma máquina está cortando</translation>
         </message>
@@ -8430,8 +8538,16 @@
             <translation>uma peça de outra operação</translation>
         </message>
         <message>
+            <source>a path has no length, or a coordinate that is no length in mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a path is mirrored along X or Y</source>
             <translation>um percurso é espelhado em X ou Y</translation>
+        </message>
+        <message>
+            <source>a path is too long for its tolerance</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>a pin in the configuration is wrong</source>
@@ -8444,6 +8560,10 @@
         <message>
             <source>a pipe (FIFO)</source>
             <translation>um pipe (FIFO)</translation>
+        </message>
+        <message>
+            <source>a place before the begin of a table</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>a point is too far away</source>
@@ -8652,6 +8772,10 @@
         <message>
             <source>a value is zero or negative where only positive ones are allowed</source>
             <translation>um valor é zero ou negativo onde só se permitem positivos</translation>
+        </message>
+        <message>
+            <source>a variation that is not there</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>a whole number</source>
@@ -8906,12 +9030,12 @@
             <translation>arcos fora do plano XY</translation>
         </message>
         <message>
-            <source>ask for fewer or narrower joints</source>
-            <translation>peça menos microjunções, ou mais estreitas</translation>
+            <source>ask for at most {fewer}</source>
+            <translation>peça no máximo {fewer}</translation>
         </message>
         <message>
-            <source>ask for fewer tabs, set a smaller pierce_mm, or leave more scrap there</source>
-            <translation>peça menos pontes, use um pierce_mm menor ou deixe mais retalho ali</translation>
+            <source>ask for at most {fewer}, or {narrower}</source>
+            <translation>peça no máximo {fewer}, ou {narrower}</translation>
         </message>
         <message>
             <source>ask for it again</source>
@@ -8986,12 +9110,16 @@
             <translation>no máximo {longest:g} vezes</translation>
         </message>
         <message>
-            <source>at most {most_mm:.2f} mm there</source>
-            <translation>no máximo {most_mm:.2f} mm ali</translation>
+            <source>at most {most_mm:.2f} mm</source>
+            <translation>no máximo {most_mm:.2f} mm</translation>
         </message>
         <message>
             <source>at most {narrowest_mm:.3f} mm</source>
             <translation>no máximo {narrowest_mm:.3f} mm</translation>
+        </message>
+        <message>
+            <source>at most {room_mm:.3f} mm</source>
+            <translation>no máximo {room_mm:.3f} mm</translation>
         </message>
         <message>
             <source>at the profile's interval the letters are too fast for {axis}</source>
@@ -9100,10 +9228,6 @@
         <message>
             <source>below {narrowest_mm:g} mm</source>
             <translation>abaixo de {narrowest_mm:g} mm</translation>
-        </message>
-        <message>
-            <source>below {room_mm:.2f} mm</source>
-            <translation>abaixo de {room_mm:.2f} mm</translation>
         </message>
         <message>
             <source>below {total_mm:g} mm</source>
@@ -9342,6 +9466,10 @@
             <translation>escolha outro arquivo, ou outra máquina</translation>
         </message>
         <message>
+            <source>choose another font, or other characters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>choose another name</source>
             <translation>escolha outro nome</translation>
         </message>
@@ -9496,6 +9624,10 @@
         <message>
             <source>constant surface speed became a speed a move</source>
             <translation>a velocidade de corte constante virou uma rotação por movimento</translation>
+        </message>
+        <message>
+            <source>convert the text to paths in the drawing program</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>coordinate systems may not be changed</source>
@@ -9742,6 +9874,10 @@
             <translation>corte com largura de no máximo {most_mm:.3f} mm, ou desenhe esse lugar mais largo</translation>
         </message>
         <message>
+            <source>cut with a kerf of at most {room_mm:.3f} mm, draw the hole wider than the kerf, or set spot_below_mm above {diameter_mm:.3f} to spot it for drilling</source>
+            <translation>corte com uma largura de corte de no máximo {room_mm:.3f} mm, desenhe o furo mais largo que o corte, ou ponha spot_below_mm acima de {diameter_mm:.3f} para marcá-lo para furação</translation>
+        </message>
+        <message>
             <source>cuts {overlap_mm:.3g} mm before the place again</source>
             <translation>corta de novo {overlap_mm:.3g} mm antes do ponto</translation>
         </message>
@@ -9818,8 +9954,12 @@
             <translation>desenhe algo nele, ou escolha outro desenho</translation>
         </message>
         <message>
-            <source>draw the hole wider, spot it for drilling (spot_below_mm), or cut with a narrower kerf</source>
-            <translation>desenhe o furo mais largo, marque-o para furar (spot_below_mm), ou use um corte mais estreito</translation>
+            <source>draw them {kerf_mm:g} mm apart</source>
+            <translation>desenhe-as a {kerf_mm:g} mm uma da outra</translation>
+        </message>
+        <message>
+            <source>drawings with the suffix '{suffix}' cannot be read</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>drive a laser by a controller with grbl's laser mode</source>
@@ -10430,6 +10570,10 @@
             <translation>input: duas entradas estão em {twice}</translation>
         </message>
         <message>
+            <source>install it again, or choose another font</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>install it for the Python that proves (python -m pip install NAME)</source>
             <translation>instale-o para o Python que verifica (python -m pip install NOME)</translation>
         </message>
@@ -10474,12 +10618,44 @@
             <translation>continua sozinho</translation>
         </message>
         <message>
+            <source>it has no face {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it has no glyph {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it has no outlines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it has no subroutines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it has no widths</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it has no {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it has none</source>
             <translation>não tem nenhum</translation>
         </message>
         <message>
             <source>it has them on {names}</source>
             <translation>ele as tem em {names}</translation>
+        </message>
+        <message>
+            <source>it has too many tables of pairs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it has {styles}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>it has {ways}</source>
@@ -10536,6 +10712,10 @@
         <message>
             <source>it is within a way into the cut, which begins at line {file_line}</source>
             <translation>está dentro de uma entrada no corte, que começa na linha {file_line}</translation>
+        </message>
+        <message>
+            <source>it maps no characters</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>it names no operation: choose a line</source>
@@ -10774,6 +10954,10 @@
             <translation>deixe nele uma elipse, desenhada como elipse e não como B-spline</translation>
         </message>
         <message>
+            <source>leave so much, ask for fewer tabs, or cut with a narrower kerf: no smaller pierce_mm does</source>
+            <translation>deixe tanta sobra, peça menos pontes, ou corte com uma largura menor: nenhum pierce_mm menor basta</translation>
+        </message>
+        <message>
             <source>leave that setting out</source>
             <translation>deixe essa configuração de fora</translation>
         </message>
@@ -10784,6 +10968,10 @@
         <message>
             <source>leave the check mode with $C</source>
             <translation>saia do modo de verificação com $C</translation>
+        </message>
+        <message>
+            <source>leave the joints out</source>
+            <translation>deixe as junções de fora</translation>
         </message>
         <message>
             <source>leave the others out</source>
@@ -10840,10 +11028,6 @@
         <message>
             <source>let it plunge at the start of the contour</source>
             <translation>faça-a mergulhar no início do contorno</translation>
-        </message>
-        <message>
-            <source>let it stand shorter, or cut more slowly</source>
-            <translation>deixe-o parado menos tempo, ou corte mais devagar</translation>
         </message>
         <message>
             <source>let the tool stick out farther</source>
@@ -11122,6 +11306,10 @@
             <translation>faça vários trabalhos deste</translation>
         </message>
         <message>
+            <source>make several texts of it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>make spacing_mm larger</source>
             <translation>aumente spacing_mm</translation>
         </message>
@@ -11164,6 +11352,10 @@
         <message>
             <source>make the tabs narrower or the tool smaller, or cut without tabs</source>
             <translation>estreite as pontes ou diminua a ferramenta, ou corte sem pontes</translation>
+        </message>
+        <message>
+            <source>make the text smaller, move its start, or lengthen the curve</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>make them lower</source>
@@ -11318,10 +11510,6 @@
             <translation>mova o zero-peça ({word}) no eixo {name} ou diminua o programa</translation>
         </message>
         <message>
-            <source>move them apart, or cut with a narrower kerf</source>
-            <translation>afaste-as, ou use um corte mais estreito</translation>
-        </message>
-        <message>
             <source>move them or the work zero</source>
             <translation>mova-os ou mova o zero da peça</translation>
         </message>
@@ -11348,6 +11536,10 @@
         <message>
             <source>name X and Y in a rapid above the stock first</source>
             <translation>indique antes X e Y em um rápido acima do bloco</translation>
+        </message>
+        <message>
+            <source>name a file that ends in .ttf, .otf, .ttc or .otc; unpack a web font first</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>name a file that is not there yet, in a folder that you may write in</source>
@@ -11390,8 +11582,8 @@
             <translation>nomeie uma de: {known}</translation>
         </message>
         <message>
-            <source>name the device file of a parallel port, such as /dev/parport0, or a file to record in</source>
-            <translation>indique o arquivo de dispositivo de uma porta paralela, como /dev/parport0, ou um arquivo onde gravar</translation>
+            <source>name one that the system has: {families}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>name the machine (--machine)</source>
@@ -11636,6 +11828,10 @@
         <message>
             <source>not a TOML file: {error}</source>
             <translation>não é um arquivo TOML: {error}</translation>
+        </message>
+        <message>
+            <source>not a TrueType or OpenType font</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>not a curve with xy and bulge: {error}</source>
@@ -12306,6 +12502,10 @@
             <translation>salve-o como arquivo</translation>
         </message>
         <message>
+            <source>save it as one of {known}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>save the file as UTF-8 text</source>
             <translation>salve o arquivo como texto UTF-8</translation>
         </message>
@@ -12324,6 +12524,10 @@
         <message>
             <source>scale all axes alike, or write feeds a minute (G94)</source>
             <translation>use a mesma escala em todos os eixos ou escreva avanços por minuto (G94)</translation>
+        </message>
+        <message>
+            <source>scripts that are written from the right are not set</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>see its log, and the machine</source>
@@ -12414,8 +12618,8 @@
             <translation>ajuste Z pela tabela</translation>
         </message>
         <message>
-            <source>set a lead_in, or pierce_mm to half of the kerf</source>
-            <translation>defina um lead_in, ou pierce_mm como metade da largura do corte</translation>
+            <source>set a lead_in, or pierce_mm to half of the kerf, {half_mm:g}</source>
+            <translation>defina um lead_in, ou pierce_mm como metade da largura de corte, {half_mm:g}</translation>
         </message>
         <message>
             <source>set again at the pause at line {line}: {places} (machine, mm); what comes after counts from there, what was before from the old one</source>
@@ -12424,6 +12628,10 @@
         <message>
             <source>set backlash_mm to 0 in the machine profile</source>
             <translation>ponha backlash_mm em 0 no perfil da máquina</translation>
+        </message>
+        <message>
+            <source>set corner_dwell_s to at most {stand_s:g}, or cut more slowly</source>
+            <translation>ponha corner_dwell_s em no máximo {stand_s:g}, ou corte mais devagar</translation>
         </message>
         <message>
             <source>set entry_slit = true, which cuts a slit through the part into each hole, or leave the holes out</source>
@@ -12442,8 +12650,8 @@
             <translation>defina margin_mm como no máximo {margin_mm:.3g}, ou afaste as peças</translation>
         </message>
         <message>
-            <source>set pierce_mm to that limit or less, or leave {short_mm:.2f} mm more scrap there</source>
-            <translation>defina pierce_mm como esse limite ou menos, ou deixe mais {short_mm:.2f} mm de retalho ali</translation>
+            <source>set pierce_mm to that limit, or leave {scrap}</source>
+            <translation>ponha pierce_mm nesse limite, ou deixe {scrap}</translation>
         </message>
         <message>
             <source>set process to "plasma", "oxyfuel", "laser", "waterjet", "drag-knife" or "scribe"</source>
@@ -12488,6 +12696,10 @@
         <message>
             <source>set up a program of that name on the machine</source>
             <translation>instale na máquina um programa com esse nome</translation>
+        </message>
+        <message>
+            <source>set width_mm to at most {width_mm:.2f}</source>
+            <translation>ponha width_mm em no máximo {width_mm:.2f}</translation>
         </message>
         <message>
             <source>sets G92 as it was: {array}</source>
@@ -12560,10 +12772,6 @@
         <message>
             <source>splines lie in the plane XY</source>
             <translation>splines ficam no plano XY</translation>
-        </message>
-        <message>
-            <source>split it there, or send it to a controller</source>
-            <translation>divida-o ali, ou envie-o a um controlador</translation>
         </message>
         <message>
             <source>split that line</source>
@@ -12728,6 +12936,10 @@
         <message>
             <source>tabs need either count or spacing_mm</source>
             <translation>pontes precisam de count ou de spacing_mm</translation>
+        </message>
+        <message>
+            <source>take a larger tolerance</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>take a larger tolerance_mm, or draw polylines or arcs in their place</source>
@@ -13578,6 +13790,18 @@
             <translation>a pasta das sessões não pode ser usada: {error}</translation>
         </message>
         <message>
+            <source>the font '{family}' has no style '{style}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the font '{font}' lacks characters of the text</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the font is damaged: {why}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the grid has too many holes</source>
             <translation>a grade tem furos demais</translation>
         </message>
@@ -14386,16 +14610,16 @@
             <translation>o programa define seu próprio zero da peça (G10)</translation>
         </message>
         <message>
-            <source>the program waits or asks for what pulses cannot give</source>
-            <translation>o programa espera ou pede o que os pulsos não podem dar</translation>
-        </message>
-        <message>
             <source>the program waits with the power on in the middle of a cut</source>
             <translation>o programa espera com a potência ligada no meio de um corte</translation>
         </message>
         <message>
             <source>the program was proven for another machine, or its profile was changed since</source>
             <translation>o programa foi verificado para outra máquina, ou o perfil dela mudou desde então</translation>
+        </message>
+        <message>
+            <source>the program was proven for another process, material, thickness or consumable</source>
+            <translation>o programa foi provado para outro processo, material, espessura ou consumível</translation>
         </message>
         <message>
             <source>the program was proven from another start state: work zero, offsets or tool lengths differ</source>
@@ -14436,18 +14660,6 @@
         <message>
             <source>the pulses have ended</source>
             <translation>os pulsos terminaram</translation>
-        </message>
-        <message>
-            <source>the pulses were stopped before they were all sent</source>
-            <translation>os pulsos foram interrompidos antes de serem todos enviados</translation>
-        </message>
-        <message>
-            <source>the pulses were stopped on the way: {error}</source>
-            <translation>os pulsos foram interrompidos no caminho: {error}</translation>
-        </message>
-        <message>
-            <source>the pulses were stopped: no more of them came in time</source>
-            <translation>os pulsos foram interrompidos: os seguintes não chegaram a tempo</translation>
         </message>
         <message>
             <source>the pulses were stopped: no more of them came in time; everything is off, and steps may be lost</source>
@@ -14710,6 +14922,14 @@
             <translation>a tabela tem ferramentas demais</translation>
         </message>
         <message>
+            <source>the table of tables is damaged</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the table {0} lies beyond the end of the file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the tabs are as high as the contour is deep</source>
             <translation>as pontes são tão altas quanto o contorno é fundo</translation>
         </message>
@@ -14726,8 +14946,20 @@
             <translation>o texto</translation>
         </message>
         <message>
+            <source>the text has no letter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the text is longer than the curve from its place on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the text is not found, or is the same already</source>
             <translation>o texto não foi encontrado ou já é o mesmo</translation>
+        </message>
+        <message>
+            <source>the text is too long</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the thickness of material {number}</source>
@@ -15046,6 +15278,10 @@
             <translation>não há dialeto '{base}'</translation>
         </message>
         <message>
+            <source>there is no font '{family}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there is no function {name}</source>
             <translation>não há função {name}</translation>
         </message>
@@ -15124,6 +15360,10 @@
         <message>
             <source>there is no such file</source>
             <translation>não existe tal arquivo</translation>
+        </message>
+        <message>
+            <source>there is no such font file</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>there is no such part of the program</source>
@@ -16082,6 +16322,10 @@
             <translation>escreva um número decimal depois da letra</translation>
         </message>
         <message>
+            <source>write a letter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write a library, with the ending .fctl</source>
             <translation>escreva uma biblioteca, com a terminação .fctl</translation>
         </message>
@@ -16374,6 +16618,10 @@
             <translation>{0} a {1} mm/min</translation>
         </message>
         <message>
+            <source>{0} units an em</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0}, program {1} of {2}</source>
             <translation>{0}, programa {1} de {2}</translation>
         </message>
@@ -16424,6 +16672,10 @@
         <message>
             <source>{counts} at one place</source>
             <translation>{counts} num só lugar</translation>
+        </message>
+        <message>
+            <source>{count} characters</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{count} joints do not fit on {chain}</source>
@@ -16990,10 +17242,6 @@
             <translation>{number:.0f} pulsos/s, o pior com {worst_us:.0f} µs de atraso</translation>
         </message>
         <message>
-            <source>{number:.0f} writes/s, the worst {worst_us:.0f} µs late</source>
-            <translation>{number:.0f} escritas/s, a pior {worst_us:.0f} µs atrasada</translation>
-        </message>
-        <message>
             <source>{obj} follows one drawing</source>
             <translation>{obj} segue um só desenho</translation>
         </message>
@@ -17044,10 +17292,6 @@
         <message>
             <source>{path} is JSON: only TOML profiles are changed</source>
             <translation>{path} é JSON: só perfis TOML são mudados</translation>
-        </message>
-        <message>
-            <source>{path} is no parallel port</source>
-            <translation>{path} não é uma porta paralela</translation>
         </message>
         <message>
             <source>{path} is no parallel port that can be had: {error}</source>
@@ -17150,6 +17394,10 @@
             <translation>{says} está fora de seus limites</translation>
         </message>
         <message>
+            <source>{scrap_mm:.2f} mm of scrap there</source>
+            <translation>{scrap_mm:.2f} mm de sobra ali</translation>
+        </message>
+        <message>
             <source>{skipped} other things</source>
             <translation>{skipped} outras coisas</translation>
         </message>
@@ -17234,6 +17482,10 @@
             <translation>{why}. Agora {state}</translation>
         </message>
         <message>
+            <source>{width_mm:.2f} mm from {begin_mm:.2f} mm on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{width_mm:g} mm wide</source>
             <translation>{width_mm:g} mm de largura</translation>
         </message>
@@ -17244,10 +17496,6 @@
         <message>
             <source>{word} is in force, wanted {wanted}</source>
             <translation>{word} está em vigor, mas deveria ser {wanted}</translation>
-        </message>
-        <message>
-            <source>{writes_per_s:.0f} writes/s, {stall_ns:.0f} µs</source>
-            <translation>{writes_per_s:.0f} escritas/s, {stall_ns:.0f} µs</translation>
         </message>
         <message>
             <source>{xy} points, {bulge} bulges</source>

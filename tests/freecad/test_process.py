@@ -23,6 +23,7 @@ from CNCStepper.workbench.document.cut_chart_of_job import best_material, cut_da
 from CNCStepper.workbench.features.base import edit, problem_of, value_of
 from CNCStepper.workbench.features.catalogue import KINDS
 from CNCStepper.workbench.features.cut_values import CUT_VALUES
+from CNCStepper.workbench.features.operation import drawings_of
 from CNCStepper.workbench.features.sheet_cut import SheetCut
 from CNCStepper.workbench.features.tool import model_of
 from CNCStepper.workbench.services.choice_labels import PROCESS_WORDS, WORDS
@@ -232,3 +233,37 @@ def test_processes_and_materials_have_words() -> None:
     assert set(PROCESS_WORDS) == set(PROCESSES)
     charted = {row.material for name, one in PROCESSES.items() if one.uses_chart for row in shipped_chart(name)}
     assert charted - set(WORDS) == set()
+
+
+def test_marks_come_before_the_cut_and_are_kept_with_the_document(document: Any) -> None:
+    job, operation = cut(document, LASER, "sheet_cut")
+    line = sketch(document, Part.LineSegment(Vector(-20, 0, 0), Vector(20, 0, 0)))
+    edit(operation, mark_drawings=[line], mark_power=50, mark_feed_mm_min=700)
+    document.recompute()
+    assert problem_of(operation) == problem_of(job) == ""
+    text = api.program_text(job)
+    assert 0 < text.index("X20") < text.index("X50") and "F700" in text and "S50" in text
+    document.openTransaction("move the mark")
+    line.Placement.Base.y = 5
+    document.recompute()
+    assert api.program_text(job) != text and "Y5" in api.program_text(job)
+    edit(job, **TORCH)  # a torch has one power: what it cannot do counts no more
+    document.recompute()
+    assert problem_of(operation) == "" and "Hidden" in operation.getEditorMode("MarkDrawings")
+
+
+def test_a_mark_that_is_deleted_is_told_and_not_left_out(document: Any) -> None:
+    _, operation = cut(document, LASER, "sheet_cut")
+    line = sketch(document, Part.LineSegment(Vector(-20, 0, 0), Vector(20, 0, 0)))
+    edit(operation, mark_drawings=[line])
+    document.recompute()
+    label = line.Label
+    document.removeObject(line.Name)
+    document.recompute()
+    assert f"'{label}'" in problem_of(operation)
+    edit(operation, mark_drawings=[])
+    document.recompute()
+    assert f"'{label}'" in problem_of(operation)  # until somebody says what is cut now
+    edit(operation, drawings=drawings_of(operation))
+    document.recompute()
+    assert problem_of(operation) == ""

@@ -58,6 +58,15 @@ class ChartOptions:
         click.echo(told(row))
         return machine.language(dialect or "", row.feed_mm_min)
 
+    def row(self, machine: Machine | None) -> CutData | None:
+        """Return the chart's row that the options name, None where they name none; raises as `language` does."""
+        return None if machine is None or self == ChartOptions() else self._row(machine)
+
+    def proof_words(self, machine: Machine | None) -> dict[str, Any]:
+        """Return the process and the row for a proof or a check of the program; nothing where the options name none."""
+        row = self.row(machine)
+        return {"process": PROCESSES[row.process], "cut_data": row} if row else {}
+
     def _row(self, machine: Machine) -> CutData:
         from CNCStepper.machine.cut_charts import cut_data_for, read_chart
 

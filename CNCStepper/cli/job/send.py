@@ -22,6 +22,7 @@ from CNCStepper.cli.common.options import FilePath, program_argument, read_progr
 from CNCStepper.cli.common.program_options import ProgramOptions, program_options
 from CNCStepper.cli.common.verb import Verb
 from CNCStepper.errors import JobError
+from CNCStepper.machine.processes import PROCESSES, Process
 from CNCStepper.machine.profile import Machine
 
 if TYPE_CHECKING:
@@ -29,6 +30,7 @@ if TYPE_CHECKING:
     from CNCStepper.control.program.send_job import SendJob
     from CNCStepper.control.session.status import Outcome
     from CNCStepper.job.model import Job
+    from CNCStepper.machine.cut_data import CutData
     from CNCStepper.simulation.cutter_solid import Tools
     from CNCStepper.simulation.finding import Finding
     from CNCStepper.simulation.stock import Stock
@@ -200,7 +202,7 @@ def _job(
     """Return the job of a program, as its certificate proves it or as it is checked now."""
     from CNCStepper.cli.common.options import merged, reproduce_options
 
-    wanted = _Wanted.of(program, given, is_certified=certificate is not None)
+    wanted = _Wanted.of(program, given, cut, is_certified=certificate is not None)
     if certificate:
         if cut != ChartOptions():
             given = replace(given, dialect=cut.language(given.dialect, wanted.machine))
@@ -236,6 +238,7 @@ class _Wanted:
     tools: Tools | None
     start: Start | None
     job: Job | None = None
+    row: CutData | None = None
 
     @property
     def file(self) -> str:
@@ -243,16 +246,23 @@ class _Wanted:
         return str(self.program.path)
 
     @classmethod
-    def of(cls, program: ProgramFile, given: ProgramOptions, is_certified: bool) -> _Wanted:
+    def of(cls, program: ProgramFile, given: ProgramOptions, cut: ChartOptions, is_certified: bool) -> _Wanted:
         """Return what the command line asks for; a job gives stock and tools, and its machine where none is named.
 
         Where the command line gives no start, the certificate does; without a certificate the job does.
         """
         start, (job, machine) = given.start_options.start(), given.job_and_machine()
         if job is None or machine is None:
-            return cls(program, machine, given.stock, given.tool, start)
+            return cls(program, machine, given.stock, given.tool, start, row=cut.row(machine))
         start = start if is_certified and not start else job.started(start, machine)
-        return cls(program, machine, job.stock.stock(), job.on(machine).tools, start, job)
+        on_machine = job.on(machine)
+        return cls(program, machine, job.stock.stock(), on_machine.tools, start, job, on_machine.cut_data)
+
+    @property
+    def process(self) -> Process | None:
+        """The process that the job, or else the chart's row, names."""
+        name = self.job.process if self.job else self.row.process if self.row else None
+        return PROCESSES[name] if name else None
 
 
 def _check_dialect(dialect: str, machine: Machine | None) -> None:
@@ -289,7 +299,14 @@ def _certified(path: Path, wanted: _Wanted, given: ProgramOptions, despite: bool
 
 def _refusals(certificate: Certificate, wanted: _Wanted, dialect: str) -> Iterator[JobError]:
     """Yield each thing in which what is wanted is not what was proven, and the proof's own errors."""
-    from CNCStepper.job.certify import keep_out_digest, machine_digest, stock_digest, tools_digest
+    from CNCStepper.job.certify import (
+        check_cut,
+        cut_content,
+        keep_out_digest,
+        machine_digest,
+        stock_digest,
+        tools_digest,
+    )
 
     digests = {
         "program": wanted.program.sha256,
@@ -300,9 +317,10 @@ def _refusals(certificate: Certificate, wanted: _Wanted, dialect: str) -> Iterat
         "tools": wanted.tools and tools_digest(wanted.tools),
         "keep_out": wanted.job and keep_out_digest(wanted.job.clamps, wanted.job.stock.edge_mm),
     }
-    checks: list[Callable[[], None]] = [
-        partial(certificate.compare, what, digest) for what, digest in digests.items() if digest
-    ]
+    process, machine = wanted.process, wanted.machine
+    cut = cut_content(machine, process, wanted.row) if machine and process else None
+    checks: list[Callable[[], None]] = [partial(check_cut, certificate, machine, cut)]
+    checks += [partial(certificate.compare, what, digest) for what, digest in digests.items() if digest]
     for check in [*checks, certificate.check_clean]:
         try:
             check()
@@ -361,12 +379,14 @@ def _findings(wanted: _Wanted, machine: Machine, toolpath: Toolpath, motors: Too
     from CNCStepper.simulation.checks.check_program import check
 
     given: dict[str, Any] = {"file": wanted.file, "stock": wanted.stock, "tools": wanted.tools, "motors": motors}
+    given |= {"process": wanted.process, "cut_data": wanted.row} if wanted.process else {}
     if wanted.job and is_split(wanted.job, machine):
         what = "the programs of a job that is split, one a tool, are proven one after the other"
         raise JobError("send-part", what, advice="send each with the certificate that `run` wrote beside it")
     if wanted.job:
-        removals = make_program(wanted.job, machine).removals
-        given |= {"removals": removals, "keep_out": wanted.job.clamps, "edge_mm": wanted.job.stock.edge_mm}
+        made = make_program(wanted.job, machine)
+        given |= {"removals": made.removals, "parts": [part for answer in made.answers for part in answer.parts]}
+        given |= {"keep_out": wanted.job.clamps, "edge_mm": wanted.job.stock.edge_mm}
     return check(toolpath, machine, **given)
 
 

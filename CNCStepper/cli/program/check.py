@@ -111,7 +111,7 @@ def command(
         else:
             from CNCStepper.job.prove_file import prove_file
 
-            prove = partial(prove_file, stock=given.stock, tools=given.tool)
+            prove = partial(prove_file, stock=given.stock, tools=given.tool, **cut.proof_words(machine))
             _check_in_pieces(prove, file, start, asked)
 
 

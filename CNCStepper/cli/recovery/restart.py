@@ -28,8 +28,8 @@ from CNCStepper.machine.tools.tool import Tool
 if TYPE_CHECKING:
     from CNCStepper.control.program.certificate import Certificate
     from CNCStepper.job.model import Job
-    from CNCStepper.recovery.restart.places import RequestedPlace
-    from CNCStepper.recovery.restart.prove import EntryOptions, ProvenRestart
+    from CNCStepper.recovery.restart.prove_restart import EntryOptions, ProvenRestart
+    from CNCStepper.recovery.restart.restart_places import RequestedPlace
     from CNCStepper.simulation.stock import Stock
     from CNCStepper.state import Start
 
@@ -101,8 +101,8 @@ def restart_options(function: Callable[..., Any]) -> Callable[..., Any]:
         height: float | None,
         **more: Any,
     ) -> Any:
-        from CNCStepper.recovery.restart.places import RequestedPlace
-        from CNCStepper.recovery.restart.prove import EntryOptions
+        from CNCStepper.recovery.restart.prove_restart import EntryOptions
+        from CNCStepper.recovery.restart.restart_places import RequestedPlace
 
         where = RequestedPlace(line or 0, time or 0, operation, contour or 0, at_mm)
         sending = Sending(**{name: more.pop(name) for name in Sending.__dataclass_fields__})
@@ -167,7 +167,7 @@ def command(
     Exit 0 when it is clean (and, with --port, done), else 1.
     """
     from CNCStepper.control.service.port_owner import check_free, warn_of_closed
-    from CNCStepper.recovery.restart.prove import certificate_of_restart
+    from CNCStepper.recovery.restart.prove_restart import certificate_of_restart
 
     given.check_stock()
     against = _Against.of(given)
@@ -216,7 +216,7 @@ def _proven(
     text: str, program: Path, where: RequestedPlace, entering: EntryOptions, against: _Against, part: int | None
 ) -> ProvenRestart:
     from CNCStepper.cli.program.check import STAGES, prior_parts
-    from CNCStepper.recovery.restart.prove import restart_job, restart_program
+    from CNCStepper.recovery.restart.prove_restart import restart_job, restart_program
 
     words: dict[str, Any] = {"file": str(program), "dialect": against.dialect, "start": against.start}
     with Progress(f"reading {program.name}") as progress:

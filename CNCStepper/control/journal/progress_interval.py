@@ -12,8 +12,8 @@ from dataclasses import dataclass, replace
 
 from CNCStepper.control.journal.replay import JobReplay
 from CNCStepper.control.protocol.grbl.firmware import language_of
-from CNCStepper.control.protocol.grbl.report import Vector
-from CNCStepper.control.stream.path_watch import ROUNDING_MM, STEP_MM, STEPS, held_modes, start_from
+from CNCStepper.control.protocol.grbl.status_reports import Vector
+from CNCStepper.control.stream.path_comparison import ROUNDING_MM, STEP_MM, STEPS, held_modes, start_from
 from CNCStepper.control.stream.planned_path import PlannedPath
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.wire.encoder import prepare

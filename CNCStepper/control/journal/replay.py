@@ -20,7 +20,7 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
-from CNCStepper.control.journal.records import Group, Records, read_records
+from CNCStepper.control.journal.journal_records import Group, Records, read_records
 from CNCStepper.control.processes.file_lock import is_locked
 from CNCStepper.control.program.certificate import digest_of_text
 from CNCStepper.control.session.status import DONE

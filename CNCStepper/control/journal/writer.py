@@ -32,7 +32,7 @@ from pathlib import Path
 from typing import Any
 
 from CNCStepper import __version__
-from CNCStepper.control.journal.records import Group, to_line
+from CNCStepper.control.journal.journal_records import Group, to_line
 from CNCStepper.control.journal.replay import FORMAT, VERSION
 from CNCStepper.control.journal.store import JOURNAL, prune
 from CNCStepper.control.processes.file_lock import take_lock_with_retries

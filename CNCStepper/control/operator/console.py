@@ -25,7 +25,7 @@ from CNCStepper.control.program.wire_line import check_length, check_line, dwell
 from CNCStepper.control.protocol.grbl.character_counting import Sent
 from CNCStepper.control.protocol.grbl.driver import Answered, Grbl, Received
 from CNCStepper.control.protocol.grbl.firmware import Firmware
-from CNCStepper.control.protocol.grbl.report import Feedback, NamedSetting, Setting, Status
+from CNCStepper.control.protocol.grbl.status_reports import Feedback, NamedSetting, Setting, Status
 from CNCStepper.errors import MachineRefusal, Text
 
 HOME, UNLOCK, QUESTION, JOG, SETTING, PROGRAM = "home", "unlock", "question", "jog", "setting", "program"

@@ -55,7 +55,7 @@ from CNCStepper.control.protocol.grbl.readiness import (
     differences,
     offset_differences,
 )
-from CNCStepper.control.protocol.grbl.report import Vector
+from CNCStepper.control.protocol.grbl.status_reports import Vector
 from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.errors import MachineRefusal, Text
 from CNCStepper.gcode.syntax.words import scanned_codes

@@ -45,6 +45,7 @@ OTHER = {
     "stock": "the program was proven with another stock",
     "tools": "the program was proven with other tools",
     "keep_out": "the program was proven with other clamps, or another distance from the sheet's edge",
+    "cut": "the program was proven for another process, material, thickness or consumable",
 }
 
 

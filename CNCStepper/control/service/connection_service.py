@@ -20,8 +20,8 @@ from typing import Any
 
 from CNCStepper.control.journal.writer import Journal
 from CNCStepper.control.operator import homing
-from CNCStepper.control.operator.actions import fresh_status
-from CNCStepper.control.operator.buttons import Buttons, buttons_of
+from CNCStepper.control.operator.hardware_buttons import Buttons, buttons_of
+from CNCStepper.control.operator.zero_and_unlock import fresh_status
 from CNCStepper.control.preflight.checks import check_counts_from_here
 from CNCStepper.control.program.bundle import copy_private
 from CNCStepper.control.program.certificate import sendable
@@ -30,7 +30,7 @@ from CNCStepper.control.protocol.grbl import connect
 from CNCStepper.control.protocol.grbl.driver import Answered, Grbl, Received
 from CNCStepper.control.protocol.grbl.motion_interlock import MotionInterlock
 from CNCStepper.control.protocol.grbl.readiness import check_state
-from CNCStepper.control.protocol.grbl.report import Vector
+from CNCStepper.control.protocol.grbl.status_reports import Vector
 from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.control.service.idle_controller import IdleController, is_fatal
 from CNCStepper.control.service.position_trust_file import PositionTrustFile

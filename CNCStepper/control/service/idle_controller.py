@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
-from CNCStepper.control.operator import actions
+from CNCStepper.control.operator import zero_and_unlock
 from CNCStepper.control.operator.console import HOME as HOME_LINE
 from CNCStepper.control.operator.console import MOVING_KINDS, UNLOCK, Console, kind_of
 from CNCStepper.control.operator.homing import HOME, check_took
@@ -16,8 +16,8 @@ from CNCStepper.control.protocol.grbl.capabilities import check_can
 from CNCStepper.control.protocol.grbl.driver import HOLD, RESUME, Answered, Grbl, Received
 from CNCStepper.control.protocol.grbl.firmware import TOOL_CHANGED
 from CNCStepper.control.protocol.grbl.readiness import check_state
-from CNCStepper.control.protocol.grbl.report import Alarm, Feedback, Greeting, Status
 from CNCStepper.control.protocol.grbl.status_poller import StatusPoller
+from CNCStepper.control.protocol.grbl.status_reports import Alarm, Feedback, Greeting, Status
 from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.control.session.command import Command
 from CNCStepper.control.session.job_phase import Phase
@@ -233,15 +233,15 @@ class IdleController:
 
     def _set_zero(self, axes: str) -> None:
         self.check_at_rest()
-        system = actions.set_zero(self._driver, axes, self._timing)
-        self.trust = trust_at_zero(self.trust, axes, actions.AXES)
+        system = zero_and_unlock.set_zero(self._driver, axes, self._timing)
+        self.trust = trust_at_zero(self.trust, axes, zero_and_unlock.AXES)
         self._tell("message", Text("zero of {axes} set in {system}", axes=axes.upper(), system=system))
 
     def _unlock(self) -> None:
         self.check_at_rest()
         asleep = self.status().machine_state == "Sleep"
         trust = self.trust
-        actions.unlock(self._driver, self._timing, self._wants_reset or asleep)
+        zero_and_unlock.unlock(self._driver, self._timing, self._wants_reset or asleep)
         self.trust = trust_after_sleep(trust) if asleep else trust  # a reset at rest does not cost it
 
     def _type(self, text: str) -> None:
@@ -261,7 +261,7 @@ class IdleController:
     def _home(self) -> None:
         self.check_at_rest()
         if self._wants_reset:
-            actions.soft_reset(self._driver, self._timing)
+            zero_and_unlock.soft_reset(self._driver, self._timing)
         elif self.phase != "alarm":
             check_state(self._driver.status)
         self._driver.send(HOME)

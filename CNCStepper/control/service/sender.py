@@ -7,7 +7,7 @@ import time
 from collections.abc import Callable
 from dataclasses import replace
 
-from CNCStepper.control.operator.buttons import Buttons, buttons_of
+from CNCStepper.control.operator.hardware_buttons import Buttons, buttons_of
 from CNCStepper.control.operator.homing import has_begun, home
 from CNCStepper.control.preflight.checks import check_counts_from_here
 from CNCStepper.control.program.send_job import SendJob

@@ -7,7 +7,7 @@ from dataclasses import asdict, dataclass, fields
 from typing import Any
 
 from CNCStepper import errors
-from CNCStepper.control.protocol.grbl.report import Vector
+from CNCStepper.control.protocol.grbl.status_reports import Vector
 from CNCStepper.control.session.job_phase import Phase
 from CNCStepper.errors import CNCStepperError, LinkError, Place, Text
 from CNCStepper.text_json import restored, with_texts

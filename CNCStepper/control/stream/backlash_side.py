@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING
 
 from CNCStepper.control.program.certificate import CHECK_AGAIN
 from CNCStepper.control.program.send_job import SendJob
-from CNCStepper.control.protocol.grbl.report import Vector
-from CNCStepper.control.stream.return_path import THERE_MM, Axes, back_over_backlash
+from CNCStepper.control.protocol.grbl.status_reports import Vector
+from CNCStepper.control.stream.return_after_jog import THERE_MM, Axes, back_over_backlash
 from CNCStepper.errors import JobError, Text
 from CNCStepper.state import ZERO3
 

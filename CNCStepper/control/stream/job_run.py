@@ -20,7 +20,7 @@ from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 
-from CNCStepper.control.operator.buttons import quicker
+from CNCStepper.control.operator.hardware_buttons import quicker
 from CNCStepper.control.preflight.checks import check_found, try_rate
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.protocol.grbl import connect
@@ -28,19 +28,19 @@ from CNCStepper.control.protocol.grbl.capabilities import check_can, missing
 from CNCStepper.control.protocol.grbl.driver import Answered, Grbl, Received
 from CNCStepper.control.protocol.grbl.motion_interlock import UNKNOWN
 from CNCStepper.control.protocol.grbl.readiness import check_zero
-from CNCStepper.control.protocol.grbl.report import Alarm, Greeting, Status
 from CNCStepper.control.protocol.grbl.status_poller import ANSWER_MISSING, StatusPoller
+from CNCStepper.control.protocol.grbl.status_reports import Alarm, Greeting, Status
 from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.control.session.command import STOPS, Command, Inbox
 from CNCStepper.control.session.job_phase import LEG_BEGINS, Phase
 from CNCStepper.control.session.status import DONE, FAILED, REFUSED, STOPPED, Outcome, SenderStatus
 from CNCStepper.control.stream import stop_sequence
 from CNCStepper.control.stream.backlash_side import BacklashTracker, backlash_tracker
+from CNCStepper.control.stream.feed_hold_and_resume import Phases, check_no_tool_change
 from CNCStepper.control.stream.feeder import Feeder
-from CNCStepper.control.stream.hold_and_resume import Phases, check_no_tool_change
 from CNCStepper.control.stream.journal_protocol import ActiveJournal, Journals, LegJournal, NoJournal, check_not_held
 from CNCStepper.control.stream.overrides import NORMAL, override_byte, restore
-from CNCStepper.control.stream.path_watch import PathWatch
+from CNCStepper.control.stream.path_comparison import PathWatch
 from CNCStepper.control.stream.pause_id import PauseCounter
 from CNCStepper.control.stream.pending_requests import PendingRequests
 from CNCStepper.control.stream.position_trust import counts_steps

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from CNCStepper.control.operator.actions import fresh_status
+from CNCStepper.control.operator.zero_and_unlock import fresh_status
 from CNCStepper.control.protocol.grbl.driver import Grbl
 from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.errors import MachineRefusal, Text

@@ -37,7 +37,7 @@ from CNCStepper.control.program.send_job import SendJob, program_members
 from CNCStepper.control.protocol.grbl import connect
 from CNCStepper.control.protocol.grbl.driver import Grbl
 from CNCStepper.control.protocol.grbl.readiness import MAX_RATE, STEPS_PER_MM
-from CNCStepper.control.protocol.grbl.report import Vector
+from CNCStepper.control.protocol.grbl.status_reports import Vector
 from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.control.session.job_phase import LEG_BEGINS, Phase
 from CNCStepper.control.stream import stop_sequence

@@ -12,7 +12,7 @@ from contextlib import contextmanager
 
 from CNCStepper.control.protocol.grbl.driver import HOLD, Grbl, Received
 from CNCStepper.control.protocol.grbl.readiness import CHECK
-from CNCStepper.control.protocol.grbl.report import Alarm, Greeting, Status
+from CNCStepper.control.protocol.grbl.status_reports import Alarm, Greeting, Status
 from CNCStepper.control.protocol.grbl.timeouts import Timing
 
 RESETS = 3  # one may be lost on its way, and then the outputs are still on

@@ -12,6 +12,7 @@ r"""The drawn chains of a sheet: which are parts and holes, and where the beam's
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -115,8 +116,19 @@ def require_gaps(chains: Sequence[Chain], pieces: ChordPieces, kerf_mm: float) -
         ),
         value=f"{apart_mm[worst]:.3f} mm",
         limit=Text("at least the kerf of {kerf_mm:g} mm", kerf_mm=kerf_mm),
-        advice="move them apart, or cut with a narrower kerf",
+        advice=_apart_or_narrower(float(apart_mm[worst]), kerf_mm),
     )  # fmt: skip
+
+
+def _apart_or_narrower(apart_mm: float, kerf_mm: float) -> Text:
+    """Return how far two parts must be moved, or the kerf that fits between them."""
+    if _down(apart_mm) <= 0.0:
+        return Text("draw them {kerf_mm:g} mm apart", kerf_mm=kerf_mm)
+    return Text(
+        "move them {more_mm:.3f} mm farther apart, or cut with a kerf of at most {gap_mm:.3f} mm",
+        more_mm=_up(kerf_mm - apart_mm),
+        gap_mm=_down(apart_mm),
+    )
 
 
 def narrow_warnings(chains: Sequence[Chain], kerf_mm: float) -> list[str]:
@@ -226,10 +238,24 @@ def _require_simple(chain: Chain, ring: np.ndarray) -> None:
 def _too_wide(chain: Chain, kerf_mm: float) -> CycleError:
     room = shapely.maximum_inscribed_circle(polygon_of(chain.curve, SAME_MM), tolerance=0.001)
     (x, y), _ = shapely.get_coordinates(room)
+    room_mm = _down(2.0 * float(shapely.length(room)) - SHORTEST_MM)
     return CycleError(
         "kerf-wide",
         Text("the kerf is wider than hole {number} at X{x:.3f} Y{y:.3f}", number=chain.number, x=x, y=y),
         value=f"{kerf_mm:g} mm",
-        limit=Text("below {room_mm:.2f} mm", room_mm=2.0 * shapely.length(room)),
-        advice="draw the hole wider, spot it for drilling (spot_below_mm), or cut with a narrower kerf",
+        limit=Text("at most {room_mm:.3f} mm", room_mm=room_mm),
+        advice=Text(
+            "cut with a kerf of at most {room_mm:.3f} mm, draw the hole wider than the kerf, or set spot_below_mm "
+            "above {diameter_mm:.3f} to spot it for drilling",
+            room_mm=room_mm,
+            diameter_mm=_up(chain.diameter_mm),
+        ),
     )
+
+
+def _up(length_mm: float) -> float:
+    return math.ceil(1000.0 * length_mm) / 1000.0
+
+
+def _down(length_mm: float) -> float:
+    return math.floor(1000.0 * length_mm) / 1000.0

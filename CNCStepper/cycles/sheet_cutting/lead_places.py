@@ -3,7 +3,7 @@
 
 First the lead as it is wanted at a few places of each path. Paths without room get more places, smaller leads down to
 the least that holds the pierce's distance, and other angles; holes also a lead from the middle of their scrap. Leads
-that come too near to each other move on in turn. What finds no place is refused with the size that would do.
+that come too near to each other move on in turn.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from CNCStepper.cycles.contours.contour_model import Lead
 from CNCStepper.cycles.sheet_cutting.chain_polygons import scrap_in
 from CNCStepper.cycles.sheet_cutting.chains import Chain
 from CNCStepper.cycles.sheet_cutting.chord_pieces import ChordPieces
-from CNCStepper.cycles.sheet_cutting.lead_room import LeadRoom
+from CNCStepper.cycles.sheet_cutting.lead_room import LeadRoom, NoScrap
 from CNCStepper.cycles.sheet_cutting.lead_shapes import ARC, LINE, Leads, curve_of, flatness_mm, lead_points, together
 from CNCStepper.errors import CycleError, Text
 from CNCStepper.geometry.curve import Curve
@@ -69,7 +69,7 @@ def lead_ins(
         search.room = replace(room, sheet=None)  # what is drawn beside the sheet is told elsewhere
         pending = _searched(search, items, pending, search.room)
     if len(pending):
-        raise _no_room(items, int(pending[0]), search, room)
+        raise _no_room(items[int(pending[0])], room)
     return search.found(numbers)
 
 
@@ -156,13 +156,6 @@ class _Search:
             self._found[int(leads.item[row])] = (float(leads.place_mm[row]), curve)
         return np.setdiff1d(pending, items)
 
-    def clearance_mm(self, item: int) -> float:
-        """Return how large a pierce's spot may be at most, as far as the last round has looked."""
-        leads = self.candidates(np.array([item]), ROUNDS[-1])
-        points = lead_points(leads, self._paths, self._side, into=True)
-        clear = self.room.ways_fit(leads.item, shapely.linestrings(points), flatness_mm(leads))
-        return float(self.room.clearances_mm(leads.item[clear], points[clear, 0]).max(initial=0.0))
-
     @property
     def _least_mm(self) -> float:
         """How far a pierce is from the path at least."""
@@ -226,22 +219,10 @@ def _from_middle(items: Sequence[Item], number: int, room: LeadRoom) -> Leads:
     return Leads(*(np.array([value]) for value in (number, float(place_mm), LINE, float(size_mm), angle)))
 
 
-def _no_room(items: Sequence[Item], number: int, search: _Search, room: LeadRoom) -> CycleError:
-    item, most_mm = items[number], search.clearance_mm(number)
-    if (
-        item.chain.is_hole
-        and (middle := scrap_in([each.chain for each in items], item.chain, room.kerf_mm)) is not None
-    ):
-        most_mm = max(most_mm, float(room.clearances_mm(np.array([number]), middle[None, :])[0]))
+def _no_room(item: Item, room: LeadRoom) -> CycleError:
     x, y = item.path.xy[0].tolist()
-    return CycleError(
-        "lead-room",
-        Text("there is no scrap for the pierce and lead-in of {chain} near X{x:.3f} Y{y:.3f}",
-             chain=item.chain.title, x=x, y=y),
-        value=Text("{pierce_mm:g} mm from parts and cut edges", pierce_mm=room.pierce_mm),
-        limit=Text("at most {most_mm:.2f} mm there", most_mm=max(most_mm, 0.0)),
-        advice=Text(
-            "set pierce_mm to that limit or less, or leave {short_mm:.2f} mm more scrap there",
-            short_mm=max(2.0 * (room.pierce_mm - most_mm), 0.01),
-        ),
+    what = Text(
+        "there is no scrap for the pierce and lead-in of {chain} near X{x:.3f} Y{y:.3f}",
+        chain=item.chain.title, x=x, y=y,
     )  # fmt: skip
+    return NoScrap("lead-room", what, value=room.pierce_value, scrap_mm=room.scrap_mm(item.chain.is_hole))

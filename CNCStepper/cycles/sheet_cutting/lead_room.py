@@ -17,9 +17,32 @@ import shapely
 from shapely.geometry.base import BaseGeometry
 
 from CNCStepper.cycles.sheet_cutting.chord_pieces import FLAT_MM, ChordPieces
+from CNCStepper.errors import CycleError, Text
 
 OTHER_MM = 0.002  # by so much more a lead keeps off other parts
+NO_PIERCE_MM = "leave so much, ask for fewer tabs, or cut with a narrower kerf: no smaller pierce_mm does"
 OWN_MM = 0.003  # at its end a lead lies half a kerf from its own part: by so much less is rounding
+
+
+class NoScrap(CycleError):
+    """There is no scrap for a pierce; scrap_mm: the width of scrap that would hold it."""
+
+    def __init__(self, code: str, what: Text, *, value: Text, scrap_mm: float):
+        super().__init__(code, what, value=value)
+        self.scrap_mm = scrap_mm
+
+    def with_most(self, pierce_mm: float | None) -> CycleError:
+        """Return the refusal with the largest pierce_mm that does for all contours; None where none does."""
+        scrap = Text("{scrap_mm:.2f} mm of scrap there", scrap_mm=self.scrap_mm)
+        if pierce_mm is None:
+            return CycleError(self.code, self.what, value=self.value, limit=scrap, advice=NO_PIERCE_MM)
+        return CycleError(
+            self.code,
+            self.what,
+            value=self.value,
+            limit=Text("at most {most_mm:.2f} mm", most_mm=pierce_mm),
+            advice=Text("set pierce_mm to that limit, or leave {scrap}", scrap=scrap),
+        )
 
 
 @dataclass(frozen=True)
@@ -61,18 +84,14 @@ class LeadRoom:
         fits[hit[self.paths.owner[run] != item[hit]]] = False
         return fits
 
-    def clearances_mm(self, item: np.ndarray, points: np.ndarray) -> np.ndarray:
-        """Return how large a pierce's spot may be at points of items, float64[n]."""
-        spots = shapely.points(points)
-        far_mm = 1e9
-        (hit, _), away_mm = self.parts.tree.query_nearest(spots, return_distance=True)
-        room_mm = np.full(len(points), far_mm)
-        np.minimum.at(room_mm, hit, away_mm)
-        hit, run = self.paths.near(spots, room_mm + self.kerf_mm)
-        other = self.paths.owner[run] != item[hit]
-        away_mm = shapely.distance(spots[hit[other]], self.paths.lines[run[other]]) - self.kerf_mm / 2.0
-        np.minimum.at(room_mm, hit[other], away_mm)
-        return np.where(self._in_sheet(spots), room_mm, 0.0)
+    @property
+    def pierce_value(self) -> Text:
+        """How far pierces stay off, in words for people."""
+        return Text("{pierce_mm:g} mm from parts and cut edges", pierce_mm=self.pierce_mm)
+
+    def scrap_mm(self, in_hole: bool) -> float:
+        """Return how wide scrap must be for a pierce: in a hole, or between a part and another one with its cut."""
+        return 2.0 * self.pierce_mm + (0.0 if in_hole else self.kerf_mm)
 
     def _in_sheet(self, shapes: np.ndarray) -> np.ndarray:
         if self.sheet is None:

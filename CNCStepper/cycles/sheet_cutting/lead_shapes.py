@@ -9,7 +9,7 @@ r"""Leads as columns: where they meet a path, of which kind, size and angle, and
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -80,11 +80,6 @@ def curve_of(lead: Leads, points: np.ndarray, side: int, into: bool) -> Curve:
         turn = side if into else -side
         curve = Curve.trusted(np.array([begin, end]), np.array([turn * math.tan(float(lead.angle_rad[0]) / 4.0)]))
     return curve if into else curve.reversed()
-
-
-def scaled(leads: Leads, factor: float) -> Leads:
-    """Return the leads with their sizes multiplied."""
-    return replace(leads, size_mm=leads.size_mm * factor)
 
 
 def _lines(leads: Leads, at, ahead, scrap, share: np.ndarray) -> np.ndarray:

@@ -3,7 +3,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
+from copy import copy
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -12,7 +14,7 @@ import shapely
 from shapely.geometry.base import BaseGeometry
 
 from CNCStepper.cycles.contours.contour_model import Lead
-from CNCStepper.cycles.contours.swept_area import swept
+from CNCStepper.cycles.contours.disc_swept_area import swept
 from CNCStepper.cycles.cycle import Answer, Removal, RestCorner, Setup
 from CNCStepper.cycles.sheet_cutting.chain_polygons import parts_of
 from CNCStepper.cycles.sheet_cutting.chains import Chain, narrow_warnings, nested, polygon_of, require_gaps, with_paths
@@ -20,15 +22,15 @@ from CNCStepper.cycles.sheet_cutting.chord_pieces import ChordPieces, points_of
 from CNCStepper.cycles.sheet_cutting.corner_loops import knife_way, loops_at, where_clear
 from CNCStepper.cycles.sheet_cutting.cut_precedence import precedence
 from CNCStepper.cycles.sheet_cutting.lead_places import LEAST, Item, lead_ins, lead_outs
-from CNCStepper.cycles.sheet_cutting.lead_room import LeadRoom
+from CNCStepper.cycles.sheet_cutting.lead_room import LeadRoom, NoScrap
 from CNCStepper.cycles.sheet_cutting.rapids import cut_order, rapid_ways
-from CNCStepper.cycles.sheet_cutting.sheet_checks import Measures, measures_of
 from CNCStepper.cycles.sheet_cutting.sheet_model import SheetModel
+from CNCStepper.cycles.sheet_cutting.sheet_parameter_checks import Measures, measures_of
 from CNCStepper.cycles.sheet_cutting.slow_places import slow_places
 from CNCStepper.cycles.sheet_cutting.strokes import Stroke, even, strokes
 from CNCStepper.cycles.sheet_cutting.torch_moves import Cut
 from CNCStepper.cycles.sheet_cutting.torch_tabs import tabbed_paths
-from CNCStepper.errors import Text
+from CNCStepper.errors import CycleError, Text
 from CNCStepper.geometry.curve import Curve, joined
 
 ROUGH_MM = 0.05  # of pieces round which rapids go
@@ -105,9 +107,10 @@ class _Planner:
     def cuts(self) -> list[Cut]:
         """Return the cuts in their order."""
         self._loop_corners()
-        room = self._room()
-        lead_in = self.cycle.lead_of(self.setup.process, self.measures.kerf_mm, self.measures.pierce_mm)
-        made = self._begun(room, lead_in)
+        try:
+            made = self._begun()
+        except NoScrap as error:
+            raise error.with_most(self._most_pierce_mm()) from error
         before = self._before()
         begins = np.array([cut.begin for cut in made])
         ends = np.array([cut.end for cut in made])
@@ -163,8 +166,33 @@ class _Planner:
         inner = polygon_of(sheet, 0.01).buffer(-self.measures.kerf_mm / 2.0) if sheet is not None else None
         return LeadRoom(self.measures.kerf_mm, self.measures.pierce_mm, self.outlines, paths, self.part_of, inner)
 
-    def _begun(self, room: LeadRoom, lead_in: Lead) -> list[Cut]:
-        """Return each cut from its lead-in on, in the order of the items."""
+    def _most_pierce_mm(self) -> float | None:
+        """Return the largest pierce_mm, in hundredths, with which all contours have a lead; None where none does."""
+        measures = self.measures
+        fits, too_large = math.ceil(50.0 * measures.kerf_mm), math.ceil(100.0 * measures.pierce_mm)
+        if fits >= too_large or not self._has_leads(fits / 100.0):
+            return None
+        while too_large - fits > 1:
+            middle = (fits + too_large) // 2
+            fits, too_large = (middle, too_large) if self._has_leads(middle / 100.0) else (fits, middle)
+        return fits / 100.0
+
+    def _has_leads(self, pierce_mm: float) -> bool:
+        """Return whether all contours have a lead with another distance of pierces."""
+        trial = copy(self)
+        trial.warnings, trial.measures = [], replace(self.measures, pierce_mm=pierce_mm)
+        try:
+            trial._begun()
+        except NoScrap:
+            return False
+        except CycleError:  # of something else, which is told once this is mended
+            return True
+        return True
+
+    def _begun(self) -> list[Cut]:
+        """Return each cut from its lead-in on, in the order of the items; raises NoScrap."""
+        room = self._room()
+        lead_in = self.cycle.lead_of(self.setup.process, self.measures.kerf_mm, self.measures.pierce_mm)
         closed = [number for number, item in enumerate(self.items) if item.path.closed]
         tabbed = self._tabbed()
         closed = [number for number in closed if number not in tabbed]

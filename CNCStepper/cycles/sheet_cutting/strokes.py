@@ -99,9 +99,20 @@ def joint_places(path: Curve, chain: Chain, joints: MicroJoints | None, kerf_mm:
             Text("{count} joints do not fit on {chain}", count=count, chain=chain.title),
             value=Text("{gap_mm:g} mm each, the kerf included", gap_mm=gap_mm),
             limit=Text("{most_mm:.2f} mm each", most_mm=path.length_mm / 2.0 / count),
-            advice="ask for fewer or narrower joints",
+            advice=_fewer_or_narrower(path.length_mm / 2.0, count, gap_mm, kerf_mm),
         )
     return [(number + 0.5) * path.length_mm / count for number in range(count)]
+
+
+def _fewer_or_narrower(room_mm: float, count: int, gap_mm: float, kerf_mm: float) -> Text | str:
+    """Return the count or the width of joints that would do; room_mm: what they may take of the path."""
+    fewer, width_mm = int(room_mm / gap_mm), math.floor(100.0 * (room_mm / count - kerf_mm)) / 100.0
+    narrower = Text("set width_mm to at most {width_mm:.2f}", width_mm=width_mm)
+    if fewer and width_mm > 0.0:
+        return Text("ask for at most {fewer}, or {narrower}", fewer=fewer, narrower=narrower)
+    if fewer:
+        return Text("ask for at most {fewer}", fewer=fewer)
+    return narrower if width_mm > 0.0 else "leave the joints out"
 
 
 def _lap(path: Curve, chain: Chain, slow: SlowPlaces, rules: Rules) -> list[Stroke]:

@@ -19,11 +19,11 @@ import shapely
 
 from CNCStepper.cycles.sheet_cutting.chord_pieces import ChordPieces
 from CNCStepper.cycles.sheet_cutting.lead_places import Item
-from CNCStepper.cycles.sheet_cutting.lead_room import LeadRoom
+from CNCStepper.cycles.sheet_cutting.lead_room import LeadRoom, NoScrap
 from CNCStepper.cycles.sheet_cutting.lead_shapes import LINE, Leads, curve_of, flatness_mm, lead_points
 from CNCStepper.cycles.sheet_cutting.sheet_model import MicroJoints
 from CNCStepper.cycles.sheet_cutting.strokes import joint_places
-from CNCStepper.errors import CycleError, Text
+from CNCStepper.errors import Text
 from CNCStepper.geometry.curve import Curve
 
 TRIED = 24  # places for each tab
@@ -100,11 +100,9 @@ class _Search:
         return fits
 
 
-def _no_scrap(path: Curve, title: str, place_mm: float, room: LeadRoom) -> CycleError:
+def _no_scrap(path: Curve, title: str, place_mm: float, room: LeadRoom) -> NoScrap:
     x, y = path.at_length(place_mm % path.length_mm)[0].tolist()
-    return CycleError(
-        "tab-lead",
-        Text("there is no scrap for the pierce behind a tab of {chain} near X{x:.3f} Y{y:.3f}", chain=title, x=x, y=y),
-        value=Text("{pierce_mm:g} mm from parts and cut edges", pierce_mm=room.pierce_mm),
-        advice="ask for fewer tabs, set a smaller pierce_mm, or leave more scrap there",
+    what = Text(
+        "there is no scrap for the pierce behind a tab of {chain} near X{x:.3f} Y{y:.3f}", chain=title, x=x, y=y
     )
+    return NoScrap("tab-lead", what, value=room.pierce_value, scrap_mm=room.scrap_mm(False))

@@ -29,7 +29,7 @@ from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.dialects import Dialect, dialect_named
 from CNCStepper.gcode.dialects.codes import AXES, MOTION_NAMES, NO_MOTION, PLANE_CODES
 from CNCStepper.gcode.edit.edit_result import Edited, Lines
-from CNCStepper.gcode.edit.executed_lines import is_compensated, require_straight, work_place
+from CNCStepper.gcode.edit.line_states import is_compensated, require_straight, work_place
 from CNCStepper.gcode.edit.line_tokens import changed, first_place, is_plain, tokens_of
 from CNCStepper.gcode.edit.word_values import MOST_DECIMALS, decimals_of, dialect_decimals, number_text
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter

@@ -14,7 +14,7 @@ import numpy as np
 
 from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects.codes import AXES, UNIT_CODES
-from CNCStepper.gcode.edit.executed_lines import Meaning
+from CNCStepper.gcode.edit.line_states import Meaning
 from CNCStepper.gcode.edit.line_tokens import Edit, Token
 from CNCStepper.gcode.edit.path_transforms import TransformState
 from CNCStepper.gcode.edit.word_values import (

@@ -15,7 +15,7 @@ from functools import cached_property
 import numpy as np
 
 from CNCStepper.errors import ProgramError
-from CNCStepper.gcode.edit.executed_lines import Meaning, Source
+from CNCStepper.gcode.edit.line_states import Meaning, Source
 from CNCStepper.gcode.edit.word_values import decimals_of, dialect_decimals
 from CNCStepper.toolpath import PLANE_AXES, PLANE_NAMES
 from CNCStepper.units import UNIT_MM

@@ -28,8 +28,8 @@ from CNCStepper.gcode.dialects import Dialect, dialect_named
 from CNCStepper.gcode.dialects.codes import AXES, MOTION_NAMES, PLANE_CODES
 from CNCStepper.gcode.edit.cutting_passes import Pass, Rows, passes_of
 from CNCStepper.gcode.edit.edit_result import Edited
-from CNCStepper.gcode.edit.executed_lines import Meaning, Source, require_straight
 from CNCStepper.gcode.edit.line_edits import CENTRES
+from CNCStepper.gcode.edit.line_states import Meaning, Source, require_straight
 from CNCStepper.gcode.edit.line_tokens import Edit, Token, changed, comment_spans
 from CNCStepper.gcode.edit.verification import same_events, same_modes
 from CNCStepper.gcode.edit.word_values import MOST_DECIMALS, decimals_of, dialect_decimals, number_text

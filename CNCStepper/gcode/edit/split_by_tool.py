@@ -20,7 +20,7 @@ from CNCStepper.errors import Place, ProgramError, Text
 from CNCStepper.gcode.dialects import Dialect, dialect_named
 from CNCStepper.gcode.dialects.codes import CODE_OF_PLANE, MOTION_NAMES, UNIT_CODES
 from CNCStepper.gcode.edit.edit_result import Lines
-from CNCStepper.gcode.edit.executed_lines import require_straight, work_place
+from CNCStepper.gcode.edit.line_states import require_straight, work_place
 from CNCStepper.gcode.edit.line_tokens import changed, tokens_of
 from CNCStepper.gcode.edit.word_values import MOST_DECIMALS, dialect_decimals, number_text
 from CNCStepper.gcode.interpreter.interpret import interpret

@@ -18,12 +18,12 @@ from CNCStepper.gcode.dialects import Dialect, dialect_named
 from CNCStepper.gcode.dialects.codes import UNIT_CODES
 from CNCStepper.gcode.edit import path_transforms
 from CNCStepper.gcode.edit.edit_result import Edited
-from CNCStepper.gcode.edit.executed_lines import EXPAND, Meaning, Source
 from CNCStepper.gcode.edit.line_edits import Line
+from CNCStepper.gcode.edit.line_states import EXPAND, Meaning, Source
 from CNCStepper.gcode.edit.line_tokens import changed
 from CNCStepper.gcode.edit.path_transforms import Map, TransformState
 from CNCStepper.gcode.edit.verification import verified
-from CNCStepper.gcode.interpreter.state.model import model_at
+from CNCStepper.gcode.interpreter.state.interpreter_state import model_at
 from CNCStepper.gcode.syntax.words import split_line
 from CNCStepper.state import Start
 

@@ -16,7 +16,7 @@ import numpy as np
 
 from CNCStepper.errors import Place, ProgramError
 from CNCStepper.gcode.edit.edit_result import Edited
-from CNCStepper.gcode.edit.executed_lines import EXPAND, Source
+from CNCStepper.gcode.edit.line_states import EXPAND, Source
 from CNCStepper.gcode.edit.path_transforms import Map
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.interpreter.motion.arc_lengths import FULL_TURN, Ways, ways_of

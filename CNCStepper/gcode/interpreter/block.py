@@ -19,7 +19,7 @@ from CNCStepper.gcode.interpreter.canonical_output import SET_FEED, Canon, Canon
 from CNCStepper.gcode.interpreter.motion.arcs import Arc, chords
 from CNCStepper.gcode.interpreter.motion.end_points import unknown_position
 from CNCStepper.gcode.interpreter.state import stand_alone_position
-from CNCStepper.gcode.interpreter.state.model import NO_FURTHER, Model, Point, rpm_at
+from CNCStepper.gcode.interpreter.state.interpreter_state import NO_FURTHER, Model, Point, rpm_at
 from CNCStepper.gcode.interpreter.state.parameters import length_scale
 from CNCStepper.gcode.syntax.line_grammar import Plan
 from CNCStepper.gcode.syntax.words import Word

@@ -11,9 +11,9 @@ from collections.abc import Callable, Sequence
 from typing import Any, Protocol
 
 from CNCStepper.gcode.interpreter.active_comments import canonical_call
-from CNCStepper.gcode.interpreter.cutter_compensation.held_moves import QueuedMove
+from CNCStepper.gcode.interpreter.cutter_compensation.compensation_state import QueuedMove
 from CNCStepper.gcode.interpreter.motion.arcs import Arc
-from CNCStepper.gcode.interpreter.state.model import Model
+from CNCStepper.gcode.interpreter.state.interpreter_state import Model
 from CNCStepper.gcode.interpreter.state.parameters import length_scale
 from CNCStepper.gcode.syntax.words import Comment
 from CNCStepper.toolpath import RAPID, TableBuilder

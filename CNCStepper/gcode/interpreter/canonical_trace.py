@@ -18,7 +18,7 @@ from CNCStepper.gcode.interpreter.functions.coordinate_offsets import HOMES, SET
 from CNCStepper.gcode.interpreter.functions.tools import read_tool_table
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.interpreter.motion.arcs import Arc
-from CNCStepper.gcode.interpreter.state.model import Model
+from CNCStepper.gcode.interpreter.state.interpreter_state import Model
 from CNCStepper.state import WORK_SYSTEMS, Start
 from CNCStepper.toolpath import ARC_CW, LINE, PLANE_AXES, RAPID
 

@@ -18,7 +18,6 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from CNCStepper.errors import ProgramError, Text
-from CNCStepper.gcode.canned.canned_cycles import run_block
 from CNCStepper.gcode.dialects.codes import (
     ANY_PLANE,
     CYCLES,
@@ -31,6 +30,7 @@ from CNCStepper.gcode.dialects.codes import (
     Code,
 )
 from CNCStepper.gcode.interpreter.block import Block
+from CNCStepper.gcode.interpreter.canned_cycles import run_block
 from CNCStepper.gcode.interpreter.canonical_output import SET_FEED
 from CNCStepper.gcode.interpreter.cutter_compensation import compensation_codes
 from CNCStepper.gcode.interpreter.cutter_compensation.compensation_codes import (

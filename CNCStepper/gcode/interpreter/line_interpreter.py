@@ -28,8 +28,8 @@ from CNCStepper.gcode.interpreter.expression_words import ExpressionWords, is_co
 from CNCStepper.gcode.interpreter.fast_path import fast_line
 from CNCStepper.gcode.interpreter.flow.o_words import has_profile, leads
 from CNCStepper.gcode.interpreter.functions import plasma
+from CNCStepper.gcode.interpreter.state.interpreter_state import Model, Point, model_at
 from CNCStepper.gcode.interpreter.state.modal_state_stack import leave_level
-from CNCStepper.gcode.interpreter.state.model import Model, Point, model_at
 from CNCStepper.gcode.interpreter.state.system_parameters import SystemParameters
 from CNCStepper.gcode.syntax.error_location import located_error
 from CNCStepper.gcode.syntax.line_grammar import PLAIN_NUMBER, Grammar, Plan

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-r"""Roughing and finishing along a profile (G70, G71, G72), as LinuxCNC 2.9 does it; `profile.py` has the segments.
+r"""Roughing and finishing along a profile (G70, G71, G72), as LinuxCNC 2.9 does it; segments: `turned_profile.py`.
 
     The profile is mirrored and turned until Z and X fall from its begin to its end, the moves are turned back:
 
@@ -16,7 +16,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from CNCStepper.errors import ProgramError
-from CNCStepper.gcode.lathe.profile import (
+from CNCStepper.gcode.lathe.turned_profile import (
     APART,
     NEAR,
     SHORT,

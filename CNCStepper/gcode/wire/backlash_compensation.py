@@ -39,7 +39,7 @@ from CNCStepper.errors import Place, ProgramError, Text
 from CNCStepper.gcode.dialects import Dialect, dialect_named
 from CNCStepper.gcode.dialects.codes import MOTION_NAMES
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
-from CNCStepper.gcode.interpreter.state.model import Model
+from CNCStepper.gcode.interpreter.state.interpreter_state import Model
 from CNCStepper.gcode.syntax.words import Word, words_of
 from CNCStepper.gcode.wire.monotonic_split import Piece, arc_pieces, straight_pieces
 from CNCStepper.gcode.wire.wire_text import WireLines, WireText, check_wire_line

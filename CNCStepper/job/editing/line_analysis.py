@@ -23,7 +23,7 @@ from CNCStepper.gcode.interpreter.flow.o_words import has_profile, is_plain
 from CNCStepper.gcode.interpreter.flow.program_flow import Flow, Limits
 from CNCStepper.gcode.interpreter.flow.subprogram_files import library_of
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
-from CNCStepper.gcode.interpreter.state.model import Point
+from CNCStepper.gcode.interpreter.state.interpreter_state import Point
 from CNCStepper.gcode.syntax.words import is_percent_mark, split_line, words_of
 from CNCStepper.gcode.wire.encoder import prepare
 from CNCStepper.gcode.wire.expansion import is_expanded

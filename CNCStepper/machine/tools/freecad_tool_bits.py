@@ -18,7 +18,7 @@ from typing import Any
 from CNCStepper.atomic_file import write_whole
 from CNCStepper.errors import JobError, Place, Text
 from CNCStepper.input_file import is_there
-from CNCStepper.machine.files.readers import read_json
+from CNCStepper.machine.files.toml_reader import read_json
 from CNCStepper.machine.tools.stored_tool import StoredTool, given_keys, tool_or_note
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.quantities import Bounds, shown

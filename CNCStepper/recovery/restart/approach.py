@@ -12,12 +12,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from CNCStepper.errors import Text
-from CNCStepper.gcode.interpreter.state.model import Model
+from CNCStepper.gcode.interpreter.state.interpreter_state import Model
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.machine.tools.tool_shapes import BEAMS
-from CNCStepper.recovery.power_on import own_wait_s, pierce_height_mm
 from CNCStepper.recovery.restart.entry_point import EntryPoint
 from CNCStepper.recovery.restart.interrupted_program import Program
+from CNCStepper.recovery.tool_power_on import own_wait_s, pierce_height_mm
 from CNCStepper.state import State
 from CNCStepper.tolerances import SAME_MM
 

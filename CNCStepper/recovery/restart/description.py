@@ -16,7 +16,7 @@ import numpy as np
 from CNCStepper.control.session.status import error_to_json
 from CNCStepper.errors import CNCStepperError, Text
 from CNCStepper.recovery.restart.interrupted_program import Program
-from CNCStepper.recovery.restart.places import contours
+from CNCStepper.recovery.restart.restart_places import contours
 from CNCStepper.recovery.restart.restart_program import Restart
 from CNCStepper.state import Start
 
@@ -126,7 +126,7 @@ def contours_as_data(lines: Sequence[str], dialect: str, start: Start | None, fi
     more: how many contours were left out.
     """
     from CNCStepper.recovery.restart.interrupted_program import read_program
-    from CNCStepper.recovery.restart.places import contours
+    from CNCStepper.recovery.restart.restart_places import contours
 
     try:
         program = read_program("\n".join(lines) + "\n", dialect, start, file)

@@ -33,7 +33,7 @@ from CNCStepper.gcode.interpreter.flow.subprogram_files import Library
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.interpreter.motion.arc_lengths import Ways, ways_of
-from CNCStepper.gcode.interpreter.state.model import Model
+from CNCStepper.gcode.interpreter.state.interpreter_state import Model
 from CNCStepper.gcode.syntax.words import program_lines
 from CNCStepper.gcode.wire.expansion import expanded
 from CNCStepper.state import Start

@@ -26,21 +26,21 @@ from typing import Any
 
 import numpy as np
 
-from CNCStepper.drilling_strokes import OWN_WORD
+from CNCStepper.canned_drilling_moves import OWN_WORD
 from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects import Dialect
 from CNCStepper.gcode.dialects.codes import ALL_AXES, CYCLES, MOTION_NAMES, NO_MOTION
 from CNCStepper.gcode.edit.line_tokens import Token, changed, first_place, tokens_of
 from CNCStepper.gcode.edit.word_values import MOST_DECIMALS, number_text
 from CNCStepper.gcode.interpreter.interpret import interpret
-from CNCStepper.gcode.interpreter.state.model import Model
+from CNCStepper.gcode.interpreter.state.interpreter_state import Model
 from CNCStepper.gcode.interpreter.state.parameters import offset_number, stored_point
 from CNCStepper.gcode.syntax.words import is_percent_mark, split_line
 from CNCStepper.recovery.restart.approach import Approach, Options, approach_to
 from CNCStepper.recovery.restart.entry_point import EntryPoint, entry_point_of
 from CNCStepper.recovery.restart.interrupted_program import Program, read_program
-from CNCStepper.recovery.restart.places import RequestedPlace, place_of
 from CNCStepper.recovery.restart.preamble import EntryWriter
+from CNCStepper.recovery.restart.restart_places import RequestedPlace, place_of
 from CNCStepper.state import WORK_SYSTEMS, ZERO3, Start, State
 from CNCStepper.tolerances import SAME_ENTRY_MM
 from CNCStepper.toolpath import COLUMNS, RAPID, XY, Chunk, Toolpath

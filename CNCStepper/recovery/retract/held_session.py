@@ -23,8 +23,8 @@ from CNCStepper.gcode.wire.backlash_compensation import backlash_of
 from CNCStepper.job.start_state_file import start_from
 from CNCStepper.machine.backlash import Backlash
 from CNCStepper.machine.profile import Machine
-from CNCStepper.recovery.retract.path import Place, RetractPath
 from CNCStepper.recovery.retract.path_search import Controller, PositionReport, PossiblePlaces, find
+from CNCStepper.recovery.retract.retract_path import Place, RetractPath
 from CNCStepper.state import ZERO3, Start
 
 

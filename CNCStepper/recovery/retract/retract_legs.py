@@ -15,23 +15,22 @@ from math import dist, hypot
 from typing import Any
 
 from CNCStepper.control.stream.retract_handover import REST
-from CNCStepper.control.stream.return_path import Axes, landed_mm, over, over_backlash
+from CNCStepper.control.stream.return_after_jog import Axes, landed_mm, over, over_backlash
 from CNCStepper.errors import JobError, ProgramError, Text
 from CNCStepper.gcode.dialects import dialect_named
 from CNCStepper.gcode.dialects.codes import MOTION_NAMES
-from CNCStepper.gcode.interpreter.state.model import Model
+from CNCStepper.gcode.interpreter.state.interpreter_state import Model
 from CNCStepper.gcode.interpreter.state.parameters import offset_number, stored_point
 from CNCStepper.gcode.wire.wire_text import FirstMove, WireLines
 from CNCStepper.job.certify import certificate_of
 from CNCStepper.job.prove import prove
 from CNCStepper.machine.backlash import Motors
 from CNCStepper.machine.profile import Machine
-from CNCStepper.motion.planner.backlash import tool_moves
-from CNCStepper.recovery.power_on import cut_begin, own_wait_s
+from CNCStepper.motion.planner.backlash_moves import tool_moves
 from CNCStepper.recovery.retract.held_session import SessionContext, acknowledged, found_of
 from CNCStepper.recovery.retract.move_curve import Move, Point
-from CNCStepper.recovery.retract.path import Part, Place, RetractPath, stretch_moves
 from CNCStepper.recovery.retract.path_search import PositionReport, PossiblePlaces
+from CNCStepper.recovery.retract.retract_path import Part, Place, RetractPath, stretch_moves
 from CNCStepper.recovery.retract.wire_writer import (
     crossing,
     head_lines,
@@ -42,6 +41,7 @@ from CNCStepper.recovery.retract.wire_writer import (
     way_lines,
     without_height,
 )
+from CNCStepper.recovery.tool_power_on import cut_begin, own_wait_s
 from CNCStepper.state import WORK_SYSTEMS, ZERO3, State
 
 BACK, FORWARD, ASIDE = "back", "forward", "aside"

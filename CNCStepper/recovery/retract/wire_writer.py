@@ -22,14 +22,14 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
-from CNCStepper.control.stream.return_path import Axes
+from CNCStepper.control.stream.return_after_jog import Axes
 from CNCStepper.gcode.dialects.codes import MOTION_NAMES, PLANE_CODES, UNIT_CODES
 from CNCStepper.gcode.edit.word_values import number_text
 from CNCStepper.gcode.interpreter.state.modal_state_stack import FEED_MODES, SPINDLE
 from CNCStepper.gcode.wire.monotonic_split import Piece, arc_pieces
 from CNCStepper.machine.backlash import Backlash, Motors
 from CNCStepper.recovery.retract.move_curve import Move, Point
-from CNCStepper.recovery.retract.path import Part
+from CNCStepper.recovery.retract.retract_path import Part
 from CNCStepper.state import State
 from CNCStepper.toolpath import LINE, PLANE_AXES, PLANE_NAMES, RAPID
 from CNCStepper.units import MM_PER_INCH

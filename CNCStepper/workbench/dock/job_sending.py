@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 from CNCStepper.errors import CNCStepperError, JobError
 from CNCStepper.state import Start
 from CNCStepper.workbench.dock.connection import Link, error_text
-from CNCStepper.workbench.dock.model.controller_state import ControllerSnapshot, sentences
+from CNCStepper.workbench.dock.model.button_states import ControllerSnapshot, sentences
 from CNCStepper.workbench.dock.model.send_steps import Flow
 from CNCStepper.workbench.dock.model.unfinished_job import why_not_now
 from CNCStepper.workbench.dock.views import widgets
@@ -24,7 +24,7 @@ from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.translation import later, tr
 
 if TYPE_CHECKING:
-    from CNCStepper.recovery.restart.proof_folder import RestartPlace
+    from CNCStepper.recovery.restart.restart_proof_folder import RestartPlace
 
 DOES = later("Check a G-code file with the job's machine, stock, tools and clamps, and send it.")
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from CNCStepper.errors import CNCStepperError, CycleError, Text
-from CNCStepper.job.question_key import Content
+from CNCStepper.job.request_digest import Content
 from CNCStepper.machine.processes import MILLING
 from CNCStepper.workbench import packages
 from CNCStepper.workbench.document.input_limits import require_within_reach
@@ -39,6 +39,8 @@ from CNCStepper.workbench.services.translation import later
 
 OPERATION_GROUP = later("Operation")
 LINKS = ("tool", "active", "drawings")  # keys of every operation that are none of a cycle's
+MARKED = "MarkDrawings"  # the property of the drawings that are marked, of operations that mark
+DRAWN_BY = ("Drawings", MARKED)  # the properties whose drawings an operation stands on
 OPERATION = (
     Property("tool", "Tool", LINK, OPERATION_GROUP, later("Tool"), later("The tool that cuts it")),
     Property("active", "Active", BOOL, OPERATION_GROUP, later("Active"), later("Whether the program holds it"), True),
@@ -58,7 +60,7 @@ def drawn(group: str, text: str, only: tuple[str, tuple[str, ...]] | tuple[()] =
 
 @dataclass(frozen=True)
 class CachedCycle:
-    """The cycle that an operation was made into with that tool's number and that work zero, and the remarks on it.
+    """The cycle that an operation was made into with that tool's number, work zero and process, and the remarks on it.
 
     measures: those of the operation's values by key that stock and machine limit.
     """
@@ -121,6 +123,7 @@ class Operation(Feature):
     kept: CachedCycle | None = None  # until the object or what it stands on changes
     drawn: Sequence[DrawingSnapshot] = ()  # its drawings when it was made
     lines: Lines | None = None  # of its drawings when it was made
+    marks: Lines | None = None  # of the drawings that are marked
     warnings: tuple[str, ...] = ()  # what the last cut says that a person should know
     remarks: tuple[str, ...] = ()  # what there is to know of the drawings
     unused: tuple[CNCStepperError, ...] = ()  # why what was selected with the drawings is none of them
@@ -175,6 +178,10 @@ class Operation(Feature):
         """Return the object's values by key, and what else decides which of them count."""
         return values(obj)
 
+    def process(self, obj: Any) -> str:
+        """Return the process of its job where values count by it; "" where they do not, or there is no job."""
+        return ""
+
     def cycle(self, obj: Any, origin_mm: tuple[float, ...]) -> Any:
         """Return the checked cycle of `obj` in work coordinates; raises CycleError, GeometryError or JobError."""
         return self._keep(obj, origin_mm).cycle
@@ -186,16 +193,17 @@ class Operation(Feature):
     def _keep(self, obj: Any, origin_mm: tuple[float, ...]) -> CachedCycle:
         """Return what the object was made into, made anew where anything has changed: its job asks after each edit."""
         packages.require()
-        made_with = (_tool(obj).Number, tuple(origin_mm))
+        cycle_of = (_tool(obj).Number, tuple(origin_mm))
+        made_with = (*cycle_of, self.process(obj))
         if self.kept is None or self.kept.made_with != made_with:
             self.remarks = ()
-            self.kept = CachedCycle(made_with, self._checked(obj, *made_with), self.remarks, self._measures(obj))
+            self.kept = CachedCycle(made_with, self._checked(obj, *cycle_of), self.remarks, self._measures(obj))
         self.remarks = self.kept.remarks
         return self.kept
 
     def _look_at_drawings(self, obj: Any) -> None:
         """Keep the cycle only where the drawings are as they were when it was made."""
-        drawn = [DrawingSnapshot.of(drawing) for drawing, _ in drawings_of(obj)]
+        drawn = [DrawingSnapshot.of(drawing) for drawing in linked_drawings(obj)]
         if not all_same(drawn, self.drawn):
             self.kept = None
         self.drawn = drawn
@@ -244,10 +252,11 @@ class Operation(Feature):
             self.kept = None
         if PROBLEM.name not in obj.PropertiesList or "Restore" in obj.State:
             return
-        if name == "Drawings" and "DeletedDrawing" in obj.PropertiesList:
-            holders = [holder for drawing, _ in drawings_of(obj) for holder in containers_of(drawing)]
+        if name in DRAWN_BY and "DeletedDrawing" in obj.PropertiesList:
+            holders = [holder for drawing in linked_drawings(obj) for holder in containers_of(drawing)]
             obj.Containers = list(dict.fromkeys(holders))
-            obj.DeletedDrawing = self.removed_label
+            kept = obj.DeletedDrawing if name == MARKED else ""  # until other drawings are chosen
+            obj.DeletedDrawing = self.removed_label or kept
             self.removed_label, self.unused = "", ()
         if name in self._choosers:
             self.show_what_counts(obj)
@@ -265,8 +274,8 @@ class Operation(Feature):
 
     def onBeforeChange(self, obj: Any, name: str) -> None:
         """Note which drawing is being deleted; FreeCAD calls this before every change."""
-        if name == "Drawings":
-            removed = [drawing.Label for drawing, _ in drawings_of(obj) if drawing.Removing]
+        if name in DRAWN_BY:
+            removed = [drawing.Label for drawing, _ in drawing_pairs(getattr(obj, name)) if drawing.Removing]
             self.removed_label = removed[0] if removed else self.removed_label
 
     def figures(self, obj: Any) -> dict[str, float]:
@@ -320,6 +329,16 @@ def drawings_of(obj: Any) -> tuple[tuple[Any, tuple[str, ...]], ...]:
     return drawing_pairs(getattr(obj, "Drawings", ()))
 
 
+def marked_of(obj: Any) -> tuple[tuple[Any, tuple[str, ...]], ...]:
+    """Return the drawings that an operation marks, as `drawings_of` does; none of one that marks nothing."""
+    return drawing_pairs(getattr(obj, MARKED, ()))
+
+
+def linked_drawings(obj: Any) -> list[Any]:
+    """Return all drawings that an operation stands on."""
+    return [drawing for drawing, _ in (*drawings_of(obj), *marked_of(obj))]
+
+
 def the_drawing(obj: Any) -> tuple[Any, tuple[str, ...]] | None:
     """Return the one drawing that gives an operation's shape, None for numbers; raises CycleError for several."""
     pairs = drawings_of(obj)
@@ -341,19 +360,30 @@ def drawn_lines(obj: Any, origin_mm: tuple[float, ...], wanted: str) -> Lines:
     pairs = drawings_of(obj)
     if not pairs:
         raise CycleError("drawing-missing", Text("{obj} has no drawing", obj=obj.Label), advice=wanted)
-    proxy, made_of = obj.Proxy, (pairs, float(obj.Tolerance), tuple(origin_mm))
-    seen = [DrawingSnapshot.of(drawing) for drawing, _ in pairs]
-    if proxy.lines is None or proxy.lines.made_of != made_of or not all_same(seen, proxy.lines.drawings):
-        proxy.lines = _lines(made_of, seen)
-    lines: Lines = proxy.lines
-    proxy.remarks = lines.remarks
-    return lines
+    obj.Proxy.lines = _lines(obj.Proxy.lines, pairs, float(obj.Tolerance), origin_mm)
+    obj.Proxy.remarks = obj.Proxy.lines.remarks
+    return obj.Proxy.lines  # type: ignore[no-any-return]
 
 
-def _lines(made_of: tuple[Any, ...], seen: Sequence[DrawingSnapshot]) -> Lines:
+def marked_lines(obj: Any, origin_mm: tuple[float, ...]) -> Lines:
+    """Return the curves that an operation marks, from the work zero; its proxy collects remarks on them too.
+
+    Raises GeometryError for what cannot be followed.
+    """
+    obj.Proxy.marks = _lines(obj.Proxy.marks, marked_of(obj), float(obj.Tolerance), origin_mm)
+    obj.Proxy.remarks += obj.Proxy.marks.remarks
+    return obj.Proxy.marks  # type: ignore[no-any-return]
+
+
+def _lines(kept: Lines | None, pairs: Any, tolerance_mm: float, origin_mm: tuple[float, ...]) -> Lines:
+    """Return the curves of drawings; those kept, where drawings and zero are as they were."""
     from CNCStepper.workbench.drawings.joined_curves import drawn_of
 
-    pairs, tolerance_mm, (x_mm, y_mm, _) = made_of
+    made_of = (pairs, tolerance_mm, tuple(origin_mm))
+    seen = [DrawingSnapshot.of(drawing) for drawing, _ in pairs]
+    if kept is not None and kept.made_of == made_of and all_same(seen, kept.drawings):
+        return kept
+    x_mm, y_mm, _ = origin_mm
     drawn = drawn_of(pairs, tolerance_mm)
     curves = [replace(each, curve=each.curve.moved(-x_mm, -y_mm)) for each in drawn.curves]
     return Lines(made_of, seen, curves, tuple(drawn.remarks()))
@@ -397,7 +427,7 @@ def _refuse_what_it_stands_on(obj: Any) -> None:
             Text("the drawing '{deleted_drawing}' that it followed was deleted", deleted_drawing=obj.DeletedDrawing),
             advice="undo that, choose another drawing, or choose none",
         )
-    parts = (obj.Tool, *(drawing for drawing, _ in drawings_of(obj)))
+    parts = (obj.Tool, *linked_drawings(obj))
     require_parts(part for part in parts if part is not None)
 
 

@@ -10,8 +10,16 @@ from CNCStepper.cycles.contours.contour_parameters import LINES
 from CNCStepper.cycles.parameter import LEADS, TABS
 from CNCStepper.cycles.sheet_cutting.sheet_parameters import RULES, SheetParameters
 from CNCStepper.machine.processes import PROCESSES
-from CNCStepper.workbench.features.base import DISTANCE, ENUMERATION, INTEGER, Property, values
-from CNCStepper.workbench.features.operation import OPERATION, Operation, drawn, drawn_lines, jobs_of
+from CNCStepper.workbench.features.base import DISTANCE, DRAWINGS, ENUMERATION, INTEGER, Property, entry_of, values
+from CNCStepper.workbench.features.operation import (
+    MARKED,
+    OPERATION,
+    Operation,
+    drawn,
+    drawn_lines,
+    jobs_of,
+    marked_lines,
+)
 from CNCStepper.workbench.features.parameters import MADE, properties_of
 from CNCStepper.workbench.services.translation import later
 
@@ -60,11 +68,16 @@ BY_PROCESS = {
     "arcs_by": PIERCING,
     "loops_by": PIERCING,
     "power_ramp_by": LASER,
+    "mark_drawings": (*LASER, *LOWERED),
     "mark_power": LASER,
+    "mark_feed_mm_min": (*LASER, *LOWERED),
     "spot_below_mm": (*TORCHES, *LASER),
     "spot_s": (*TORCHES, *LASER),
 }
-NOT_SHOWN = {"mark_feed_mm_min"}  # there are no marks in the window
+MARKS = Property(
+    "mark_drawings", MARKED, DRAWINGS, LINES, later("Marks"),
+    later("Lines that are marked with low power or lightly scribed before anything is cut"), (),
+)  # fmt: skip
 
 
 def _with_what_decides(entry: Property) -> Property:
@@ -81,7 +94,7 @@ def _with_what_decides(entry: Property) -> Property:
 
 def _properties() -> tuple[Property, ...]:
     """Return the cycle's properties, each chooser before its table, the rules last."""
-    found = [entry for entry in properties_of(SheetParameters, *CHOOSERS) if entry.key not in NOT_SHOWN]
+    found = properties_of(SheetParameters, *CHOOSERS)
     ordered = sorted(found, key=lambda entry: (entry.group == RULES, _place(entry) if entry.group == RULES else 0))
     return tuple(map(_with_what_decides, ordered))
 
@@ -98,10 +111,11 @@ class SheetCut(Operation):
     CYCLE = "sheet_cut"
     BY = (*PIERCING, *LOWERED)
     TABLES = TABLES
-    OWN = tuple(entry.key for entry in CHOOSERS)
+    OWN = (MARKS.key, *(entry.key for entry in CHOOSERS))
     PROPERTIES = (
         *OPERATION,
         *drawn(LINES, later("The sketch, wires or faces whose lines are cut: closed ones are parts and holes in turn")),
+        _with_what_decides(MARKS),
         *_properties(),
         Property("parts", "Parts", INTEGER, MADE, later("Parts"), later("How many parts are cut free"), 0,
                  output=True),
@@ -113,8 +127,13 @@ class SheetCut(Operation):
 
     def known(self, obj: Any) -> dict[str, Any]:
         """Return the object's values by key, and its job's process."""
+        process = self.process(obj)
+        return {**values(obj), **({PROCESS: process} if process else {})}
+
+    def process(self, obj: Any) -> str:
+        """Return its job's process, "" without a job."""
         jobs = jobs_of(obj)
-        return {**values(obj), **({PROCESS: jobs[0].Process} if jobs else {})}
+        return jobs[0].Process if jobs else ""
 
     def counts(self, entry: Property, found: dict[str, Any]) -> bool:
         """Return whether a property counts with the other values, and with the process where that is known."""
@@ -129,5 +148,9 @@ class SheetCut(Operation):
 
     def cycle_values(self, obj: Any, origin_mm: tuple[float, ...]) -> dict[str, Any]:
         """Return the parameters and the drawings' curves."""
+        found = self.known(obj)
         curves = drawn_lines(obj, origin_mm, "choose a sketch, wires or faces for it").curves
-        return {**self.given(self.known(obj)), "curves": tuple(each.curve for each in curves)}
+        given = {**self.given(found), "curves": tuple(each.curve for each in curves)}
+        if found[MARKS.key] and self.counts(entry_of(self, MARKS.key), found):
+            given["marks"] = tuple(each.curve for each in marked_lines(obj, origin_mm).curves)
+        return given

@@ -10,13 +10,13 @@ from CNCStepper.cycles.sheet_cutting.sheet_parameters import RULES
 from CNCStepper.workbench.features.base import JOB, proxy_type
 from CNCStepper.workbench.features.operation import Operation
 from CNCStepper.workbench.features.tool import FORM, LIMITS
-from CNCStepper.workbench.panels.drawing_fields import DrawingField, DrawingsField
+from CNCStepper.workbench.panels.drawing_fields import DrawingField, DrawingsField, MarksField
 from CNCStepper.workbench.panels.object_form import Editor
 from CNCStepper.workbench.panels.point_list_field import PointsField
 from CNCStepper.workbench.panels.task_panel import Panel
 from CNCStepper.workbench.panels.tool_field import ToolField
 
-KINDS = {"tool": ToolField, "pattern_points_mm": PointsField}
+KINDS = {"tool": ToolField, "mark_drawings": MarksField, "pattern_points_mm": PointsField}
 RARE = (FINISH, PATH, TABS, LEADS, RULES)  # groups of operations
 FREEHAND = "CNCStepper_Freehand"
 HIDDEN = {FREEHAND: ("points_mm",)}

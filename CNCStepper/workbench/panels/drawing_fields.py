@@ -137,7 +137,9 @@ class DrawingField(_Taking, ChoiceField):
 
 
 class DrawingsField(_Taking):
-    """All drawings that the operation follows, checked, and those that it could follow."""
+    """All drawings that the operation follows, checked, and those that it could follow. NO_DRAWING: none is checked."""
+
+    NO_DRAWING = ""  # the operation's own
 
     def make(self) -> list[Any]:
         """Add the list, what it means that nothing is checked, and the buttons that take the selection."""
@@ -146,7 +148,7 @@ class DrawingsField(_Taking):
         drawings.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         drawings.setTextElideMode(QtCore.Qt.TextElideMode.ElideMiddle)
         drawings.itemChanged.connect(lambda _: self.checked())
-        self.none = QtGui.QLabel(tr(self.obj.Proxy.NO_DRAWING), self.widget)
+        self.none = QtGui.QLabel(tr(self.NO_DRAWING or self.obj.Proxy.NO_DRAWING), self.widget)
         self.none.setObjectName(f"{NAME}_{self.entry.key}_none")
         self._column.addWidget(self.none)
         self.add_buttons(
@@ -215,3 +217,22 @@ class DrawingsField(_Taking):
     def _chosen(self) -> list[Pair]:
         drawings = self.widget.findChild(QtGui.QListWidget)
         return [pair for number, pair in enumerate(self.rows) if drawings.item(number).checkState() == CHECKED]
+
+
+class MarksField(DrawingsField):
+    """The drawings that the operation marks; one that was deleted is told in the list of those that it follows."""
+
+    NO_DRAWING = later("nothing is marked")
+
+    def add_buttons(self, buttons: tuple[tuple[str, str, str], ...]) -> None:
+        """Add the buttons; why something cannot be followed is told of the other list."""
+        super().add_buttons(buttons)
+        self.say_unused(())
+
+    def differs(self, value: Any) -> bool:
+        """Return whether it changes."""
+        return Field.differs(self, value)
+
+    def write(self) -> None:
+        """Show the drawings that are marked, and what else could be."""
+        self._fill(list(value_of(self.obj, self.entry)), "")

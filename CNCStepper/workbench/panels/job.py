@@ -12,7 +12,7 @@ from CNCStepper.workbench.document.stock_of_job import CYLINDER
 from CNCStepper.workbench.drawings.shapes import box_round, round_box
 from CNCStepper.workbench.features.cut_values import CHART
 from CNCStepper.workbench.features.job import HEIGHTS, MACHINE, PROGRAM, STOCK
-from CNCStepper.workbench.features.operation import drawings_of
+from CNCStepper.workbench.features.operation import linked_drawings
 from CNCStepper.workbench.features.tool import FORM, LIMITS
 from CNCStepper.workbench.panels.axis_calculator import AxisSheet
 from CNCStepper.workbench.panels.fields import NAME, ChoiceField, VectorField
@@ -128,7 +128,7 @@ class JobPanel(Panel):
         """Put the stock around what is selected, or around all drawings of the operations."""
         import FreeCADGui
 
-        drawn = [drawing for operation in self.job.Operations for drawing, _ in drawings_of(operation)]
+        drawn = [drawing for operation in self.job.Operations for drawing in linked_drawings(operation)]
         shapes = [obj.Shape for obj in FreeCADGui.Selection.getSelection() or drawn if hasattr(obj, "Shape")]
         shapes = [shape for shape in shapes if not shape.isNull() and shape.BoundBox.isValid()]
         if not shapes:

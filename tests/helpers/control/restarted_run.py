@@ -13,8 +13,8 @@ from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.errors import ProgramError
 from CNCStepper.job.certify import certificate_of
 from CNCStepper.machine.profile import load_machine
-from CNCStepper.recovery.restart.places import RequestedPlace
-from CNCStepper.recovery.restart.prove import restart_program
+from CNCStepper.recovery.restart.prove_restart import restart_program
+from CNCStepper.recovery.restart.restart_places import RequestedPlace
 from CNCStepper.virtual.faults.plan import FaultPlan
 from CNCStepper.virtual.grbl.machine import Grbl
 from CNCStepper.virtual.grbl.settings import HOMING

@@ -24,6 +24,8 @@ from CNCStepper.errors import JobError, Place
 from CNCStepper.gcode.wire.encoder import prepare
 from CNCStepper.job.certify import (
     certificate_of,
+    check_cut,
+    cut_content,
     keep_out_digest,
     machine_digest,
     proven_wire,
@@ -32,6 +34,8 @@ from CNCStepper.job.certify import (
     tools_digest,
 )
 from CNCStepper.job.prove import Proof, prove
+from CNCStepper.machine.cut_charts import cut_data_for
+from CNCStepper.machine.processes import PROCESSES
 from CNCStepper.machine.profile import Machine, load_machine
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.output_files import is_ours
@@ -236,6 +240,44 @@ def test_another_start_machine_stock_tool_or_clamp_is_refused(what: str) -> None
         "keep_out": keep_out_digest([CLAMP], None),
     }
     certificate().compare(what, same[what])
+
+
+STEEL = cut_data_for("plasma", "mild-steel", 3.0)
+TORCH = load_machine("torch-table")
+
+
+def torch_certificate() -> Certificate:
+    text = "G21 G90\nG0 X10 Y10\nM3 S1000\nG4 P0.3\nG1 X110 F3000\nM5\nM2\n"
+    return certificate_of(prove(text, TORCH, file="t.nc", process=PROCESSES["plasma"], cut_data=STEEL))
+
+
+def test_process_and_chart_row_are_named_and_compared(tmp_path: Path) -> None:
+    made = read_back(torch_certificate(), tmp_path)
+    assert made.content["cut"]["process"] == "plasma"
+    told = {"material": "mild-steel", "thickness_mm": 3.0, "consumable": STEEL.consumable, "kerf_mm": STEEL.kerf_mm}
+    assert told.items() <= made.content["cut"]["row"].items()
+    check_cut(made, TORCH, cut_content(TORCH, PROCESSES["plasma"], STEEL.model_copy(update={"source": "by hand"})))
+    check_cut(made, None, None)
+    thick = cut_data_for("plasma", "mild-steel", 6.0)
+    with pytest.raises(JobError, match=r"thickness_mm = 6\.0.*thickness_mm = 3\.0") as refusal:
+        check_cut(made, TORCH, cut_content(TORCH, PROCESSES["plasma"], thick))
+    assert refusal.value.code == "certificate-cut"
+
+
+def test_a_machine_without_the_proven_process_is_refused() -> None:
+    with pytest.raises(JobError, match="does not cut by plasma"):
+        check_cut(torch_certificate(), MACHINE, None)
+
+
+def test_a_certificate_of_before_names_no_process() -> None:
+    content = {key: value for key, value in torch_certificate().content.items() if key != "cut"}
+    check_cut(Certificate(content), TORCH, None)
+    with pytest.raises(JobError, match="process = plasma"):
+        check_cut(Certificate(content), TORCH, cut_content(TORCH, PROCESSES["plasma"], STEEL))
+    bare = certificate_of(prove("G21 G90\nG0 X10 Y10\nM2\n", TORCH, file="t.nc"))
+    assert bare.content["cut"] == {"process": None, "row": None}  # nobody has said how it cuts
+    with pytest.raises(JobError, match="what no proof has"):
+        check_cut(Certificate(content | {"cut": 3}), TORCH, None)
 
 
 def test_stocks_of_other_forms_have_other_fingerprints() -> None:

@@ -20,10 +20,16 @@ from CNCStepper.job.model import Job, load_job
 from CNCStepper.job.prove import prior_proofs
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tools.tool import Tool
-from CNCStepper.recovery.restart import prove as restart_module
+from CNCStepper.recovery.restart import prove_restart as restart_module
 from CNCStepper.recovery.restart.description import contour_table, words_of
-from CNCStepper.recovery.restart.places import RequestedPlace
-from CNCStepper.recovery.restart.prove import EntryOptions, ProvenRestart, restart_job, restart_name, restart_program
+from CNCStepper.recovery.restart.prove_restart import (
+    EntryOptions,
+    ProvenRestart,
+    restart_job,
+    restart_name,
+    restart_program,
+)
+from CNCStepper.recovery.restart.restart_places import RequestedPlace
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.state import Start
 

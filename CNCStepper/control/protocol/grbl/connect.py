@@ -10,7 +10,15 @@ from dataclasses import dataclass, field
 from CNCStepper.control.protocol.grbl.driver import REPORT_INCHES, Answered, Grbl, Received
 from CNCStepper.control.protocol.grbl.firmware import GRBL, Firmware
 from CNCStepper.control.protocol.grbl.readiness import check_state
-from CNCStepper.control.protocol.grbl.report import Alarm, Feedback, Greeting, NamedSetting, Unknown, Vector, vector
+from CNCStepper.control.protocol.grbl.status_reports import (
+    Alarm,
+    Feedback,
+    Greeting,
+    NamedSetting,
+    Unknown,
+    Vector,
+    vector,
+)
 from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.errors import LinkError, MachineRefusal, Text
 

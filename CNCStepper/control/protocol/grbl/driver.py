@@ -17,11 +17,11 @@ from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from CNCStepper.control.protocol.grbl import report as grbl_report
+from CNCStepper.control.protocol.grbl import status_reports
 from CNCStepper.control.protocol.grbl.character_counting import CharacterCounting, Sent
 from CNCStepper.control.protocol.grbl.firmware import CANNOT, GRBL, Firmware, firmware_of_greeting, firmware_of_tag
 from CNCStepper.control.protocol.grbl.motion_interlock import MotionInterlock
-from CNCStepper.control.protocol.grbl.report import (
+from CNCStepper.control.protocol.grbl.status_reports import (
     Answer,
     Damaged,
     Feedback,
@@ -200,7 +200,7 @@ class Grbl:
         Raises LinkError when the link broke, an answer comes to which there is no line, or nobody asked for so much.
         """
         questions = self._questions
-        received = [self._taken(report) for report in map(grbl_report.parse, self._lines(self._read(wait_s)))]
+        received = [self._taken(report) for report in map(status_reports.parse, self._lines(self._read(wait_s)))]
         self._listen(received)
         self._check_flood(received, questions - self._questions)
         return received

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from CNCStepper.control.protocol.grbl.report import Status
+from CNCStepper.control.protocol.grbl.status_reports import Status
 from CNCStepper.errors import MachineRefusal, Text
 
 if TYPE_CHECKING:

@@ -25,7 +25,7 @@ from math import acos, asin, cos, pi, sin, tan, tau
 from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.interpreter.block import Block
 from CNCStepper.gcode.interpreter.cutter_compensation.compensation_codes import in_plane
-from CNCStepper.gcode.interpreter.cutter_compensation.held_moves import Compensation, Path3, QueuedMove
+from CNCStepper.gcode.interpreter.cutter_compensation.compensation_state import Compensation, Path3, QueuedMove
 from CNCStepper.gcode.interpreter.cutter_compensation.move_queue import (
     end_queue_at,
     hold,

@@ -12,7 +12,7 @@ from collections.abc import Callable
 from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects.codes import Code
 from CNCStepper.gcode.interpreter.block import Block
-from CNCStepper.gcode.interpreter.cutter_compensation.held_moves import Compensation, Path3
+from CNCStepper.gcode.interpreter.cutter_compensation.compensation_state import Compensation, Path3
 from CNCStepper.gcode.interpreter.cutter_compensation.move_queue import end_queue_at, release
 from CNCStepper.gcode.interpreter.functions.tools import NEAR, entry_of
 from CNCStepper.gcode.interpreter.state import stand_alone_position

@@ -14,7 +14,7 @@ from math import tau
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpreter.block import Block
-from CNCStepper.gcode.interpreter.cutter_compensation.held_moves import Path3, QueuedMove
+from CNCStepper.gcode.interpreter.cutter_compensation.compensation_state import Path3, QueuedMove
 from CNCStepper.gcode.interpreter.motion.arcs import Arc
 from CNCStepper.toolpath import PLANE_AXES, PLANE_NAMES
 

@@ -29,7 +29,7 @@ from CNCStepper.gcode.dialects.codes import NO_MOTION
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.interpreter.motion import arcs
 from CNCStepper.gcode.interpreter.motion.arcs import check_arc_words
-from CNCStepper.gcode.interpreter.state.model import Model
+from CNCStepper.gcode.interpreter.state.interpreter_state import Model
 from CNCStepper.gcode.syntax.line_grammar import Grammar, Plan
 from CNCStepper.gcode.syntax.word_kernels import (
     LEFT,

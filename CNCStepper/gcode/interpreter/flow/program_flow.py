@@ -20,7 +20,7 @@ from CNCStepper.gcode.interpreter.flow.branches_and_loops import Blocks, refused
 from CNCStepper.gcode.interpreter.flow.o_words import CONDITIONS, GLOBAL, FlowLine, leads, read_flow_line, read_m98
 from CNCStepper.gcode.interpreter.flow.subprogram_files import Library, Source
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
-from CNCStepper.gcode.interpreter.state.model import Model
+from CNCStepper.gcode.interpreter.state.interpreter_state import Model
 from CNCStepper.gcode.interpreter.state.system_parameters import SystemParameters
 from CNCStepper.gcode.syntax.words import Word, is_percent_mark, program_lines
 

@@ -17,7 +17,7 @@ from CNCStepper.gcode.dialects.codes import Code
 from CNCStepper.gcode.interpreter.block import Block
 from CNCStepper.gcode.interpreter.functions.tools import set_tool
 from CNCStepper.gcode.interpreter.motion.end_points import end_point, further_end
-from CNCStepper.gcode.interpreter.state.model import Model, Point, saved_g92
+from CNCStepper.gcode.interpreter.state.interpreter_state import Model, Point, saved_g92
 from CNCStepper.gcode.interpreter.state.parameters import (
     FIRST_G92,
     G92_IN_FORCE,

@@ -20,7 +20,7 @@ from CNCStepper.gcode.dialects.codes import SPINDLE, Code
 from CNCStepper.gcode.interpreter.block import Block
 from CNCStepper.gcode.interpreter.functions.outputs import OVERRIDE_CALLS, analog_output, output, wait_input
 from CNCStepper.gcode.interpreter.functions.spindle import START, STOP, check_spindle
-from CNCStepper.gcode.interpreter.state.model import Plasma
+from CNCStepper.gcode.interpreter.state.interpreter_state import Plasma
 from CNCStepper.gcode.syntax.material_comments import MaterialComment, read_material_comment
 from CNCStepper.gcode.syntax.words import Comment
 from CNCStepper.machine.qtplasmac_materials import LARGEST_NUMBER

@@ -15,7 +15,7 @@ from collections.abc import Callable, Set
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.dialects.codes import NO_MOTION, UNIT_CODES, Code
 from CNCStepper.gcode.interpreter.block import Block
-from CNCStepper.gcode.interpreter.state.model import Model, Modes
+from CNCStepper.gcode.interpreter.state.interpreter_state import Model, Modes
 from CNCStepper.gcode.syntax.line_grammar import Grammar
 from CNCStepper.gcode.syntax.words import words_of
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from CNCStepper.gcode.interpreter.state.model import Model, Point
+    from CNCStepper.gcode.interpreter.state.interpreter_state import Model, Point
 
 BACK_OFF = {"mm": 0.254, "inch": 0.01}  # of the probe, in the unit of the text
 

@@ -160,4 +160,4 @@ def test_it_is_sent_with_the_charts_feed(program: Path, torch: str, tmp_path: Pa
         "send", program, *given, "--certificate", certificate, "--material", "mild-steel", "--thickness", "4"
     )
     assert other.returncode == 1
-    assert "certificate" in other.stderr
+    assert "another process, material, thickness" in other.stderr and "thickness_mm = 4.0" in other.stderr

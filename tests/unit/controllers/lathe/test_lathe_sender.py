@@ -8,7 +8,7 @@ from collections.abc import Callable
 
 import pytest
 
-from CNCStepper.control.operator.actions import set_zero
+from CNCStepper.control.operator.zero_and_unlock import set_zero
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.protocol.grbl.connect import handshake
 from CNCStepper.control.protocol.grbl.driver import Grbl

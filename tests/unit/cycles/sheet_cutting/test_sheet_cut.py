@@ -13,7 +13,7 @@ from pydantic import ValidationError
 
 from CNCStepper.cycles.cycle import Answer, Setup
 from CNCStepper.cycles.sheet_cutting.sheet_cut import SheetCut
-from CNCStepper.errors import CycleError
+from CNCStepper.errors import CycleError, Text
 from CNCStepper.geometry.curve import Curve, circle, from_points
 from CNCStepper.geometry.shapes.rectangle import rectangle
 from CNCStepper.machine.cut_charts import CutData
@@ -187,9 +187,8 @@ def test_the_checks_know_that_tabs_hold_a_part_and_that_pierces_keep_off_it() ->
 
 def test_a_tab_without_scrap_for_its_pierce_is_refused_with_its_place() -> None:
     close = [PLATE.moved(83.5 * x, 63.5 * y) for x in (-1, 0, 1) for y in (-1, 0, 1)]
-    with pytest.raises(CycleError) as refused:
-        cut(*close, tabs={"count": 2, "width_mm": 2.0})
-    assert refused.value.code == "tab-lead" and "pierce" in refused.value.what and refused.value.advice
+    error = refusal("tab-lead", *close, tabs={"count": 2, "width_mm": 2.0})
+    assert "pierce" in error.what and error.limit and error.advice
     with pytest.raises(CycleError, match="needs no tabs"):
         cut(PLATE, given=setup("drag-knife", 1.0), tabs={"count": 2})
 
@@ -273,8 +272,8 @@ def test_no_rapid_leads_over_parts_that_are_free_where_there_is_a_way_round() ->
 
 
 @pytest.mark.parametrize("curves, keys, code, limit", [
-    ((PLATE, circle((40.0, 30.0), 0.7)), {}, "kerf-wide", "1.4"),
-    ((PLATE, circle((40.0, 30.0), 1.5)), {}, "lead-room", "1.50"),
+    ((PLATE, circle((40.0, 30.0), 0.7)), {}, "kerf-wide", "1.379"),
+    ((PLATE, circle((40.0, 30.0), 1.5)), {}, "lead-room", "1.49"),
     ((PLATE, PLATE.moved(81.0, 0.0)), {}, "gap-narrow", "1.5"),
     ((PLATE, PLATE.moved(40.0, 10.0)), {}, "gap-narrow", "1.5"),
     ((from_points([(0, 0), (40, 30), (40, 0), (0, 30)], closed=True),), {}, "curve-crossing", ""),
@@ -290,9 +289,58 @@ def test_what_cannot_be_cut_is_refused_with_the_number_that_would_do(curves, key
     assert (refused.value.limit != "") == (limit != "")
 
 
-def test_the_limits_that_are_named_would_do() -> None:
-    cut(PLATE, circle((40.0, 30.0), 1.5), pierce_mm=1.49)
-    cut(PLATE, PLATE.moved(81.6, 0.0))
+def refusal(code: str, *curves: Curve, **keys: object) -> CycleError:
+    with pytest.raises(CycleError) as refused:
+        cut(*curves, **keys)
+    assert refused.value.code == code
+    return refused.value
+
+
+def number_in(text: str, name: str) -> float:
+    assert isinstance(text, Text)
+    return float(text.values[name])
+
+
+CLOSE = [PLATE.moved(85.0 * x, 65.0 * y) for x in (-1, 0, 1) for y in (-1, 0, 1)]
+
+
+@pytest.mark.parametrize("curves, keys, code", [
+    ((PLATE, circle((40.0, 30.0), 1.5)), {}, "lead-room"),
+    ((PLATE, circle((20.0, 30.0), 1.5), circle((60.0, 30.0), 1.2)), {}, "lead-room"),  # both must fit
+    (CLOSE, {"tabs": {"count": 2, "width_mm": 2.0}}, "tab-lead"),
+])  # fmt: skip
+def test_the_pierce_distance_that_is_named_would_do_and_no_larger_one(curves, keys, code: str) -> None:
+    most_mm = number_in(refusal(code, *curves, **keys).limit, "most_mm")
+    assert KERF_MM / 2.0 < most_mm < 2.0
+    cut(*curves, pierce_mm=most_mm, **keys)
+    refusal(code, *curves, pierce_mm=most_mm + 0.01, **keys)
+
+
+def test_where_no_pierce_distance_does_the_scrap_that_would_is_named() -> None:
+    close = [PLATE.moved(81.6 * x, 61.6 * y) for x in (-1, 0, 1) for y in (-1, 0, 1)]
+    error = refusal("tab-lead", *close, tabs={"count": 2, "width_mm": 2.0})
+    scrap_mm = number_in(error.limit, "scrap_mm")
+    assert scrap_mm == 2 * 2.0 + KERF_MM and "no smaller pierce_mm does" in error.advice
+    apart_mm = scrap_mm + 0.01
+    cut(*(PLATE.moved((80 + apart_mm) * x, (60 + apart_mm) * y) for x in (-1, 0, 1) for y in (-1, 0, 1)),
+        tabs={"count": 2, "width_mm": 2.0})  # fmt: skip
+
+
+def test_the_gap_and_the_kerf_that_are_named_would_do() -> None:
+    advice = refusal("gap-narrow", PLATE, PLATE.moved(81.0, 0.0)).advice
+    cut(PLATE, PLATE.moved(81.0 + number_in(advice, "more_mm"), 0.0), pierce_mm=0.75)
+    cut(PLATE, PLATE.moved(81.0, 0.0), kerf_mm=number_in(advice, "gap_mm"))
+    narrow = circle((40.0, 30.0), 0.7)
+    error = refusal("kerf-wide", PLATE, narrow)
+    cut(PLATE, narrow, kerf_mm=number_in(error.limit, "room_mm"), pierce_mm=0.1, lead_in={"kind": "none"})
+    cut(PLATE, narrow, spot_below_mm=number_in(error.advice, "diameter_mm") + 0.001)
+
+
+def test_the_joints_that_are_named_would_do() -> None:
+    given, tabs = setup("laser", 0.2), {"count": 80, "width_mm": 2.0}
+    advice = refusal("tab-room", PLATE, given=given, tabs=tabs).advice
+    cut(PLATE, given=given, tabs=tabs | {"count": int(number_in(advice, "fewer"))})
+    cut(PLATE, given=given, tabs=tabs | {"width_mm": number_in(advice.values["narrower"], "width_mm")})
 
 
 @pytest.mark.parametrize("process", ["milling", "hot-wire"])

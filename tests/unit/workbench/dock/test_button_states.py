@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import pytest
 
-from CNCStepper.workbench.dock.model.controller_state import (
+from CNCStepper.workbench.dock.model.button_states import (
     CONNECTED,
     DANGER,
     FACES,

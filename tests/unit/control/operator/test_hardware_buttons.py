@@ -13,9 +13,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from CNCStepper.control.operator.buttons import POLL_S, Buttons, Debouncer, buttons_of, quicker
+from CNCStepper.control.operator.hardware_buttons import POLL_S, Buttons, Debouncer, buttons_of, quicker
 from CNCStepper.control.program.send_job import SendJob
-from CNCStepper.control.protocol.grbl.report import Greeting, parse
+from CNCStepper.control.protocol.grbl.status_reports import Greeting, parse
 from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.control.service.sender import Sender
 from CNCStepper.control.session.command import Command

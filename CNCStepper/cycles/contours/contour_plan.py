@@ -18,7 +18,7 @@ from CNCStepper.cycles.contours.leads import Fitted, Walls, fit_closed, fit_open
 from CNCStepper.cycles.contours.neighbour_parts import neighbour_warnings, require_apart
 from CNCStepper.cycles.contours.parameter_checks import require_cuttable
 from CNCStepper.cycles.contours.removed_area import removed
-from CNCStepper.cycles.contours.sides import require_followed, sides_of
+from CNCStepper.cycles.contours.scrap_side import require_followed, sides_of
 from CNCStepper.cycles.contours.tabs import TabContext, stretches, tab_area, tab_places, tabs_wanted
 from CNCStepper.cycles.cycle import Answer, Setup
 from CNCStepper.cycles.passes import deep_pass_warnings, whole_passes

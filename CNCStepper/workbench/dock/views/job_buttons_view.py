@@ -8,7 +8,7 @@ from typing import Any
 
 from PySide import QtCore, QtGui
 
-from CNCStepper.workbench.dock.model.controller_state import ControllerSnapshot, does, why_not
+from CNCStepper.workbench.dock.model.button_states import ControllerSnapshot, does, why_not
 from CNCStepper.workbench.dock.views import widgets
 from CNCStepper.workbench.services.number_format import NOTHING, duration
 from CNCStepper.workbench.services.translation import tr

@@ -9,7 +9,7 @@ from heapq import merge
 from operator import attrgetter
 from typing import Any
 
-from CNCStepper.recovery.restart.places import RequestedPlace
+from CNCStepper.recovery.restart.restart_places import RequestedPlace
 from CNCStepper.workbench.services.translation import later
 
 OPERATION, CONTOUR = "operation", "contour"

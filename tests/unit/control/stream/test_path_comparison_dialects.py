@@ -7,7 +7,7 @@ import pytest
 
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.service.sender import Sender
-from CNCStepper.control.stream.path_watch import held_modes
+from CNCStepper.control.stream.path_comparison import held_modes
 from CNCStepper.control.stream.planned_path import PlannedPath
 from CNCStepper.state import Start
 from CNCStepper.virtual.grbl.firmware import FLUIDNC, GRBLHAL

@@ -18,14 +18,14 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import partial
 
-from CNCStepper.drilling_strokes import DWELL, FEED, OWN_WORD, PECK_BACK_MM, RAPID, Canned, Place, Stroke
+from CNCStepper.canned_drilling_moves import DWELL, FEED, OWN_WORD, PECK_BACK_MM, RAPID, Canned, Place, Stroke
 from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects.codes import ALL_AXES, AXES, CYCLES, MOTION_NAMES
 from CNCStepper.gcode.interpreter.block import Block
 from CNCStepper.gcode.interpreter.functions.outputs import OVERRIDE_CALLS
 from CNCStepper.gcode.interpreter.functions.spindle import STOP, need_turning, turn
 from CNCStepper.gcode.interpreter.motion.end_points import polar_end
-from CNCStepper.gcode.interpreter.state.model import Point, Run
+from CNCStepper.gcode.interpreter.state.interpreter_state import Point, Run
 from CNCStepper.gcode.interpreter.state.stand_alone_position import continue_at
 from CNCStepper.toolpath import LINE, PLANE_AXES, PLANE_NAMES, XY
 

@@ -17,7 +17,7 @@ from dataclasses import asdict, dataclass
 from typing import Any
 from zlib import crc32
 
-from CNCStepper.control.protocol.grbl.report import Vector
+from CNCStepper.control.protocol.grbl.status_reports import Vector
 from CNCStepper.errors import Text
 
 NUMBER = "n"

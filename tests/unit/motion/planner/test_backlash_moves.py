@@ -11,7 +11,7 @@ import pytest
 
 from CNCStepper.machine.backlash import Backlash
 from CNCStepper.machine.profile import Machine, load_machine
-from CNCStepper.motion.planner.backlash import motor_moves, row_times_s, tool_moves
+from CNCStepper.motion.planner.backlash_moves import motor_moves, row_times_s, tool_moves
 from CNCStepper.motion.planner.plan import begun, sample, step_events, times_s
 from CNCStepper.state import Start
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, RAPID, TableBuilder, Toolpath

@@ -41,7 +41,7 @@ def measures_of(cycle: SheetModel, setup: Setup) -> Measures:
             "without a lead-in the pierce lies on the cut, beside the part",
             value=f"{kerf_mm / 2.0:g} mm",
             limit=Text("{pierce_mm:g} mm from parts", pierce_mm=pierce_mm),
-            advice="set a lead_in, or pierce_mm to half of the kerf",
+            advice=Text("set a lead_in, or pierce_mm to half of the kerf, {half_mm:g}", half_mm=kerf_mm / 2.0),
         )
     rules = _rules(cycle, setup, kerf_mm, thickness_mm)
     return Measures(kerf_mm, pierce_mm, _depth_mm(cycle, setup, thickness_mm), rules, _mark_share(cycle, setup))

@@ -16,11 +16,11 @@ from dataclasses import dataclass, field, replace
 from math import inf, isnan, radians, tau
 from typing import Any, NamedTuple
 
-from CNCStepper.drilling_strokes import Place
+from CNCStepper.canned_drilling_moves import Place
 from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects import Dialect
 from CNCStepper.gcode.dialects.codes import CODE_OF_PLANE
-from CNCStepper.gcode.interpreter.cutter_compensation.held_moves import Compensation
+from CNCStepper.gcode.interpreter.cutter_compensation.compensation_state import Compensation
 from CNCStepper.gcode.interpreter.motion.nurbs import Nurbs
 from CNCStepper.gcode.interpreter.state.parameters import (
     G92_IN_FORCE,

@@ -13,13 +13,13 @@ import pytest
 import shapely
 
 from CNCStepper.cycles.clearing.engagement import clearing_map
-from CNCStepper.cycles.clearing.engagement.engagement_pattern import engagement_pattern
+from CNCStepper.cycles.clearing.engagement.bounded_engagement_pattern import engagement_pattern
 from CNCStepper.cycles.clearing.pattern import Area, Run
 from CNCStepper.cycles.pockets.pocket import Pocket
 from CNCStepper.errors import CycleError
 from CNCStepper.geometry.curve import circle, from_points
 from CNCStepper.geometry.region import Region
-from CNCStepper.simulation.checks.report import report
+from CNCStepper.simulation.checks.program_report import report
 from CNCStepper.simulation.removal.engagement import engagement
 from CNCStepper.simulation.stock import Stock
 from helpers.cycles.engagement_judge import met_by

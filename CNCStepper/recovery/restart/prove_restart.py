@@ -32,7 +32,7 @@ from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.recovery.restart.approach import Options
 from CNCStepper.recovery.restart.description import height_mm
-from CNCStepper.recovery.restart.places import RequestedPlace
+from CNCStepper.recovery.restart.restart_places import RequestedPlace
 from CNCStepper.recovery.restart.restart_program import Restart, restart
 from CNCStepper.simulation.checks.stock_checks import JUDGE_ERROR_MM
 from CNCStepper.simulation.finding import Finding

@@ -15,10 +15,10 @@ import pytest
 
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.protocol.grbl.driver import Grbl
-from CNCStepper.control.protocol.grbl.report import Status, Unknown, parse
+from CNCStepper.control.protocol.grbl.status_reports import Status, Unknown, parse
 from CNCStepper.control.service.sender import Sender
 from CNCStepper.control.session.status import DONE
-from CNCStepper.control.stream.path_watch import OffsetWatch, held_modes
+from CNCStepper.control.stream.path_comparison import OffsetWatch, held_modes
 from CNCStepper.control.stream.planned_path import PlannedPath, arc_points
 from CNCStepper.state import Start
 from helpers.control.fake_controller import FakeClock, FakeController, FakeLink

@@ -7,7 +7,7 @@ from CNCStepper.control.protocol.grbl.connect import ask, has_greeting, read_mod
 from CNCStepper.control.protocol.grbl.driver import Grbl
 from CNCStepper.control.protocol.grbl.firmware import TOOL
 from CNCStepper.control.protocol.grbl.readiness import check_state
-from CNCStepper.control.protocol.grbl.report import Status, Vector
+from CNCStepper.control.protocol.grbl.status_reports import Status, Vector
 from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.errors import LinkError, MachineRefusal, Text
 from CNCStepper.tolerances import REPORTED_MM

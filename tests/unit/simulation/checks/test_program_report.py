@@ -6,7 +6,7 @@ import pytest
 
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.simulation.checks.check_program import check
-from CNCStepper.simulation.checks.report import report
+from CNCStepper.simulation.checks.program_report import report
 from CNCStepper.simulation.exact.swept_area import judge
 from CNCStepper.simulation.removal.heightmap import height_map
 from CNCStepper.simulation.stock import Stock

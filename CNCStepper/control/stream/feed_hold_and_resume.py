@@ -20,7 +20,7 @@ from CNCStepper.control.protocol.grbl.connect import alarm_refusal
 from CNCStepper.control.protocol.grbl.driver import HOLD, RESUME, Grbl
 from CNCStepper.control.protocol.grbl.firmware import TOOL, TOOL_CHANGED
 from CNCStepper.control.protocol.grbl.readiness import CHECK, state_refusal
-from CNCStepper.control.protocol.grbl.report import Alarm, Status
+from CNCStepper.control.protocol.grbl.status_reports import Alarm, Status
 from CNCStepper.control.session.job_phase import FEEDING, STANDING, Phase
 from CNCStepper.control.stream.feeder import Feeder
 from CNCStepper.control.stream.pause_id import PauseCounter
