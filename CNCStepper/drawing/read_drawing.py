@@ -36,8 +36,8 @@ class ReadOptions:
 Reader = Callable[[Path, ReadOptions, Share], Drawing]
 READERS = {  # suffix: the module whose function `read` is the reader
     ".dxf": "CNCStepper.drawing.dxf.reader",
-    ".svg": "CNCStepper.drawing.svg.reader",
-    ".svgz": "CNCStepper.drawing.svg.reader",
+    ".svg": "CNCStepper.drawing.svg.svg_reader",
+    ".svgz": "CNCStepper.drawing.svg.svg_reader",
 }
 
 
