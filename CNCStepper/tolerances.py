@@ -25,6 +25,7 @@ SAME_SHARE = 1e-6  # areas and feeds, by their share; angles of two arcs, in rad
 SAME_COUNT = 1e-6  # places on the grid of a text, in units of its last digit
 SAME_PROFILE_POINT = 1e-6  # points of a turned profile, in units of the text
 SAME_RESTART_FEED = 1e-6  # feeds of a restart and of its program, by their share
+SAME_OUTLINE_SHARE = 1e-3  # of the area: outlines of a part in two rotations that differ by less are one
 SAME_ENTRY_MM = 1e-5  # a restart's entry and the point of the path at which it ends
 SAME_PIECE_MM = 1e-5  # middles of two pieces of curves between the same nodes: one piece
 

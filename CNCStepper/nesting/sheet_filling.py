@@ -33,12 +33,11 @@ from CNCStepper.nesting.nesting_model import (
 )
 from CNCStepper.nesting.no_fit import inner_fit, no_fit
 from CNCStepper.nesting.outlines import grown, shrunk
-from CNCStepper.tolerances import TOUCHING_PARTS_MM
+from CNCStepper.tolerances import SAME_OUTLINE_SHARE, TOUCHING_PARTS_MM
 
 LOOSE_MM = 2e-6  # how much larger a region is taken where nothing fits
 GRID_DECIMALS = 5  # of a place that is rounded: coarser than LOOSE_MM
 MOST_TRIED = 40  # corners of a loose region
-SAME_SHARE = 1e-3  # of the area: outlines that differ by less are the same
 ROUND = 24  # corners of an outline whose rotations may be the same though its corners differ
 Key = tuple[int, float]  # of an item and its rotation
 Make = Callable[[Key, Key], BaseGeometry]
@@ -257,7 +256,7 @@ def _centred(polygon: Polygon) -> Polygon:
 
 def _same(one: Polygon, other: Polygon) -> bool:
     """Return whether two outlines are one but for rounding; two discs of chords are one too."""
-    if one.symmetric_difference(other).area > SAME_SHARE * one.area:
+    if one.symmetric_difference(other).area > SAME_OUTLINE_SHARE * one.area:
         return False
     return (
         bool(np.allclose(one.bounds, other.bounds, rtol=0.0, atol=TOUCHING_PARTS_MM))

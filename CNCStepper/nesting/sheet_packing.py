@@ -21,8 +21,8 @@ from shapely import Polygon
 from CNCStepper.nesting.nesting_model import Budget, Item, Placement, allowed_rotations_deg, moved, tried_rotations_deg
 from CNCStepper.nesting.sheet_filling import Filling, Shapes, fill
 from CNCStepper.nesting.strips import StripPacker, StripPart, StripPlace, extents_mm, fullest_window
+from CNCStepper.tolerances import SAME_SHARE
 
-SAME_SHARE = 1e-9  # of the area: a rectangle but for rounding
 LEAST_S = 0.5  # of time for a strip
 DENSER = 0.97  # of the strip's density is tried on a sheet
 SECOND_SHARE = 0.5  # of a sheet's time, for the second strip
