@@ -2351,6 +2351,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A program without F takes {0} mm/min ({1}; kerf {2} mm).</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A serial port, or an address as socket://192.168.0.7:23</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2656,6 +2660,10 @@
         </message>
         <message>
             <source>Check a G-code file with the job's machine, stock, tools and clamps, and send it.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Check and send</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3740,6 +3748,10 @@
         </message>
         <message>
             <source>How high a tab is above the bottom of the cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How is {0} cut?</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5239,6 +5251,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Sheet, X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Sheet, Y</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Shorter than</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6048,6 +6068,10 @@
         </message>
         <message>
             <source>These profiles have changes that are not saved: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Thickness</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -2351,6 +2351,10 @@
             <translation>Arquivo de perfil…</translation>
         </message>
         <message>
+            <source>A program without F takes {0} mm/min ({1}; kerf {2} mm).</source>
+            <translation>Um programa sem F usa {0} mm/min ({1}; largura de corte {2} mm).</translation>
+        </message>
+        <message>
             <source>A serial port, or an address as socket://192.168.0.7:23</source>
             <translation>Uma porta serial, ou um endereço como socket://192.168.0.7:23</translation>
         </message>
@@ -2657,6 +2661,10 @@
         <message>
             <source>Check a G-code file with the job's machine, stock, tools and clamps, and send it.</source>
             <translation>Verificar um arquivo de G-code com a máquina, o bloco, as ferramentas e os grampos do trabalho, e enviá-lo.</translation>
+        </message>
+        <message>
+            <source>Check and send</source>
+            <translation>Verificar e enviar</translation>
         </message>
         <message>
             <source>Check and simulate: {0}</source>
@@ -3741,6 +3749,10 @@
         <message>
             <source>How high a tab is above the bottom of the cut</source>
             <translation>A altura de uma ponte acima do fundo do corte</translation>
+        </message>
+        <message>
+            <source>How is {0} cut?</source>
+            <translation>Como {0} é cortado?</translation>
         </message>
         <message>
             <source>How it is cut; the machine must be able to</source>
@@ -5239,6 +5251,14 @@
             <translation>Corte de chapa</translation>
         </message>
         <message>
+            <source>Sheet, X</source>
+            <translation>Chapa, X</translation>
+        </message>
+        <message>
+            <source>Sheet, Y</source>
+            <translation>Chapa, Y</translation>
+        </message>
+        <message>
             <source>Shorter than</source>
             <translation>Mais curtos que</translation>
         </message>
@@ -6049,6 +6069,10 @@
         <message>
             <source>These profiles have changes that are not saved: {0}</source>
             <translation>Estes perfis têm mudanças não salvas: {0}</translation>
+        </message>
+        <message>
+            <source>Thickness</source>
+            <translation>Espessura</translation>
         </message>
         <message>
             <source>This is cut by: {0}. The job's process is: {1}</source>

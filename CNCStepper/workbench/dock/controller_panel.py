@@ -11,7 +11,8 @@ from PySide import QtCore, QtGui
 
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.workbench.dock.connection import Link, error_text
-from CNCStepper.workbench.dock.job_sending import FileSending, Sending
+from CNCStepper.workbench.dock.file_sending import FileSending
+from CNCStepper.workbench.dock.job_sending import Sending
 from CNCStepper.workbench.dock.model import settings
 from CNCStepper.workbench.dock.model.controller_state import RULES, face, why_not
 from CNCStepper.workbench.dock.model.relay_keys import sound_between
@@ -58,7 +59,8 @@ class Panel(KeyboardArea):
         self.connection = ConnectionView(self.connect_chosen, self._leave, self._ports)
         self.state = StateView()
         self.flow = FlowView(self.findings, self.sending.confirm_step, self.sending.away)
-        self.file_sending, self.recovery = FileSending(send), RestartOffer(self.link, send)
+        self.file_sending = FileSending(send, lambda: self.connection.profile)
+        self.recovery = RestartOffer(self.link, send)
         self.position = PositionView(lengths, point, lambda axes: self.link.command("set_zero", axes))
         self.backing = RetractRun(self, self.link, self.log.say, self.refresh)
         self.back = RetractView(lengths, point, self.backing.go)
