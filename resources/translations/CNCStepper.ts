@@ -2563,6 +2563,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Back from here to the begin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Backlash</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2576,6 +2580,10 @@
         </message>
         <message>
             <source>Begins at</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Being sent, {0} left</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2696,6 +2704,10 @@
         </message>
         <message>
             <source>Choose above where to cut, then connect.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Choose in the controller's panel a machine whose pulses this computer makes.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4163,6 +4175,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Line by line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Line length</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4559,6 +4575,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>On</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>On its cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4603,7 +4623,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Open pulse letters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Open the 3D view of the document first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Open…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4891,6 +4919,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Pulse letters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pulse letters ({0})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pulse letters: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Pulse rate</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4904,6 +4944,10 @@
         </message>
         <message>
             <source>Pulses +</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pulses by hand</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5227,6 +5271,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Send</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Send a G-code file…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5236,6 +5284,10 @@
         </message>
         <message>
             <source>Send this restart…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Send time</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5723,6 +5775,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The letters begin where the machine stands.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The link to the controller is being started.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5768,6 +5824,10 @@
         </message>
         <message>
             <source>The machine stands; nothing is lost. Resume or stop.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The machine waits before each line of a job; Resume cuts the next one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6455,6 +6515,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>X, steps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>X; Y in {0}, one hole a line</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6467,7 +6531,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Y, steps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Z times</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Z, steps</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7075,6 +7147,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>nothing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>nothing is marked</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7316,6 +7392,10 @@
         </message>
         <message>
             <source>speed of the spindle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>spindle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12798,6 +12878,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>split it, or send it with cncstepper send</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>split that line</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13747,6 +13831,10 @@
         </message>
         <message>
             <source>the file has too many materials</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the file has too many pulses to be shown</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15258,6 +15346,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>there are A to Z for pulses and {0} for devices</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there are no relays</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there are {count} lines, none at {index}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15463,6 +15559,10 @@
         </message>
         <message>
             <source>this is no input of a machine: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this is no pulse letter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17659,6 +17759,17 @@
         </message>
         <message>
             <source>Import tools…</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Letters</name>
+        <message>
+            <source>Draws a file of pulse letters and sends it, forwards and back</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pulse letters…</source>
             <translation type="unfinished"></translation>
         </message>
     </context>

@@ -2563,6 +2563,10 @@
             <translation>De volta ao longo do corte</translation>
         </message>
         <message>
+            <source>Back from here to the begin</source>
+            <translation>Voltar daqui ao início</translation>
+        </message>
+        <message>
             <source>Backlash</source>
             <translation>Folga</translation>
         </message>
@@ -2577,6 +2581,10 @@
         <message>
             <source>Begins at</source>
             <translation>Começa em</translation>
+        </message>
+        <message>
+            <source>Being sent, {0} left</source>
+            <translation>Enviando, faltam {0}</translation>
         </message>
         <message>
             <source>Below thickness times</source>
@@ -2697,6 +2705,10 @@
         <message>
             <source>Choose above where to cut, then connect.</source>
             <translation>Escolha acima onde usinar e conecte.</translation>
+        </message>
+        <message>
+            <source>Choose in the controller's panel a machine whose pulses this computer makes.</source>
+            <translation>Escolha no painel do controlador uma máquina cujos pulsos este computador gera.</translation>
         </message>
         <message>
             <source>Choose one here</source>
@@ -4163,6 +4175,10 @@
             <translation>Linha ao soltar</translation>
         </message>
         <message>
+            <source>Line by line</source>
+            <translation>Linha por linha</translation>
+        </message>
+        <message>
             <source>Line length</source>
             <translation>Comprimento das linhas</translation>
         </message>
@@ -4559,6 +4575,10 @@
             <translation>Desligada</translation>
         </message>
         <message>
+            <source>On</source>
+            <translation>Ligado</translation>
+        </message>
+        <message>
             <source>On its cut</source>
             <translation>Sobre o corte</translation>
         </message>
@@ -4603,8 +4623,16 @@
             <translation>Abra ou crie antes um documento</translation>
         </message>
         <message>
+            <source>Open pulse letters</source>
+            <translation>Abrir letras de pulso</translation>
+        </message>
+        <message>
             <source>Open the 3D view of the document first</source>
             <translation>Abra antes a vista 3D do documento</translation>
+        </message>
+        <message>
+            <source>Open…</source>
+            <translation>Abrir…</translation>
         </message>
         <message>
             <source>Operation</source>
@@ -4891,6 +4919,18 @@
             <translation>Ângulo por pulso</translation>
         </message>
         <message>
+            <source>Pulse letters</source>
+            <translation>Letras de pulso</translation>
+        </message>
+        <message>
+            <source>Pulse letters ({0})</source>
+            <translation>Letras de pulso ({0})</translation>
+        </message>
+        <message>
+            <source>Pulse letters: {0}</source>
+            <translation>Letras de pulso: {0}</translation>
+        </message>
+        <message>
             <source>Pulse rate</source>
             <translation>Frequência</translation>
         </message>
@@ -4905,6 +4945,10 @@
         <message>
             <source>Pulses +</source>
             <translation>Pulsos +</translation>
+        </message>
+        <message>
+            <source>Pulses by hand</source>
+            <translation>Pulsos à mão</translation>
         </message>
         <message>
             <source>Pulses of</source>
@@ -5227,6 +5271,10 @@
             <translation>Selecione o que será gravado: um esboço, um arame, uma B-spline ou uma linha à mão livre</translation>
         </message>
         <message>
+            <source>Send</source>
+            <translation>Enviar</translation>
+        </message>
+        <message>
             <source>Send a G-code file…</source>
             <translation>Enviar um arquivo de G-code…</translation>
         </message>
@@ -5237,6 +5285,10 @@
         <message>
             <source>Send this restart…</source>
             <translation>Enviar este reinício…</translation>
+        </message>
+        <message>
+            <source>Send time</source>
+            <translation>Tempo de envio</translation>
         </message>
         <message>
             <source>Sent ahead at most</source>
@@ -5723,6 +5775,10 @@
             <translation>O comprimento da linha de entrada ou saída</translation>
         </message>
         <message>
+            <source>The letters begin where the machine stands.</source>
+            <translation>As letras começam onde a máquina está.</translation>
+        </message>
+        <message>
             <source>The link to the controller is being started.</source>
             <translation>A ligação com o controlador está sendo iniciada.</translation>
         </message>
@@ -5769,6 +5825,10 @@
         <message>
             <source>The machine stands; nothing is lost. Resume or stop.</source>
             <translation>A máquina está parada; nada se perdeu. Retome ou pare.</translation>
+        </message>
+        <message>
+            <source>The machine waits before each line of a job; Resume cuts the next one</source>
+            <translation>A máquina espera antes de cada linha de um trabalho; Retomar corta a próxima</translation>
         </message>
         <message>
             <source>The machine whose dialect the program is read in</source>
@@ -6455,6 +6515,10 @@
             <translation>palavras X são raios</translation>
         </message>
         <message>
+            <source>X, steps</source>
+            <translation>X, passos</translation>
+        </message>
+        <message>
             <source>X; Y in {0}, one hole a line</source>
             <translation>X; Y em {0}, um furo por linha</translation>
         </message>
@@ -6467,8 +6531,16 @@
             <translation>Y vezes</translation>
         </message>
         <message>
+            <source>Y, steps</source>
+            <translation>Y, passos</translation>
+        </message>
+        <message>
             <source>Z times</source>
             <translation>Z vezes</translation>
+        </message>
+        <message>
+            <source>Z, steps</source>
+            <translation>Z, passos</translation>
         </message>
         <message>
             <source>Zero's place</source>
@@ -7075,6 +7147,10 @@
             <translation>não informado</translation>
         </message>
         <message>
+            <source>nothing</source>
+            <translation>nada</translation>
+        </message>
+        <message>
             <source>nothing is marked</source>
             <translation>nada é marcado</translation>
         </message>
@@ -7317,6 +7393,10 @@
         <message>
             <source>speed of the spindle</source>
             <translation>velocidade do fuso</translation>
+        </message>
+        <message>
+            <source>spindle</source>
+            <translation>fuso</translation>
         </message>
         <message>
             <source>spindle off</source>
@@ -12798,6 +12878,10 @@
             <translation>splines ficam no plano XY</translation>
         </message>
         <message>
+            <source>split it, or send it with cncstepper send</source>
+            <translation>divida-o, ou envie-o com cncstepper send</translation>
+        </message>
+        <message>
             <source>split that line</source>
             <translation>divida essa linha</translation>
         </message>
@@ -13748,6 +13832,10 @@
         <message>
             <source>the file has too many materials</source>
             <translation>o arquivo tem materiais demais</translation>
+        </message>
+        <message>
+            <source>the file has too many pulses to be shown</source>
+            <translation>o arquivo tem pulsos demais para ser mostrado</translation>
         </message>
         <message>
             <source>the file holds no object</source>
@@ -15258,6 +15346,14 @@
             <translation>depois executa {own} linhas do programa como estão; tudo antes delas é dado como cortado</translation>
         </message>
         <message>
+            <source>there are A to Z for pulses and {0} for devices</source>
+            <translation>há de A a Z para pulsos e {0} para dispositivos</translation>
+        </message>
+        <message>
+            <source>there are no relays</source>
+            <translation>não há relés</translation>
+        </message>
+        <message>
             <source>there are {count} lines, none at {index}</source>
             <translation>há {count} linhas, nenhuma em {index}</translation>
         </message>
@@ -15464,6 +15560,10 @@
         <message>
             <source>this is no input of a machine: {error}</source>
             <translation>isto não é uma entrada de máquina: {error}</translation>
+        </message>
+        <message>
+            <source>this is no pulse letter</source>
+            <translation>isto não é uma letra de pulso</translation>
         </message>
         <message>
             <source>this is not allowed while an emergency stop or a limit is active</source>
@@ -17660,6 +17760,17 @@
         <message>
             <source>Import tools…</source>
             <translation>Importar ferramentas…</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Letters</name>
+        <message>
+            <source>Draws a file of pulse letters and sends it, forwards and back</source>
+            <translation>Desenha um arquivo de letras de pulso e o envia, para a frente e de volta</translation>
+        </message>
+        <message>
+            <source>Pulse letters…</source>
+            <translation>Letras de pulso…</translation>
         </message>
     </context>
     <context>

@@ -28,7 +28,7 @@ class Sending:
     """The flow of one job at a time.
 
     show_findings: fills the list of the checks. connect: opens the port that is chosen. changed: called when
-    something new is to be shown.
+    something new is to be shown. by_line: says whether the machine waits before each line.
     """
 
     def __init__(
@@ -38,11 +38,13 @@ class Sending:
         show_findings: Callable[[Sequence[Any]], None],
         connect: Callable[[], None],
         changed: Callable[[], None],
+        by_line: Callable[[], bool],
     ):
         self.flow = Flow()
         self.program_lines: Sequence[str] = ()
         self._parent, self._link = parent, link
         self._show_findings, self._connect, self._changed = show_findings, connect, changed
+        self._by_line = by_line
         self._job: Any = None
         self._place: RestartPlace | None = None
         self._proof = LatestProof(self._proved, self._failed, self._progress)
@@ -168,7 +170,8 @@ class Sending:
 
     def _start(self) -> None:
         result = self._result
-        self._link.command("run", result.send_file, zero_confirmed=True, allow_differences=self.flow.anyway)
+        consents = {"zero_confirmed": True, "allow_differences": self.flow.anyway}
+        self._link.command("run", result.send_file, **consents, by_line=self._by_line())
 
     def _ended(self, outcome: Any) -> None:
         if outcome.error is not None and outcome.error.code == "settings-differ" and not self.flow.anyway:
