@@ -31,7 +31,7 @@ def own_sessions(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.M
 @pytest.fixture
 def board(tmp_path: Path) -> Iterator[str]:
     """The port of a virtual USB board."""
-    words = command(find_python("serial"), "CNCStepper.cli", "virtual", "board", "--tcp", "127.0.0.1:0")
+    words = command(find_python(), "CNCStepper.cli.main", "virtual", "board", "--tcp", "127.0.0.1:0")
     process = subprocess.Popen(words, env=environment(), stdout=subprocess.PIPE, encoding="utf-8")
     assert process.stdout
     yield "socket://" + re.split("socket://", process.stdout.readline().strip())[-1]
@@ -50,7 +50,8 @@ def dock(hand: Hand, board: str) -> Iterator[Any]:
     hand.main(panel.connection.machine.setCurrentText, "usb-board")
     hand.main(panel.connection.look, board)
     hand.click(f"{D}Connect")
-    hand.wait(lambda: panel.link.status is not None and panel.link.status.phase == "idle", 60, "the board")
+    hand.wait(lambda: panel.link.moment.phase not in ("off", "starting", "connecting"), 180, "an answer")
+    assert hand.main(lambda: panel.link.moment.phase) == "idle", hand.main(lambda: panel.link.moment)
     yield panel
     hand.main(panel.link.command, "stop")
     hand.wait(lambda: not panel.link.moment.job_runs, 20)
@@ -76,6 +77,10 @@ def test_letters_are_drawn_sent_followed_and_led_back(hand: Hand, dock: Any, tmp
     hand.main(dialog.open_file, file)
     hand.wait(lambda: str(4 * SIDE) in hand.text(f"{L}pulse"), what="the counters")
     hand.shot("letters-open")
+    assert not hand.main(lambda: places.find(f"{L}send").isEnabled())  # the board has just restarted
+    hand.click(f"{D}ZeroAll")
+    hand.wait(lambda: dock.link.status.position_known, 20, "the zero")
+    hand.wait(lambda: places.find(f"{L}send").isEnabled(), 10)
     begin = hand.main(stands)
     hand.click(f"{L}send")
     hand.wait(lambda: 0 < dialog.slider.value() < 4 * SIDE, 30, "the pulses")
@@ -93,3 +98,28 @@ def test_letters_are_drawn_sent_followed_and_led_back(hand: Hand, dock: Any, tmp
     assert hand.main(stands) == [begin[0] + 1 - SIDE, begin[1] - SIDE]
     hand.shot("letters-back")
     hand.main(dialog.close)
+    goes_line_by_line(hand, dock, dialog, file.with_name("linhas.letters"))
+
+
+def goes_line_by_line(hand: Hand, dock: Any, dialog: Any, file: Path) -> None:
+    """Each click of Resume cuts one line; the box, cleared, lets the rest go."""
+    file.write_text(("A" * 20 + "\n") * 4 + "B" * 200, "ascii")
+    hand.main(lambda: places.scroll_to(places.find(f"{D}ByLine")))
+    hand.click(f"{D}ByLine")
+    hand.main(lambda: (dialog.show(), dialog.open_file(file)))
+    hand.wait(lambda: places.find(f"{L}send").isEnabled(), 20)
+    hand.click(f"{L}send")
+    for count in range(2):
+        hand.wait(lambda count=count: _waits(dock) and dock.link.status.acknowledged == count, 30, "the stand")
+        hand.shot(f"line-by-line-{count}")
+        hand.click(f"{D}Resume")
+    hand.wait(lambda: _waits(dock) and dock.link.status.acknowledged == 2, 30, "the third line")
+    hand.main(lambda: places.scroll_to(places.find(f"{D}ByLine")))
+    hand.click(f"{D}ByLine")
+    hand.click(f"{D}Resume")
+    hand.wait(lambda: dock.link.status.phase == "idle", 60, "the end")
+    hand.main(dialog.close)
+
+
+def _waits(dock: Any) -> bool:
+    return dock.link.status is not None and dock.link.status.phase == "paused"

@@ -14,13 +14,17 @@ from typing import Any
 
 from PySide import QtCore, QtGui
 
+from CNCStepper.control.operator.machine_test_lines import way
 from CNCStepper.control.program.send_job import write_job
 from CNCStepper.errors import JobError
 from CNCStepper.job.letter_file import LETTERS_A_LINE, letter_job, read_letter_text
+from CNCStepper.machine.axis_tests import length_of_pulses_mm
 from CNCStepper.machine.controller_family import makes_pulses
 from CNCStepper.machine.profile import AXIS_NAMES, Machine, load_machine
 from CNCStepper.motion.signals.letter_track import LetterTrack, letter_track
 from CNCStepper.workbench.dock.connection import error_text
+from CNCStepper.workbench.dock.model.send_steps import POSITION_UNKNOWN
+from CNCStepper.workbench.dock.views import widgets
 from CNCStepper.workbench.dock.window import open_dock
 from CNCStepper.workbench.letters.letter_view import Timeline, WayView, on_words
 from CNCStepper.workbench.panels.fields import ERROR_COLOUR, note_label
@@ -52,7 +56,7 @@ class Letters(QtGui.QDialog):
         self._folder = tempfile.TemporaryDirectory(prefix="cncstepper-letters-", ignore_cleanup_errors=True)
         self._panel = open_dock().widget()
         self._back_from: int | None = None  # the pulse from which letters that run now lead back
-        self._runs = False
+        self._runs = self._is_sent = False
         self.way, self.timeline = WayView("way", (320, 260), self.choose), Timeline("timeline", (320, 150), self.choose)
         self.slider = _named(QtGui.QSlider(QtCore.Qt.Orientation.Horizontal), "slider")
         self.slider.valueChanged.connect(guarded(self._slid))
@@ -65,8 +69,8 @@ class Letters(QtGui.QDialog):
         self.axis = _named(QtGui.QComboBox(), "axis")
         self.count = _named(QtGui.QSpinBox(), "count")
         self.count.setRange(1, MOST_BY_HAND)
-        self.minus = _button("minus", tr("Pulses −"), lambda: self._by_hand("-"))
-        self.plus = _button("plus", tr("Pulses +"), lambda: self._by_hand(""))
+        self.minus = _button("minus", tr("Pulses −"), lambda: self._by_hand(-1))
+        self.plus = _button("plus", tr("Pulses +"), lambda: self._by_hand(1))
         self._arrange()
         self._timer = QtCore.QTimer(self)
         self._timer.setInterval(POLL_MS)
@@ -116,8 +120,14 @@ class Letters(QtGui.QDialog):
             path = Path(self._folder.name) / f"{self.path.stem}-back-from-{pulse}.letters"
             self._send(self.track.back_from(pulse), path, pulse)
 
+    def why_not_send(self) -> str:
+        """Return why letters cannot be sent now, "" when they can; in English, for `tr`."""
+        status = self._panel.link.status
+        unknown = status is not None and status.position_known is False
+        return self.why_not() or (POSITION_UNKNOWN if unknown else "")
+
     def why_not(self) -> str:
-        """Return why nothing can be sent now, "" when it can; in English, for `tr`."""
+        """Return why no pulse can be made now, "" when one can; in English, for `tr`."""
         machine, status = self.machine(), self._panel.link.status
         if machine is None or not makes_pulses(machine):
             return NO_PULSES
@@ -134,14 +144,14 @@ class Letters(QtGui.QDialog):
 
     def refresh(self) -> None:
         """Show the present moment."""
-        status, why = self._panel.link.status, self.why_not()
+        status, why, why_not_send = self._panel.link.status, self.why_not(), self.why_not_send()
         self._follow(status)
-        self.state.setText(tr(why) if why and not self._runs else self._state_words(status))
-        for button in (self.send_button, self.back_button, self.minus, self.plus):
-            button.setEnabled(not why)
-            button.setToolTip(tr(why) if why else "")
+        self.state.setText(tr(why_not_send) if why_not_send and not self._runs else self._state_words(status))
+        for button in (self.minus, self.plus):
+            widgets.lock(button, why, "")
         for button in (self.send_button, self.back_button):
-            button.setEnabled(not why and self.track is not None)
+            widgets.lock(button, why_not_send, "")
+            button.setEnabled(not why_not_send and self.track is not None)
         self.slider.setEnabled(self.track is not None and not self._runs)
         self._offer_axes()
         self._show_figures(status)
@@ -159,19 +169,24 @@ class Letters(QtGui.QDialog):
 
     def _send(self, text: str, path: Path, back_from: int | None) -> None:
         machine = self.machine()
-        if machine is None or self.why_not():
+        if machine is None or self.why_not_send():
             return
         job = replace(letter_job(_in_short_lines(text), machine, str(path)), profile=self._panel.connection.profile)
         file = Path(self._folder.name) / "letters.zip"
         write_job(file, job)
-        self._back_from = back_from
+        self._back_from, self._is_sent = back_from, True
         self._say("")
         by_line = self._panel.by_line.isChecked()
         self._panel.link.command("run", file, zero_confirmed=True, by_line=by_line)
 
-    def _by_hand(self, sign: str) -> None:
-        if not self.why_not():
-            self._panel.link.command("type", f"$N={sign}{self.axis.currentText()}{self.count.value()}")
+    def _by_hand(self, sense: int) -> None:
+        machine, name = self.machine(), self.axis.currentText().lower()
+        if machine is None or self.why_not():
+            return
+        axis = machine.own_axes[name]
+        feed_mm_min = min(machine.feed_mm_min or axis.max_rate_mm_min, axis.max_rate_mm_min)
+        length_mm = length_of_pulses_mm(machine, name, sense * self.count.value())
+        self._panel.link.command("type", way(name, length_mm, feed_mm_min))
 
     def _follow(self, status: Any) -> None:
         """Show the pulse that is reached while letters of this window run, and why they were not sent."""
@@ -181,7 +196,8 @@ class Letters(QtGui.QDialog):
             whole = self.track.pulses if self._back_from is None else self._back_from
             done = round(status.done * whole)
             self._show_pulse(done if self._back_from is None else whole - done)
-        if self._runs and not ours and client is not None and client.outcome is not None:
+        if self._is_sent and not ours and client is not None and client.outcome is not None:
+            self._is_sent = False
             self._say(error_text(client.outcome.error) if client.outcome.error else "")
             if client.outcome.done:
                 self._show_pulse(0 if self._back_from is not None or self.track is None else self.track.pulses)

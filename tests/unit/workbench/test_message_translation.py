@@ -128,4 +128,4 @@ def test_the_messages_of_our_controllers_are_said_in_portuguese(text: str) -> No
     said = translated(text)
     english = [" the ", " is ", " it ", "there", "pulses", " late ", " none"]
     assert said != text and not [word for word in english if word in f" {said} "], said
-    assert [number for number in re.findall(r"\d+(?:\.\d+)?", text)] == re.findall(r"\d+(?:\.\d+)?", said)
+    assert re.findall(r"\d+(?:\.\d+)?", text) == re.findall(r"\d+(?:\.\d+)?", said)
