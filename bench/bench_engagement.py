@@ -17,13 +17,13 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "tests"))
 
 import numpy as np
 
+from CNCStepper.cycles.clearing.engagement.bounded_engagement_pattern import engagement_pattern
 from CNCStepper.cycles.clearing.engagement.cut_length import parallels_mm
-from CNCStepper.cycles.clearing.engagement.engagement_pattern import engagement_pattern
 from CNCStepper.cycles.clearing.pattern import Area
 from CNCStepper.cycles.pockets.pocket import Pocket
 from CNCStepper.geometry.curve import circle, from_points
 from CNCStepper.geometry.region import Region
-from CNCStepper.simulation.checks.report import report
+from CNCStepper.simulation.checks.program_report import report
 from helpers.cycles.engagement_judge import met_by
 from helpers.cycles.product_verdict import cut, tool
 from helpers.cycles.random_areas import random_area

@@ -18,7 +18,7 @@ from CNCStepper.control.journal.writer import Journal
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.protocol.grbl.connect import ControllerInfo
 from CNCStepper.control.protocol.grbl.driver import Grbl
-from CNCStepper.control.protocol.grbl.report import Feedback, Status
+from CNCStepper.control.protocol.grbl.status_reports import Feedback, Status
 
 RATES = {115_200: 576, 1_000_000: 5000}  # lines of 20 bytes a second
 STREAM_S = 20.0

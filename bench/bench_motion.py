@@ -21,7 +21,7 @@ import numpy as np
 from CNCStepper.gcode.interpreter.program_file import FileReading, interpret_file
 from CNCStepper.machine.backlash import Backlash
 from CNCStepper.machine.profile import load_machine
-from CNCStepper.motion.planner.backlash import motor_chunks
+from CNCStepper.motion.planner.backlash_moves import motor_chunks
 from CNCStepper.motion.planner.buffers import new_planner
 from CNCStepper.motion.planner.look_ahead import push_line
 from CNCStepper.motion.planner.machine_limits import Limits

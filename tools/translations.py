@@ -56,6 +56,8 @@ CORE_MODULES = (
 NO_SENTENCES = {
     "picture.py",
     "picture_style.py",
+    "drawing_picture.py",
+    "svg_writer.py",
     "readings_plot.py",
     "path_commands.py",
     "message_translation.py",

@@ -2,7 +2,7 @@
 """The board of a machine without a controller: grbl 1.1h in Python, with pulses in place of simulated axes.
 
 It differs from grbl where the machine does: no homing, no probe, relays for spindle, coolant and M62 to M65, switches
-on the port's own status pins, and the lines of `machine_test_lines.py`. A machine without Z reports Z as 0 and refuses
+on the port's own status pins, and the lines of `own_command_lines.py`. A machine without Z reports Z as 0 and refuses
 moves of it. Where the output ends by itself, the position is lost as by a reset in motion: a message, and ALARM:3.
 """
 
@@ -13,7 +13,7 @@ from contextlib import suppress
 from dataclasses import replace
 
 from CNCStepper.controllers.ended_output import EndedOutput, Output
-from CNCStepper.controllers.machine_test_lines import MachineTestLines, message
+from CNCStepper.controllers.own_command_lines import MachineTestLines, message
 from CNCStepper.controllers.port_signals import Relays, Switches
 from CNCStepper.controllers.pulse_axes import PulseAxes, most_moves, moves_of
 from CNCStepper.errors import CNCStepperError, LinkError, MachineRefusal, Text
@@ -83,7 +83,7 @@ class PulseBoard(Grbl):
 
     def receive(self, data: bytes) -> None:
         """Take bytes from the sender."""
-        self._unless_ended(lambda: super(PulseBoard, self).receive(data))
+        self._unless_ended(lambda: self._take(data))
 
     def pins(self) -> str:
         """Return the input pins that are on, as the status report names them."""
@@ -149,6 +149,10 @@ class PulseBoard(Grbl):
 
     def _step(self, dt_s: float) -> None:
         self._unless_ended(lambda: self._act(dt_s))
+
+    def _take(self, data: bytes) -> None:
+        super().receive(data)
+        self._relays.follow(self)  # before time passes: what comes back behind a door is waited for
 
     def _act(self, dt_s: float) -> None:
         self._player.check()

@@ -2,7 +2,7 @@
 """Loose pieces of a drawing, in any order and direction, as chains; what nearly meets is reported with its place.
 
 Ends within `same_mm` of each other meet. Where two meet, their pieces become one; where more meet, those
-two that go on straightest, then the next two. A piece goes on as it was drawn where its chain allows.
+two that continue straightest, then the next two. A piece keeps its drawn direction where its chain allows.
 
         a ---->---- b ----<---- c        ends at b meet: one chain a b c, its second piece turned round
                        d ----            b and d lie apart by more than `same_mm`, by less than `near_mm`: a Gap
@@ -20,7 +20,7 @@ import shapely
 from CNCStepper.errors import GeometryError, Text
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.curve_columns import Segments, complex_of
-from CNCStepper.tolerances import JOINED_ENDS_MM
+from CNCStepper.tolerances import COINCIDENT_MM, JOINED_ENDS_MM
 
 NEAR_MM = 1.0
 MOST_PAIRS = 2_000_000  # of ends that lie close together
@@ -49,10 +49,11 @@ def numbered_chains(
     pieces: Sequence[Curve], same_mm: float = JOINED_ENDS_MM, near_mm: float = NEAR_MM
 ) -> tuple[dict[int, Curve], tuple[Gap, ...]]:
     """Return the chains and gaps as `chained` does, each chain under the number of its first piece, ascending."""
-    long = {number: piece for number, piece in enumerate(pieces) if piece.length_mm > same_mm}
-    loose = [number for number, piece in long.items() if not piece.closed]
+    lengths_mm, closed = _measures(pieces)
+    long = {number: pieces[number] for number in np.flatnonzero(lengths_mm > same_mm).tolist()}
+    loose = [number for number in long if not closed[number]]
     partner = _partners([long[number] for number in loose], same_mm)
-    chains = {number: piece for number, piece in long.items() if piece.closed}
+    chains = {number: piece for number, piece in long.items() if closed[number]}
     for walk in _walks(partner):
         parts = [long[loose[end // 2]] if end % 2 == 0 else long[loose[end // 2]].reversed() for end in walk]
         chains[loose[min(walk) // 2]] = _one(parts, closed=partner[walk[0]] == walk[-1] ^ 1)
@@ -60,11 +61,29 @@ def numbered_chains(
     return ordered, _gaps([chain for chain in ordered.values() if not chain.closed], near_mm)
 
 
+def _measures(pieces: Sequence[Curve]) -> tuple[np.ndarray, np.ndarray]:
+    """Return how long each piece is and whether it is closed, of all pieces at once."""
+    if not pieces:
+        return np.empty(0), np.empty(0, bool)
+    counts = np.array([len(piece.bulge) for piece in pieces])
+    last = np.cumsum(counts + 1) - 1  # the last vertex of each piece
+    vertices = complex_of(np.concatenate([piece.xy for piece in pieces]))
+    chords_mm = np.delete(np.abs(np.diff(vertices)), last[:-1])
+    half_rad = 2.0 * np.arctan(np.abs(np.concatenate([piece.bulge for piece in pieces])))
+    lengths_mm = chords_mm / np.sinc(half_rad / np.pi)  # of an arc: chord half / sin(half)
+    first_rows = np.cumsum(counts) - counts
+    return np.add.reduceat(lengths_mm, first_rows), np.abs(vertices[last] - vertices[last - counts]) <= COINCIDENT_MM
+
+
 def _partners(pieces: Sequence[Curve], same_mm: float) -> np.ndarray:
-    """Return the end that each end goes on with, int64[2 n], -1 for none; end 2 i begins piece i, 2 i + 1 ends it."""
+    """Return the end that follows each end, int64[2 n], -1 for none; end 2 i begins piece i, 2 i + 1 ends it."""
     partner = np.full(2 * len(pieces), -1)
     places, outward = _ends(pieces)
     for meeting in _groups(places, same_mm):
+        if len(meeting) == 2:
+            first, second = meeting
+            partner[first], partner[second] = second, first
+            continue
         ends = np.array(meeting)
         one, other = (ends[index] for index in np.triu_indices(len(ends), 1))
         turns = np.abs(np.angle(-outward[one] / outward[other]))
@@ -150,7 +169,7 @@ def _walks(partner: np.ndarray) -> list[list[int]]:
 
 
 def _followed(partner: np.ndarray, entered: int) -> list[int]:
-    """Return the ends at which pieces are entered from this one on, until none goes on or it comes round."""
+    """Return the ends at which pieces are entered from this one on, to the chain's end or once round."""
     walk = [entered]
     while (following := int(partner[walk[-1] ^ 1])) not in (-1, entered):
         walk.append(following)
@@ -162,23 +181,36 @@ def _one(parts: Sequence[Curve], closed: bool) -> Curve:
     xy = np.vstack([parts[0].xy[:1], *(part.xy[1:] for part in parts)])
     if closed:
         xy[-1] = xy[0]
-    return Curve(xy, np.concatenate([part.bulge for part in parts]))
+    return Curve.trusted(xy, np.concatenate([part.bulge for part in parts]))
 
 
 def _gaps(chains: Sequence[Curve], near_mm: float) -> tuple[Gap, ...]:
     """Return the gaps between ends, each end in one gap at most."""
+    return tuple(Gap(_middle(ends), abs(ends[0] - ends[1])) for _, ends in nearly_meeting(chains, near_mm))
+
+
+def nearly_meeting(chains: Sequence[Curve], near_mm: float) -> list[tuple[tuple[int, int], tuple[complex, complex]]]:
+    """Return the pairs of ends of open chains within a distance, nearest first, and where they lie; each end once.
+
+    End 2 i begins chain i, end 2 i + 1 ends it. The ends of one chain that is hardly longer than their distance are no
+    pair.
+    """
     ends = complex_of(np.array([chain.xy[index] for chain in chains for index in (0, -1)]).reshape(-1, 2))
     pairs = _close_pairs(ends, near_mm)
     sizes = np.abs(ends[pairs[:, 0]] - ends[pairs[:, 1]])
     taken: set[int] = set()
-    gaps = []
+    found = []
     for row in np.argsort(sizes, kind="stable").tolist():
         a, b = pairs[row].tolist()
         if not taken & {a, b} and not _is_whole(chains, a, b, float(sizes[row])):
             taken |= {a, b}
-            middle = complex(ends[a] + ends[b]) / 2.0
-            gaps.append(Gap((middle.real, middle.imag), float(sizes[row])))
-    return tuple(gaps)
+            found.append(((a, b), (complex(ends[a]), complex(ends[b]))))
+    return found
+
+
+def _middle(ends: tuple[complex, complex]) -> tuple[float, float]:
+    middle = (ends[0] + ends[1]) / 2.0
+    return middle.real, middle.imag
 
 
 def _is_whole(chains: Sequence[Curve], a: int, b: int, size_mm: float) -> bool:

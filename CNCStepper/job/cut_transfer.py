@@ -15,7 +15,7 @@ from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.job.make import is_split, make_parts, make_program
 from CNCStepper.job.model import Job, StockForm, operation_of
 from CNCStepper.job.path_commands import commands, gcode
-from CNCStepper.job.question_key import Content
+from CNCStepper.job.request_digest import Content
 from CNCStepper.machine.cut_data import CutData
 from CNCStepper.machine.profile import Machine, validated
 from CNCStepper.machine.tools.tool import Tool
@@ -72,7 +72,7 @@ def _machine(content: str) -> Machine:
 
 
 def program_texts(job: Job, machine: Machine, title: str) -> list[tuple[str, str]]:
-    """Return the names and texts of a job's programs; raises what the core raises.
+    """Return the names and texts of a job's programs; raises the errors of `make`.
 
     It is one without a name, or several where the machine wants one a tool.
     """

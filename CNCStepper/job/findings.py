@@ -15,7 +15,7 @@ import shapely
 from shapely.geometry.base import BaseGeometry
 
 from CNCStepper.cycles.contours.contour import Contour
-from CNCStepper.cycles.contours.sides import enclosed
+from CNCStepper.cycles.contours.scrap_side import enclosed
 from CNCStepper.cycles.cycle import Answer, Cycle
 from CNCStepper.errors import Place, Text
 from CNCStepper.geometry.shapely_polygons import polygons_of
@@ -157,7 +157,7 @@ def _loose(job: Job, first: int, places: Sequence[Place], answers: Sequence[Answ
 
 
 def _warnings(places: Sequence[Place], answers: Sequence[Answer], stock: Stock) -> Iterator[Finding]:
-    """Yield what the cycles warn of, and shapes beside the stock, each at the first line of its operation."""
+    """Yield the warnings of the cycles, and shapes outside the stock, each at the first line of its operation."""
     for place, answer in zip(places, answers, strict=False):
         for warning in answer.warnings:
             yield Finding("warning", "not-exact", place, warning)

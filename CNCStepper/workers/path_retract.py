@@ -52,7 +52,7 @@ def answered(question: dict[str, Any]) -> dict[str, Any]:
 
 def _answer(desk: str, **request: Any) -> dict[str, Any]:
     from CNCStepper.control.service.connection_session import ConnectionSession
-    from CNCStepper.recovery.retract.client import RetractClient
+    from CNCStepper.recovery.retract.retract_client import RetractClient
 
     with ConnectionSession.attach(Path(desk)) as session:
         back = RetractClient(session)

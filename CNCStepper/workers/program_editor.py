@@ -48,7 +48,7 @@ from CNCStepper.job.editing.line_analysis import Abandoned, Reading, read_progra
 from CNCStepper.job.editing.path_segments import Picture
 from CNCStepper.job.start_state_file import read_start
 from CNCStepper.machine.profile import Machine, validated
-from CNCStepper.motion.planner.backlash import row_times_s
+from CNCStepper.motion.planner.backlash_moves import row_times_s
 from CNCStepper.motion.planner.plan import begun
 from CNCStepper.recovery.restart.description import contours_as_data
 from CNCStepper.state import Start, State

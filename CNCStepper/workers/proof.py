@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The process that proves: `python -m CNCStepper.workers.proof FOLDER NAME`, the folder as in `proof_folder`,
-with what `proof_folder` adds where the restart of a program is proven.
+with what `restart_proof_folder` adds where the restart of a program is proven.
 
 It prints the stage that begins, one a line, and `part` once the cut part is in the folder.
 When its standard input is closed nobody waits for the answer any more: it takes the folder away and ends. NAME is the
@@ -51,8 +51,8 @@ def answer(folder: Path, name: str) -> None:
     from CNCStepper.job.proof_folder import read_dialect, read_question, write_answer, write_part
     from CNCStepper.job.prove import prior_proofs, prove_job
     from CNCStepper.job.start_state_file import read_start
-    from CNCStepper.recovery.restart.proof_folder import read_place, write_restart
-    from CNCStepper.recovery.restart.prove import EntryOptions, certificate_of_restart, restart_job
+    from CNCStepper.recovery.restart.prove_restart import EntryOptions, certificate_of_restart, restart_job
+    from CNCStepper.recovery.restart.restart_proof_folder import read_place, write_restart
 
     program, job, machine = read_question(folder)
     start, place = read_start(folder), read_place(folder)

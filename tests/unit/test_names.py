@@ -9,11 +9,12 @@ from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
 GIVEN_UP_WORDS = """
-    acts bare belief beside blame desk desk_client desk_worker earlier found front gap grid hand held idle items
-    kept led leader letters lift loose made_with meanwhile memory moment one_way overheard page patience pieces
-    plain play prepare reached read_runs reins relief retrace rounds said_modes same_switches same_work
-    saved_modes simple speech stand stored story subject surface suspension take_up tape tell telling told watch
-    ways wire_and_ways wishes
+    actions acts bare belief bench beside blame buttons desk desk_client desk_worker earlier found front gap grid
+    hand held held_moves hold_and_resume idle items kept led leader letters lift loose made_with meanwhile measured
+    memory moment one_way overheard page path_watch patience pieces plain play power_on prepare question_key reached
+    read_runs readers reins relief retrace return_path rounds said_modes same_switches same_work saved_modes sides
+    simple speech stand stored story subject surface suspension take_up tape tell telling told watch way_tree ways
+    wire_and_ways wishes
 """
 GIVEN_UP_NAMES = """
     Asker awaits_person awake back_over_gaps BackFlow Backing BackView bare_start begin_anew Belief BeliefFile
@@ -34,6 +35,7 @@ GIVEN_UP_NAMES = """
     wish_of_machine Wishes with_take_up
 """
 GIVEN_UP_STEMS = "belief desk desks farewell hear hears heed obey obeys overheard reins stranger wishes"
+CORE = "control controllers cycles drawing gcode geometry job machine motion recovery simulation"
 DEFINITION = re.compile(r"^ *(?:async def|def|class) (\w+)", re.MULTILINE)
 WORD = re.compile(r"[A-Z]?[a-z0-9]+|[A-Z]+(?![a-z])")
 COLUMNS = 4  # English, Portuguese, meaning, source
@@ -50,6 +52,19 @@ def test_no_module_has_a_name_that_was_given_up() -> None:
     stems = Counter(path.stem for path in (ROOT / "CNCStepper").rglob("*.py"))
     assert len(stems) > 500
     assert not sorted(set(GIVEN_UP_WORDS.split()) & set(stems))
+
+
+def test_no_two_modules_of_the_core_have_one_name() -> None:
+    """Two modules of one name are two places to look; shells, workers and virtual machines may name what they serve."""
+    core = [
+        path
+        for folder in CORE.split()
+        for path in (ROOT / "CNCStepper" / folder).rglob("*.py")
+        if path.stem != "__init__"
+    ]
+    assert len(core) > 400
+    stems = Counter(path.stem for path in core)
+    assert not [str(path.relative_to(ROOT)) for path in core if stems[path.stem] > 1]
 
 
 def test_no_unit_test_imports_another_test() -> None:

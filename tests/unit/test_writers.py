@@ -35,7 +35,7 @@ REASONS = {
     ),
     "job/proof_folder": PRIVATE,
     "simulation/meshes/fallen_faces": PRIVATE,
-    "recovery/restart/proof_folder": PRIVATE,
+    "recovery/restart/restart_proof_folder": PRIVATE,
     "job/start_state_file": PRIVATE,
     "workers/simulation_timeline": PRIVATE,
     "simulation/tip_track": PRIVATE,

@@ -14,7 +14,7 @@ from PySide import QtCore, QtGui
 from test_dock import D, connected, dock, own_sessions, pocket, says, start_button, work_mm, zeroed  # noqa: F401
 
 from CNCStepper.workbench.dock.connection import Link
-from CNCStepper.workbench.dock.model.controller_state import ControllerSnapshot
+from CNCStepper.workbench.dock.model.button_states import ControllerSnapshot
 
 DOCKS_OWN = ("space", "Return", "Escape", "Delete", "v", "0")  # with which FreeCAD hides, deletes, turns the view …
 LET_GO_S = 1.5  # so long a key is held: X repeats it some 25 times a second after half a second

@@ -65,7 +65,7 @@ def _from_pause(client: SessionClient | ConnectionSession, stood: SenderStatus) 
 
 def _from_cut(client: SessionClient | ConnectionSession) -> None:
     """Cut from where the tool was led back to, as `cncstepper back --resume` does."""
-    from CNCStepper.recovery.retract.client import RetractClient
+    from CNCStepper.recovery.retract.retract_client import RetractClient
 
     back = RetractClient(client)
     back.go(back.held().rest())

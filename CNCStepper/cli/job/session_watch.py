@@ -21,7 +21,7 @@ from CNCStepper.control.session.job_phase import LEG_BEGINS, WAITING, Phase
 from CNCStepper.control.session.status import Outcome, SenderStatus
 
 if TYPE_CHECKING:
-    from CNCStepper.recovery.retract.client import ButtonClient
+    from CNCStepper.recovery.retract.retract_client import ButtonClient
 
 LOOK_EVERY_S = 0.05
 UNANSWERED = -1  # the number of no stand
@@ -141,7 +141,7 @@ class _Watch:
     def _follow_buttons(self) -> None:
         """Do from now on what the machine's own buttons want of the way along the cut, also while a person is asked."""
         if self._leader is None:
-            from CNCStepper.recovery.retract.client import ButtonClient
+            from CNCStepper.recovery.retract.retract_client import ButtonClient
 
             self._leader = ButtonClient(self._client.session_file, self._tell)
             self._leader.start()

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from datetime import timedelta
 
-from CNCStepper.control.protocol.grbl.report import Vector
+from CNCStepper.control.protocol.grbl.status_reports import Vector
 from CNCStepper.control.session.status import SenderStatus
 
 AXES = "XYZABC"

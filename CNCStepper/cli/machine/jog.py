@@ -59,7 +59,7 @@ def _axes_mm(way: tuple[str, ...]) -> dict[str, float]:
 def _jog_job(session: Path, axes_mm: dict[str, float], feed_mm_min: float) -> None:
     """Jog the machine of a job that is held; Ctrl-C brakes."""
     from CNCStepper.control.service.connection_session import attach
-    from CNCStepper.recovery.retract.client import jog, step_aside
+    from CNCStepper.recovery.retract.retract_client import jog, step_aside
 
     way = {f"{axis.lower()}_mm": axes_mm.get(axis, 0.0) for axis in "XYZ"} | {"feed_mm_min": feed_mm_min}
     with attach(session) as client:

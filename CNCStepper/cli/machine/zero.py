@@ -36,7 +36,7 @@ def command(axes: str, at: ServicePort) -> None:
 def _zero_job(session: Path, axes: str) -> None:
     """Set the zero of a job that is paused between two lines."""
     from CNCStepper.control.service.connection_session import attach
-    from CNCStepper.recovery.retract.client import set_zero
+    from CNCStepper.recovery.retract.retract_client import set_zero
 
     with attach(session) as client:
         click.echo(place(set_zero(client, axes)))

@@ -102,7 +102,7 @@ def _planned(
     """Return the pulses of a program, which is read while they are made where they go forwards."""
     from CNCStepper.gcode.interpreter.interpret import interpret
     from CNCStepper.machine.backlash import Backlash
-    from CNCStepper.motion.planner.backlash import motor_chunks, motor_moves
+    from CNCStepper.motion.planner.backlash_moves import motor_chunks, motor_moves
     from CNCStepper.motion.planner.buffers import TICKS_PER_S
     from CNCStepper.motion.signals.pulse_stream import pulse_stream
     from CNCStepper.motion.signals.reverse_pulses import ReversePulses

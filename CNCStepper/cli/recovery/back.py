@@ -18,9 +18,9 @@ if TYPE_CHECKING:
     from CNCStepper.control.service.connection_session import ConnectionSession
     from CNCStepper.control.session.client import SessionClient
     from CNCStepper.control.session.status import SenderStatus
-    from CNCStepper.recovery.retract.client import RetractClient
-    from CNCStepper.recovery.retract.path import Place
+    from CNCStepper.recovery.retract.retract_client import RetractClient
     from CNCStepper.recovery.retract.retract_legs import HeldProgram
+    from CNCStepper.recovery.retract.retract_path import Place
 
 QUESTION = "b MM | l LINE | e | f [MM] | r | s | q"
 MEANINGS = """\
@@ -77,7 +77,7 @@ def command(
         raise click.UsageError("give one of --distance, --line, --entry, --forward and --resume")
     from CNCStepper.control.service.connection_session import attach
     from CNCStepper.control.session.job_phase import Phase
-    from CNCStepper.recovery.retract.client import RetractClient
+    from CNCStepper.recovery.retract.retract_client import RetractClient
 
     with attach(session_file(session)) as client:
         back = RetractClient(client, machine)

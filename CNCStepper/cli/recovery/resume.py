@@ -116,7 +116,7 @@ def _nothing_to_enter(story: JobReplay, file: Path, line: int) -> str:
     """Return NOTHING_CUT or NOTHING_LEFT where the program cuts nothing before a line, or from there on; else ""."""
     from CNCStepper.recovery.restart.entry_point import entry_point_of
     from CNCStepper.recovery.restart.interrupted_program import read_program as read
-    from CNCStepper.recovery.restart.places import RequestedPlace, place_of
+    from CNCStepper.recovery.restart.restart_places import RequestedPlace, place_of
 
     try:
         program = read(read_program(file), story.header.get("dialect") or "grbl", None, str(file))

@@ -12,8 +12,8 @@ from dataclasses import dataclass, replace
 
 from CNCStepper.control.journal.replay import JobReplay
 from CNCStepper.control.protocol.grbl.firmware import language_of
-from CNCStepper.control.protocol.grbl.report import Vector
-from CNCStepper.control.stream.path_watch import ROUNDING_MM, STEP_MM, STEPS, held_modes, start_from
+from CNCStepper.control.protocol.grbl.status_reports import Vector
+from CNCStepper.control.stream.path_comparison import ROUNDING_MM, STEP_MM, STEPS, held_modes, start_from
 from CNCStepper.control.stream.planned_path import PlannedPath
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.wire.encoder import prepare
@@ -86,7 +86,7 @@ def _path_from(story: JobReplay, lines: Sequence[str]) -> PlannedPath:
     zero = story.zero or story.header
     offsets_mm, modes = zero["offsets_mm"], zero["modes"]
     start = start_from(offsets_mm, modes, tuple(story.header["mpos_mm"]))
-    if story.zero:  # a job goes on with a new zero at the same place of the work
+    if story.zero:  # after a new zero, a job continues at the same place of the work
         start = replace(start, position_mm=_moved(start, story.header["offsets_mm"].get(start.work_system)))
     language = language_of(story.header.get("controller", "grbl"))
     path = PlannedPath(lines, start, held_modes(offsets_mm, modes), dialect=language)

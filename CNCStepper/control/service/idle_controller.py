@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
-from CNCStepper.control.operator import actions
+from CNCStepper.control.operator import zero_and_unlock
 from CNCStepper.control.operator.console import HOME as HOME_LINE
 from CNCStepper.control.operator.console import MOVING_KINDS, UNLOCK, Console, kind_of
 from CNCStepper.control.operator.homing import HOME, check_took
@@ -16,8 +16,8 @@ from CNCStepper.control.protocol.grbl.capabilities import check_can
 from CNCStepper.control.protocol.grbl.driver import HOLD, RESUME, Answered, Grbl, Received
 from CNCStepper.control.protocol.grbl.firmware import TOOL_CHANGED
 from CNCStepper.control.protocol.grbl.readiness import check_state
-from CNCStepper.control.protocol.grbl.report import Alarm, Feedback, Greeting, Status
 from CNCStepper.control.protocol.grbl.status_poller import StatusPoller
+from CNCStepper.control.protocol.grbl.status_reports import Alarm, Feedback, Greeting, Status
 from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.control.session.command import Command
 from CNCStepper.control.session.job_phase import Phase
@@ -56,7 +56,7 @@ CRITICAL = "Reset to continue"
 class IdleController:
     """One machine between jobs; runs on the service's thread, except for `status`.
 
-    trust: what is held of the position; to be set again after a reset that has not cost it.
+    trust: the position trust; set it again after a reset that kept the position.
     """
 
     def __init__(self, driver: Grbl, timing: Timing, tell: Tell, refuse: Refuse):
@@ -112,7 +112,7 @@ class IdleController:
         return not self._wants_reset and not under_way and self.phase in (Phase.IDLE, Phase.ALARM)
 
     def status(self) -> SenderStatus:
-        """Return this moment."""
+        """Return the present status."""
         phase = self.phase
         state = self._driver.status.state if self._driver.status else ""
         message = (self._alarm or LOCKED[state]) if phase == "alarm" and state in LOCKED else ""
@@ -121,7 +121,7 @@ class IdleController:
         return replace(snapshot, position_known=trust.position_known, homed=trust.homed)
 
     def turn(self) -> None:
-        """Send what is due, ask, and listen once."""
+        """Send what is due, poll the status, and read once."""
         if self._homing_since_s is None:
             self._watch.check(self._driver, self.phase == "idle", self._console.dwell_s)
         elif self._driver.clock() - self._homing_since_s > self._timing.homing_s:
@@ -233,19 +233,19 @@ class IdleController:
 
     def _set_zero(self, axes: str) -> None:
         self.check_at_rest()
-        system = actions.set_zero(self._driver, axes, self._timing)
-        self.trust = trust_at_zero(self.trust, axes, actions.AXES)
+        system = zero_and_unlock.set_zero(self._driver, axes, self._timing)
+        self.trust = trust_at_zero(self.trust, axes, zero_and_unlock.AXES)
         self._tell("message", Text("zero of {axes} set in {system}", axes=axes.upper(), system=system))
 
     def _unlock(self) -> None:
         self.check_at_rest()
         asleep = self.status().machine_state == "Sleep"
         trust = self.trust
-        actions.unlock(self._driver, self._timing, self._wants_reset or asleep)
+        zero_and_unlock.unlock(self._driver, self._timing, self._wants_reset or asleep)
         self.trust = trust_after_sleep(trust) if asleep else trust  # a reset at rest does not cost it
 
     def _type(self, text: str) -> None:
-        """Do what a typed line asks: home and unlock as the service does them, the others as they stand."""
+        """Execute a typed line: home and unlock by the service's own functions, other lines verbatim."""
         kind = kind_of(text)
         self.check_at_rest()
         if kind == HOME_LINE:
@@ -261,7 +261,7 @@ class IdleController:
     def _home(self) -> None:
         self.check_at_rest()
         if self._wants_reset:
-            actions.soft_reset(self._driver, self._timing)
+            zero_and_unlock.soft_reset(self._driver, self._timing)
         elif self.phase != "alarm":
             check_state(self._driver.status)
         self._driver.send(HOME)
@@ -295,7 +295,7 @@ class IdleController:
             self._end_homing()
 
     def _end_homing(self) -> None:
-        """Trust a machine that says to be homed, where it has taken its time for that; else stop what it may do."""
+        """Trust a machine that reports homing done after a plausible time; else stop it."""
         if self._homing_since_s is None:  # it failed: the alarm came in one piece with its `ok`
             return
         try:

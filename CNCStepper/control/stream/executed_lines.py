@@ -18,7 +18,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from CNCStepper.control.protocol.grbl.driver import PLANNER_BLOCKS, Received
 from CNCStepper.control.protocol.grbl.readiness import STEPS_PER_MM
-from CNCStepper.control.protocol.grbl.report import Feedback, Status, sizes
+from CNCStepper.control.protocol.grbl.status_reports import Feedback, Status, sizes
 from CNCStepper.gcode.syntax.words import scanned_words
 
 LOOK_BACK = 400  # lines: a millisecond or two

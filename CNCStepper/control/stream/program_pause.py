@@ -1,18 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A pause between two lines of a job: the machine is idle, can be jogged, and its zero can be set.
 
-grbl refuses jogs and keeps G10 waiting while it is held, as it is at an M0. So the sender sends no M0: it waits until
-all before it is cut, and goes on when it is told. The lines that follow were proven from where the program stood; so
-whoever jogged away is first taken back there (`control/stream/return_path.py`), in work coordinates, for a new zero
-moves the
-program with it. Where axes have play, each that was moved comes to the side of its gap on which it stood
+grbl refuses jogs and delays G10 while it is held, as at an M0. So the sender sends no M0: it waits until all lines
+before it are cut, and continues at a resume command. The lines that follow were proven from the tool's position at the
+pause. After a jog the tool first returns there (`control/stream/return_after_jog.py`), in work coordinates, because a
+new zero moves the program with it. An axis with backlash that was moved returns to the side of its gap that it had
 (`backlash_side.py`).
 
-At its M6 grblHAL waits in the state Tool, in which it takes jogs and a new zero once it was told 0xA3; a cycle start
-ends that. So a sender stands there, too.
+At its M6 grblHAL waits in the state Tool. It takes jogs and a new zero there after 0xA3; a cycle start ends the state.
 
-So does a sender that was led along its cut: its lines are gone with a reset, so the machine is idle. The way from there
-goes on with is its client's, who takes whoever jogged back to the cut.
+A sender whose tool was retracted along the cut pauses too: a reset has discarded its lines, so the machine is idle. Its
+client resumes from there, and returns the tool to the cut after jogs.
+
 """
 
 from __future__ import annotations
@@ -20,18 +19,18 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-from CNCStepper.control.operator import actions
+from CNCStepper.control.operator import zero_and_unlock
 from CNCStepper.control.operator.jog import MAY_JOG, Jogger, JogMove, check_in_time
 from CNCStepper.control.protocol.grbl.driver import RESUME, Answered, Grbl
 from CNCStepper.control.protocol.grbl.firmware import TOOL
-from CNCStepper.control.protocol.grbl.report import Vector
+from CNCStepper.control.protocol.grbl.status_reports import Vector
 from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.control.session.command import Command
 from CNCStepper.control.stream.backlash_side import UP, BacklashTracker
-from CNCStepper.control.stream.return_path import THERE_MM, Axes, over
+from CNCStepper.control.stream.return_after_jog import THERE_MM, Axes, over
 from CNCStepper.errors import CNCStepperError, MachineRefusal, Text
 
-TOOL_ENDS_S = 0.5  # from a cycle start until the state tells of it
+TOOL_ENDS_S = 0.5  # from a cycle start until the status reports it
 AT_REST = ("Idle", TOOL)
 
 
@@ -81,7 +80,7 @@ class Pause:
         self._at_tool = False  # which the controller waits for
         self._started = False  # that wait was to end
         self._leads_on = True
-        self._changed_s = 0.0  # what the machine said before shows another moment
+        self._changed_s = 0.0  # an earlier report shows an earlier state
 
     def begin(self, driver: Grbl, index: int, gaps: BacklashTracker | None = None, leads_on: bool = True) -> None:
         """Pause before the job's line `index`; a pause that was only disturbed keeps its place.
@@ -101,7 +100,7 @@ class Pause:
         self._index, self._jogger, self.is_off_path = -1, None, False
 
     def check_way_back(self) -> None:
-        """Raise MachineRefusal where the machine jogs, or the way back along the cut was cut from another zero."""
+        """Raise MachineRefusal where the machine jogs, or where the cut had another zero."""
         if self._zero_set:
             what = "the work zero was set at a pause, so the way back along the cut is not known"
             raise MachineRefusal("retreat-zero", what, advice="go on, or stop the job")
@@ -109,7 +108,7 @@ class Pause:
             raise _busy("the machine jogs")
 
     def turn(self) -> float:
-        """Send what is due of jogs; return how long the next turn may be away."""
+        """Send due jogs; return the time until the next call is due."""
         if self._jogger is None:
             return float("inf")
         self._jogger.turn()
@@ -146,7 +145,7 @@ class Pause:
             self._resume_asked = True
 
     def is_left(self, driver: Grbl) -> bool:
-        """Return to the place after a resume; return whether the machine is there, so that the job goes on."""
+        """Return to the place after a resume; return whether the machine is there, so that the job resumes."""
         seen = driver.status
         if seen is None or driver.status_asked_s <= self._changed_s:
             return False
@@ -213,7 +212,7 @@ class Pause:
 
     def _set_zero(self, driver: Grbl, axes: str) -> None:
         self.is_off_path = self._zero_set = True
-        system = actions.set_zero(driver, axes, self._timing)
+        system = zero_and_unlock.set_zero(driver, axes, self._timing)
         self._changed_s = driver.clock()
         self._tell("message", Text("zero of {axes} set in {system}", axes=axes.upper(), system=system))
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 
 from CNCStepper.control.protocol.grbl.driver import Grbl, Received
-from CNCStepper.control.protocol.grbl.report import Damaged, Feedback, Unknown
+from CNCStepper.control.protocol.grbl.status_reports import Damaged, Feedback, Unknown
 from CNCStepper.control.session.status import SenderStatus
 from CNCStepper.errors import Text
 

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Contour: along drawn curves, on them, inside or outside, at several depths, with tabs, leads and dog-bones.
 
-    sides     drawn curves ---> paths of the tool's centre, exact parallels     cycles/contours/sides.py
+    sides     drawn curves ---> paths of the tool's centre, exact parallels     cycles/contours/scrap_side.py
     dogbones  inside corners sharper than the tool                              cycles/contours/dogbones.py
     leads     where a path begins and how the tool comes and goes, in scrap     cycles/contours/leads.py
     tabs      where it must stay above what holds the part                      cycles/contours/tabs.py
-    plan      all of these put together, in order; what is removed, warnings    cycles/contours/plan.py
+    plan      all of these put together, in order; what is removed, warnings    cycles/contours/contour_plan.py
     run       down, along, up, level by level                                   cycles/contours/contour_levels.py
 
 With `finish_stepover_mm` a roughing contour that much farther out is cut to the full depth first. What lies inside
@@ -16,8 +16,8 @@ from __future__ import annotations
 
 from CNCStepper.cycles.contours.contour_levels import run
 from CNCStepper.cycles.contours.contour_model import ContourModel
-from CNCStepper.cycles.contours.plan import planned
-from CNCStepper.cycles.contours.sides import as_cycle_error
+from CNCStepper.cycles.contours.contour_plan import planned
+from CNCStepper.cycles.contours.scrap_side import as_cycle_error
 from CNCStepper.cycles.cycle import Answer, Setup
 from CNCStepper.cycles.moves import Moves
 from CNCStepper.cycles.passes import require_few_blocks

@@ -15,7 +15,7 @@ import numpy as np
 import shapely
 from shapely.geometry.base import BaseGeometry
 
-from CNCStepper.cycles.contours.sides import Sides, enclosed
+from CNCStepper.cycles.contours.scrap_side import Sides, enclosed
 from CNCStepper.errors import CycleError, Text
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.shapely_polygons import polygons_of

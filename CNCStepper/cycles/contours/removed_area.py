@@ -16,8 +16,8 @@ from shapely.geometry.base import BaseGeometry
 
 from CNCStepper.cycles.contours.contour_model import ContourModel
 from CNCStepper.cycles.contours.cutting_width import radius_at
-from CNCStepper.cycles.contours.sides import Sides
-from CNCStepper.cycles.contours.swept_area import swept
+from CNCStepper.cycles.contours.disc_swept_area import swept
+from CNCStepper.cycles.contours.scrap_side import Sides
 from CNCStepper.cycles.cycle import Removal
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.machine.tools.tool import Tool

@@ -13,13 +13,13 @@ from __future__ import annotations
 from pydantic import BaseModel, ConfigDict
 from shapely import Polygon
 
+from CNCStepper.canned_drilling_moves import OWN_WORD, Canned
 from CNCStepper.cycles.cycle import Answer, Removal, Setup
 from CNCStepper.cycles.holes.hole_cycle import cut_canned, discs
 from CNCStepper.cycles.holes.hole_parameters import DrillParameters
 from CNCStepper.cycles.holes.hole_patterns import Pattern, placed
 from CNCStepper.cycles.moves import Point, require_feed
 from CNCStepper.cycles.passes import require_few_blocks
-from CNCStepper.drilling_strokes import OWN_WORD, Canned
 from CNCStepper.errors import CycleError, Text
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.machine.tools.tool_profile import Form, form_of

@@ -9,10 +9,10 @@ from collections.abc import Callable, Sequence
 import shapely
 from shapely.geometry.base import BaseGeometry
 
+from CNCStepper.canned_drilling_moves import DWELL, FEED, OWN_WORD, Canned
 from CNCStepper.cycles.cycle import Setup
 from CNCStepper.cycles.holes.hole_patterns import Hole
 from CNCStepper.cycles.moves import Point
-from CNCStepper.drilling_strokes import DWELL, FEED, OWN_WORD, Canned
 from CNCStepper.errors import CycleError, Text
 from CNCStepper.toolpath import TableBuilder
 

@@ -8,7 +8,7 @@ from functools import partial
 
 from pydantic import Field
 
-from CNCStepper.cycles.clearing.engagement.engagement_pattern import engagement_pattern
+from CNCStepper.cycles.clearing.engagement.bounded_engagement_pattern import engagement_pattern
 from CNCStepper.cycles.clearing.offset_pattern import offset
 from CNCStepper.cycles.clearing.pattern import Pattern
 from CNCStepper.cycles.clearing.spiral_pattern import spiral

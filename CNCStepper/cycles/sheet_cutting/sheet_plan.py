@@ -14,7 +14,7 @@ import shapely
 from shapely.geometry.base import BaseGeometry
 
 from CNCStepper.cycles.contours.contour_model import Lead
-from CNCStepper.cycles.contours.swept_area import swept
+from CNCStepper.cycles.contours.disc_swept_area import swept
 from CNCStepper.cycles.cycle import Answer, Removal, RestCorner, Setup
 from CNCStepper.cycles.sheet_cutting.chain_polygons import parts_of
 from CNCStepper.cycles.sheet_cutting.chains import Chain, narrow_warnings, nested, polygon_of, require_gaps, with_paths
@@ -24,8 +24,8 @@ from CNCStepper.cycles.sheet_cutting.cut_precedence import precedence
 from CNCStepper.cycles.sheet_cutting.lead_places import LEAST, Item, lead_ins, lead_outs
 from CNCStepper.cycles.sheet_cutting.lead_room import LeadRoom, NoScrap
 from CNCStepper.cycles.sheet_cutting.rapids import cut_order, rapid_ways
-from CNCStepper.cycles.sheet_cutting.sheet_checks import Measures, measures_of
 from CNCStepper.cycles.sheet_cutting.sheet_model import SheetModel
+from CNCStepper.cycles.sheet_cutting.sheet_parameter_checks import Measures, measures_of
 from CNCStepper.cycles.sheet_cutting.slow_places import slow_places
 from CNCStepper.cycles.sheet_cutting.strokes import Stroke, even, strokes
 from CNCStepper.cycles.sheet_cutting.torch_moves import Cut

@@ -20,7 +20,7 @@ import shapely
 from shapely import LineString, Polygon
 from shapely.geometry.base import BaseGeometry
 
-from CNCStepper.cycles.wire_cutting.way_tree import ROOT, WayTree
+from CNCStepper.cycles.wire_cutting.route_tree import ROOT, WayTree
 from CNCStepper.cycles.wire_cutting.wire_items import Item, Part
 from CNCStepper.errors import CycleError, Text
 from CNCStepper.geometry.curve import Curve

@@ -3,7 +3,7 @@
 
 wire_items     drawn curves ---> rings half a kerf off the parts, lines; refusals    cycles/wire_cutting/
 scrap_roadmap  shortest ways through the scrap, clear of all parts
-way_tree       those ways as a tree, and the order of its leaves
+route_tree     those ways as a tree, and the order of its leaves
 falling_pieces no part comes loose before it is cut
 hole_slits     through the part into its holes
 wire_route     all of these put together: one way
@@ -17,8 +17,8 @@ from pydantic import BaseModel, ConfigDict, Field, StrictBool
 from shapely import Polygon
 from shapely.geometry.base import BaseGeometry
 
-from CNCStepper.cycles.contours.sides import as_cycle_error
-from CNCStepper.cycles.contours.swept_area import swept
+from CNCStepper.cycles.contours.disc_swept_area import swept
+from CNCStepper.cycles.contours.scrap_side import as_cycle_error
 from CNCStepper.cycles.cycle import Answer, Removal, Setup
 from CNCStepper.cycles.moves import require_feed
 from CNCStepper.cycles.parameter_types import CurveField

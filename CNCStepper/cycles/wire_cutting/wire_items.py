@@ -24,7 +24,7 @@ import shapely
 from shapely import LineString, Point, Polygon
 from shapely.geometry.base import BaseGeometry
 
-from CNCStepper.cycles.contours.sides import FOLLOWED_MM, enclosed
+from CNCStepper.cycles.contours.scrap_side import FOLLOWED_MM, enclosed
 from CNCStepper.errors import CycleError, Text
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.region import Region

@@ -17,15 +17,14 @@ from typing import Any
 import numpy as np
 
 from CNCStepper.cancellation import checkpoint
+from CNCStepper.drawing.dxf.plain_entities import FLAT, LARGEST
 from CNCStepper.errors import GeometryError, JobError, Text
 from CNCStepper.geometry.curve import Curve, joined
 from CNCStepper.geometry.fitting.curve_to_arcs import Function, fit_arcs, fit_curve
 from CNCStepper.safe_text import printable
 from CNCStepper.tolerances import COINCIDENT_MM
 
-FLAT = 1e-6  # units: heights that differ by less are one; also how far an extrusion may lean from Z
 ROUND = 1e-9  # an ellipse whose axes differ by less, relatively, is a circle
-LARGEST = 1e9  # units: beyond it nothing of a drawing can be told apart
 BROKEN = (ArithmeticError, AttributeError, LookupError, RuntimeError, TypeError, ValueError)
 MOST_WORDS = 255
 MOST_DEGREE = 25

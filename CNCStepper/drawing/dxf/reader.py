@@ -1,158 +1,52 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """DXF drawings: the curves of each layer in mm, joined to chains, with the gaps left and what could not be read.
 
-ezdxf parses the file (and mends a damaged one); entities.py turns each entity into a curve. Blocks are
-taken apart where they are inserted; what they hold on layer 0 lies on the layer of the insertion. Only the model space
-is read, and of that what is visible.
+    text ──► plain_entities.py: lines, arcs, circles, light polylines ─────────────────┐
+         └─► ezdxf: header, tables, blocks, all other entities ──► entities.py: curves ─┴─► chains
 
-What ezdxf writes into its log while it reads a drawing: kept here, made printable, and not on the terminal.
-
-How much a DXF drawing holds, counted before it costs time: in the file, and with its blocks taken apart.
-
-    bytes ──► require_readable   entities as they stand in the file          before ezdxf reads it, 0.1 s for 60 MB
-    document ──► require_small   rows of blocks, and blocks within blocks    before any of them is taken apart
-
-ezdxf reads some 20 000 entities a second; a block of ten things in ten rows and columns of itself, ten times over, is
-a file of 2 kB and more things than any computer holds.
+ezdxf mends a damaged file, then reads all of it. Blocks are taken apart where they are inserted; what they hold on
+layer 0 lies on the layer of the insertion. Only the model space is read, and of that what is visible.
 """
 
 from __future__ import annotations
 
-import logging
-import re
-from collections import Counter
+import io
+import itertools
+import operator
 from collections.abc import Iterator
-from contextlib import contextmanager
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from CNCStepper.cancellation import checkpoint
 from CNCStepper.drawing.drawing import Attributes, Drawing, Piece, Share, Skipped, joined_pieces
+from CNCStepper.drawing.dxf.attributes import (
+    BLACK,
+    Insertion,
+    Layers,
+    attribute,
+    attributes,
+    colour_of,
+    entity_colour,
+    layer_of,
+)
 from CNCStepper.drawing.dxf.entities import BROKEN, Fits, curve_of
+from CNCStepper.drawing.dxf.ezdxf_log import collected_log
+from CNCStepper.drawing.dxf.limits import DEEPEST, MOST_BYTES, require_readable, require_small
+from CNCStepper.drawing.dxf.plain_entities import PlainEntity, SplitText, split_text
 from CNCStepper.drawing.read_drawing import ReadOptions
 from CNCStepper.errors import GeometryError, JobError, Place, Text, placed
 from CNCStepper.geometry.chain_joining import NEAR_MM
+from CNCStepper.geometry.curve import Curve
 from CNCStepper.input_file import read_input
 from CNCStepper.quantities import Bounds
 from CNCStepper.safe_text import printable
 from CNCStepper.tolerances import JOINED_ENDS_MM
 
-LOGGER = "ezdxf"
-MOST_RECORDS = 20
-
-
-class _Collector(logging.Handler):
-    def __init__(self) -> None:
-        super().__init__(logging.ERROR)
-        self.told: list[str] = []
-
-    def emit(self, record: logging.LogRecord) -> None:
-        if len(self.told) < MOST_RECORDS:
-            self.told.append(printable(record.getMessage(), 255))
-
-
-@contextmanager
-def collected_log() -> Iterator[list[str]]:
-    """Give a list that takes the errors which ezdxf logs inside the block; none of its words reaches another log."""
-    logger, collector = logging.getLogger(LOGGER), _Collector()
-    propagates, logger.propagate = logger.propagate, False
-    logger.addHandler(collector)
-    try:
-        yield collector.told
-    finally:
-        logger.removeHandler(collector)
-        logger.propagate = propagates
-
-
-MOST_BYTES = 100_000_000
-MOST_ENTITIES = 100_000
-MOST_POINTS = 1_000_000  # of all polylines and splines
-SPLINE_WEIGHT = (
-    5  # points: what a spline's control point takes beside reading; how long arcs are fitted has its own bound
-)
-DEEPEST = 32  # blocks within blocks; a block that holds itself goes on for ever
-BINARY = b"AutoCAD Binary DXF\r\n\x1a\x00"
-# the vertices of an old polyline are points of it, not entities
-_ENTITY = re.compile(rb"\n[ \t]*0[ \t]*\r?\n[ \t]*(?!VERTEX\b|SEQEND\b)[A-Z0-9_]*[A-Z]")
-_POINT = re.compile(rb"\n[ \t]*10[ \t]*\r?\n")
-_BINARY_ENTITY = re.compile(rb"\x00\x00[A-Z0-9_]+\x00")
-_OLD_BINARY_ENTITY = re.compile(rb"\x00[A-Z0-9_]{3,}\x00")  # until R12 a group's code is one byte
-
-
-def require_readable(content: bytes, place: Place) -> None:
-    """Raise JobError for a file of more entities or points than are read; what is no DXF file passes."""
-    if content.startswith(BINARY):
-        wide = b"\x00\x00SECTION\x00" in content[:100]
-        entities, points = len((_BINARY_ENTITY if wide else _OLD_BINARY_ENTITY).findall(content)), 0
-    else:
-        entities, points = len(_ENTITY.findall(content)), len(_POINT.findall(content))
-    _require("entities", entities, MOST_ENTITIES, place)
-    _require("points", points, MOST_POINTS, place)
-
-
-def require_small(document: Any, place: Place) -> int:
-    """Return how many entities the model space has, blocks taken apart.
-
-    Raises JobError where these, or their points, are more than are read.
-    """
-    entities, points = _Count(document).of(document.modelspace(), DEEPEST)
-    _require("entities with its blocks taken apart", entities, MOST_ENTITIES, place)
-    splines = Text("those of splines count {spline_weight} times", spline_weight=SPLINE_WEIGHT)
-    _require(Text("points with its blocks taken apart ({splines})", splines=splines), points, MOST_POINTS, place)
-    return entities
-
-
-def _require(of_what: str, count: int, most: int, place: Place) -> None:
-    if count > most:
-        value = f"{count}" if count < 10**12 else "more than a million million"
-        what, advice = (
-            Text("the drawing has too many {of_what}", of_what=of_what),
-            "draw polylines in place of single lines, or split it",
-        )
-        raise JobError("dxf-large", what, value=value, limit=f"{most}", advice=advice, place=place)
-
-
-class _Count:
-    """Counts entities and points; each block once for each depth at which it is inserted."""
-
-    def __init__(self, document: Any):
-        self._document = document
-        self._known: dict[tuple[str, int], tuple[int, int]] = {}
-
-    def of(self, entities: Any, depth: int) -> tuple[int, int]:
-        """Return entities and points of a model space or block whose own blocks are at most `depth` deep."""
-        total, points = 0, 0
-        inserted: Counter[str] = Counter()
-        for entity in entities:
-            if entity.dxftype() == "INSERT" and depth:
-                inserted[str(entity.dxf.get("name", ""))] += max(int(entity.mcount), 1)
-            else:
-                total, points = total + 1, points + _points_of(entity)
-        for name, count in inserted.items():
-            own, own_points = self._of_block(name, depth - 1)
-            total, points = total + count * max(own, 1), points + count * own_points
-        return total, points
-
-    def _of_block(self, name: str, depth: int) -> tuple[int, int]:
-        key = (name.casefold(), depth)
-        if key not in self._known:
-            block = self._document.blocks.get(name)
-            self._known[key] = self.of(block, depth) if block is not None else (0, 0)
-        return self._known[key]
-
-
-def _points_of(entity: Any) -> int:
-    kind = entity.dxftype()
-    if kind == "SPLINE":
-        return SPLINE_WEIGHT * (len(entity.control_points) + len(entity.fit_points))
-    if kind == "LWPOLYLINE":
-        return len(entity)
-    return len(entity.vertices) if kind == "POLYLINE" else 0
-
-
 MOST_WORDS = 255  # characters of a name, and of what ezdxf says
 PARSED, CURVED = 0.4, 0.95  # of the time, for a drawing of lines, when ezdxf is done, and when all are curves
 TOLD_EVERY = 256  # entities
+OUTSIDE = Insertion()
 UNIT_NAME = b"$INSUNITS"  # where a file does not hold it, ezdxf may take it for one in metres
 
 
@@ -177,14 +71,14 @@ def read_dxf(
     content = read_input(path, MOST_BYTES)
     require_readable(content, place)
     with collected_log() as log:
-        document, damage = _document(path)
-        count = require_small(document, place)
+        source = _source(path, content)
+        document, damage = source.document, source.damage
+        count = require_small(document, len(source.plain), place)
         share(PARSED)
         unit_mm = unit_mm or (_unit_mm(document) if UNIT_NAME in content else 1.0)
         unit_mm = Bounds("unit").require(unit_mm, "the drawing's unit", place)
-        told = _told(_visible(document, document.modelspace(), None, 0), count, share)
         with placed(place):
-            pieces, skipped = _pieces(told, Fits(tolerance_mm / unit_mm), unit_mm)
+            pieces, skipped = _Reading(source, Fits(tolerance_mm / unit_mm), unit_mm).all(count, share)
     damage = damage or (log[0] if log else "")
     if not pieces and damage:
         raise _no_dxf(path, damage)
@@ -209,29 +103,106 @@ def read(path: Path, options: ReadOptions, share: Share) -> Drawing:
     return read_dxf(path, options.tolerance_mm, options.unit_mm, same_mm, near_mm, options.by_colour, share)
 
 
-def _told(entities: Iterator[tuple[Any, str]], count: int, share: Share) -> Iterator[tuple[Any, str]]:
-    """Yield the entities, and call `share` with how far they are now and then."""
-    for number, entity in enumerate(entities):
-        checkpoint()
-        if number % TOLD_EVERY == 0:
-            share(PARSED + (CURVED - PARSED) * min(number / count, 1.0))
-        yield entity
+@dataclass(frozen=True)
+class _Source:
+    """A file as it is read: the entities read straight, and the document of ezdxf with all else.
+
+    `numbers` has the place in the file of each entity of the document by its handle, in capitals.
+    """
+
+    document: Any
+    damage: str = ""
+    plain: tuple[PlainEntity, ...] = ()
+    numbers: dict[str, int] = field(default_factory=dict)
+    encoding: str = "utf-8"
 
 
-def _pieces(entities: Iterator[tuple[Any, str]], fits: Fits, unit_mm: float) -> tuple[list[Piece], list[Skipped]]:
-    """Return the curve of each entity in mm, and the entities that have none."""
-    pieces: list[Piece] = []
-    skipped = []
-    for entity, layer in entities:
+class _Reading:
+    """Takes the pieces out of a file, in the order of the file."""
+
+    def __init__(self, source: _Source, fits: Fits, unit_mm: float):
+        self._source, self._fits, self._unit_mm = source, fits, unit_mm
+        self._layers = Layers(source.document)
+        self._pieces: list[tuple[int, Piece]] = []
+        self._skipped: list[tuple[int, Skipped]] = []
+
+    def all(self, count: int, share: Share) -> tuple[list[Piece], list[Skipped]]:
+        """Return the curve of each of `count` entities in mm, and the entities that have none."""
+        for done, _ in enumerate(itertools.chain(self._read_plain(), self._read_others())):
+            checkpoint()
+            if done % TOLD_EVERY == 0:
+                share(PARSED + (CURVED - PARSED) * min(done / count, 1.0))
+        by_number = operator.itemgetter(0)
+        pieces = [piece for _, piece in sorted(self._pieces, key=by_number)]
+        return pieces, [skipped for _, skipped in sorted(self._skipped, key=by_number)]
+
+    def _read_plain(self) -> Iterator[None]:
+        names: dict[bytes, str] = {}
+        for entity in self._source.plain:
+            if entity.layer not in names:
+                names[entity.layer] = entity.layer.decode(self._source.encoding, "surrogateescape")
+            layer = names[entity.layer]
+            if not self._layers.is_hidden(layer):
+                self._read_curve(entity, layer)
+            yield
+
+    def _read_curve(self, entity: PlainEntity, layer: str) -> None:
+        colour = colour_of(entity.colour_index, entity.true_colour, self._layers.colour(layer), BLACK)
         try:
-            curve = curve_of(entity, fits)
-            curve = curve if unit_mm == 1.0 else curve.scaled(unit_mm)
+            self._add(entity.number, entity.curve, attributes(layer, colour, entity.handle, OUTSIDE))
+        except GeometryError as error:  # too far away in mm
+            self._skip(entity.number, entity.kind, layer, entity.handle, error)
+
+    def _read_others(self) -> Iterator[None]:
+        for order, entity in enumerate(self._source.document.modelspace()):
+            number = self._source.numbers.get(str(entity.dxf.handle or "").upper(), order)
+            yield from self._read(entity, number, OUTSIDE)
+
+    def _read(self, entity: Any, number: int, around: Insertion) -> Iterator[None]:
+        """Take the pieces of an entity where it is visible; a block is taken apart."""
+        layer = layer_of(entity, around)
+        if attribute(entity, "invisible", 0) or self._layers.is_hidden(layer):
+            return
+        colour = entity_colour(entity, layer, around, self._layers)
+        if entity.dxftype() == "INSERT" and len(around.blocks) < DEEPEST:
+            inside = Insertion(layer, colour, (*around.blocks, str(entity.dxf.get("name", ""))))
+            for insert in _inserts(entity):
+                for part in _taken_apart(insert):
+                    yield from self._read(part, number, inside)
+            return
+        try:
+            own = attributes(layer, colour, str(entity.dxf.handle or ""), around)
+            self._add(number, curve_of(entity, self._fits), own)
         except GeometryError as error:
-            kind, handle = printable(entity.dxftype(), MOST_WORDS), printable(str(entity.dxf.handle or ""), MOST_WORDS)
-            skipped.append(Skipped(kind, printable(layer, MOST_WORDS), handle, error.what))
-        else:
-            pieces.append(Piece(curve, Attributes(printable(layer, MOST_WORDS))))
-    return pieces, skipped
+            self._skip(number, entity.dxftype(), layer, str(entity.dxf.handle or ""), error)
+        yield
+
+    def _skip(self, number: int, kind: str, layer: str, handle: str, error: GeometryError) -> None:
+        kind, layer, handle = (printable(text, MOST_WORDS) for text in (kind, layer, handle))
+        self._skipped.append((number, Skipped(kind, layer, handle, error.what)))
+
+    def _add(self, number: int, curve: Curve, own: Attributes) -> None:
+        self._pieces.append((number, Piece(curve if self._unit_mm == 1.0 else curve.scaled(self._unit_mm), own)))
+
+
+def _source(path: Path, content: bytes) -> _Source:
+    """Return the file with its ordinary entities read straight, or all of it as ezdxf has it."""
+    found = split_text(content)
+    if found is not None:
+        try:
+            return _split_source(found)
+        except Exception:  # of ezdxf's parser: the file is read again, and mended
+            pass
+    return _Source(*_document(path))
+
+
+def _split_source(found: SplitText) -> _Source:
+    import ezdxf  # it takes 0.4 s
+    from ezdxf.filemanagement import dxf_stream_info
+
+    info = dxf_stream_info(io.StringIO(found.rest.decode("latin-1")))
+    text = found.rest.decode(info.encoding, "surrogateescape").replace("\r\n", "\n")
+    return _Source(ezdxf.read(io.StringIO(text)), "", found.plain, found.numbers, info.encoding)
 
 
 def _document(path: Path) -> tuple[Any, str]:
@@ -266,20 +237,6 @@ def _unit_mm(document: Any) -> float:
     return float(units.conversion_factor(unit, units.InsertUnits.Millimeters)) if unit else 1.0
 
 
-def _visible(document: Any, entities: Any, inserted_on: str | None, depth: int) -> Iterator[tuple[Any, str]]:
-    """Yield the visible entities, blocks taken apart, with the layer on which each lies."""
-    for entity in entities:
-        layer = str(_attribute(entity, "layer", "0"))
-        layer = inserted_on if inserted_on is not None and layer == "0" else layer
-        if _attribute(entity, "invisible", 0) or _is_hidden(document, layer):
-            continue
-        if entity.dxftype() == "INSERT" and depth < DEEPEST:
-            for insert in _inserts(entity):
-                yield from _visible(document, _taken_apart(insert), layer, depth + 1)
-        else:
-            yield entity, layer
-
-
 def _inserts(entity: Any) -> list[Any]:
     """Return an insertion in rows and columns as single ones; one that ezdxf cannot place stays what it is."""
     try:
@@ -294,15 +251,3 @@ def _taken_apart(insert: Any) -> list[Any]:
         return list(insert.virtual_entities())
     except BROKEN:
         return [insert]  # at the deepest level it is named among what is left out
-
-
-def _attribute(entity: Any, name: str, otherwise: Any) -> Any:
-    """Return an attribute of an entity; kinds that ezdxf does not know have none."""
-    return entity.dxf.get(name, otherwise) if entity.dxf.is_supported(name) else otherwise
-
-
-def _is_hidden(document: Any, layer: str) -> bool:
-    if not document.layers.has_entry(layer):
-        return False
-    found = document.layers.get(layer)
-    return bool(found.is_off() or found.is_frozen())

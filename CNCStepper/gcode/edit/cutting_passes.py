@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from CNCStepper.errors import ProgramError
-from CNCStepper.gcode.edit.executed_lines import Source
+from CNCStepper.gcode.edit.line_states import Source
 from CNCStepper.state import State
 from CNCStepper.tolerances import SAME_SUM_MM
 from CNCStepper.toolpath import LINE, RAPID

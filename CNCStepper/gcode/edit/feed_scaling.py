@@ -6,7 +6,7 @@ from __future__ import annotations
 from CNCStepper.errors import Place, ProgramError
 from CNCStepper.gcode.dialects import Dialect, dialect_named
 from CNCStepper.gcode.edit.edit_result import Edited, Lines
-from CNCStepper.gcode.edit.executed_lines import EXPAND
+from CNCStepper.gcode.edit.line_states import EXPAND
 from CNCStepper.gcode.edit.line_tokens import Token, changed, tokens_of
 from CNCStepper.gcode.edit.verification import require_same_path
 from CNCStepper.gcode.edit.word_values import Value, decimals_of, feed_decimals

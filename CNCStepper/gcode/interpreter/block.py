@@ -19,7 +19,7 @@ from CNCStepper.gcode.interpreter.canonical_output import SET_FEED, Canon, Canon
 from CNCStepper.gcode.interpreter.motion.arcs import Arc, chords
 from CNCStepper.gcode.interpreter.motion.end_points import unknown_position
 from CNCStepper.gcode.interpreter.state import stand_alone_position
-from CNCStepper.gcode.interpreter.state.model import NO_FURTHER, Model, Point, rpm_at
+from CNCStepper.gcode.interpreter.state.interpreter_state import NO_FURTHER, Model, Point, rpm_at
 from CNCStepper.gcode.interpreter.state.parameters import length_scale
 from CNCStepper.gcode.syntax.line_grammar import Plan
 from CNCStepper.gcode.syntax.words import Word
@@ -47,12 +47,12 @@ class Block(CanonicalBlock, ABC):
         self.read_profile: ProfileReader | None = None
         self.asks_position = False  # afterwards the machine is asked where it is
         self.turning = "off"  # how the spindle turned when a canned cycle began
-        self.unheard = False  # moves are not told: a call before them stands for all
+        self.unheard = False  # no calls for single moves: one call before them covers all
         self.next_further: tuple[float, ...] = model.further  # where A B C U V W are after this block's move
 
     @abstractmethod
     def execute(self, plan: Plan, values: list[float]) -> None:
-        """Execute words, which are the block's from then on (`execute.py`)."""
+        """Execute words, which become the block's own (`execute.py`)."""
 
     # words
 

@@ -13,9 +13,9 @@ from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects.codes import MOTION_NAMES
 from CNCStepper.gcode.interpreter.block import Block
 from CNCStepper.gcode.interpreter.motion.straight_and_arc_moves import arc, straight
-from CNCStepper.gcode.interpreter.state.model import Model
-from CNCStepper.gcode.lathe.profile import Segment
+from CNCStepper.gcode.interpreter.state.interpreter_state import Model
 from CNCStepper.gcode.lathe.roughing_and_finishing import Turning
+from CNCStepper.gcode.lathe.turned_profile import Segment
 from CNCStepper.gcode.syntax.line_grammar import Plan
 from CNCStepper.gcode.syntax.words import Word
 from CNCStepper.tolerances import SAME_TEXT_PLACE

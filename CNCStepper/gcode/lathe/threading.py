@@ -20,7 +20,7 @@ from CNCStepper.gcode.dialects.codes import MOTION_NAMES
 from CNCStepper.gcode.interpreter.block import Block
 from CNCStepper.gcode.interpreter.functions.spindle import check_spindle, need_turning
 from CNCStepper.gcode.interpreter.motion.end_points import end_point, further_end
-from CNCStepper.gcode.interpreter.state.model import Point, rpm_at
+from CNCStepper.gcode.interpreter.state.interpreter_state import Point, rpm_at
 from CNCStepper.toolpath import LINE, RAPID
 
 MOST_PASSES = 100_000

@@ -18,7 +18,7 @@ from typing import Any
 from CNCStepper.atomic_file import write_whole
 from CNCStepper.errors import JobError, Place, Text
 from CNCStepper.input_file import is_there
-from CNCStepper.machine.files.readers import read_json
+from CNCStepper.machine.files.toml_reader import read_json
 from CNCStepper.machine.tools.stored_tool import StoredTool, given_keys, tool_or_note
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.quantities import Bounds, shown
@@ -197,7 +197,7 @@ def _bit(stored: StoredTool) -> dict[str, Any]:
 
 
 def _parameters(tool: Tool, said: dict[str, Any]) -> dict[str, str]:
-    """Return FreeCAD's parameters for what the tool says otherwise than the bit, or more."""
+    """Return FreeCAD's parameters for values of the tool that differ from the bit or that the bit lacks."""
     found = {"Flutes": str(tool.flutes)} if tool.flutes and tool.flutes != said.get("flutes") else {}
     for theirs, ours in (*LENGTHS.items(), *ANGLES.items()):
         value = getattr(tool, ours)

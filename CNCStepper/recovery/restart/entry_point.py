@@ -16,9 +16,9 @@ import numpy as np
 
 from CNCStepper.errors import Text
 from CNCStepper.gcode.dialects.codes import CYCLES
-from CNCStepper.recovery.power_on import cut_begin
 from CNCStepper.recovery.restart.interrupted_program import Program, entry_of, stretch_of
-from CNCStepper.recovery.restart.places import Place
+from CNCStepper.recovery.restart.restart_places import Place
+from CNCStepper.recovery.tool_power_on import cut_begin
 from CNCStepper.tolerances import SAME_MM
 from CNCStepper.toolpath import LINE, XY
 

@@ -3,7 +3,7 @@
 
 (restart of part.nc at line 812)  (begin operation: pocket)
 M5 M9                        nothing runs while the tool goes up
-G21 G17 G90 ... G54  G92.1   known modes; offsets of G92 are set anew below
+G21 G17 G90 ... G54  G92.1   known modes; offsets of G92 are set again below
 G43.1 Z..                    the length of the tool
 G0 Z12.                      up
 T2 M6                        where tools are changed so
@@ -25,8 +25,8 @@ from CNCStepper.errors import Text
 from CNCStepper.gcode.dialects.codes import AXES, CODE_OF_PLANE, MOTION_NAMES, NO_MOTION, PLANE_CODES, UNIT_CODES
 from CNCStepper.gcode.edit.line_tokens import tokens_of
 from CNCStepper.gcode.edit.word_values import MOST_DECIMALS, dialect_decimals, number_text
+from CNCStepper.gcode.interpreter.state.interpreter_state import Model
 from CNCStepper.gcode.interpreter.state.modal_state_stack import OVERRIDES, PATH_MODES, RETRACT_MODES, modal_words
-from CNCStepper.gcode.interpreter.state.model import Model
 from CNCStepper.gcode.writer.block_emitter import comment_lines
 from CNCStepper.gcode.writer.state_changes import SPINDLE_CODES
 from CNCStepper.recovery.restart.approach import Approach

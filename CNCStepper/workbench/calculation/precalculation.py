@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from CNCStepper.errors import CNCStepperError, JobError
-from CNCStepper.job import question_key
+from CNCStepper.job import request_digest
 from CNCStepper.job.deferred_fitting import Unfitted, on_trial, only_looking
 from CNCStepper.workbench.calculation import result_cache
 from CNCStepper.workbench.calculation.cut_process import Parts, process
@@ -67,7 +67,7 @@ def _look_for(obj: Any, look: Look) -> None:
         question = unfitted.question
     if question is None or process().unavailable:
         return
-    key = question_key.key_of(question)
+    key = request_digest.key_of(question)
     if result_cache.may_ask(key):
         look.unknown[key] = question
     elif isinstance(answer := result_cache.known(key), CNCStepperError):

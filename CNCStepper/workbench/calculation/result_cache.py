@@ -17,7 +17,7 @@ from typing import Any
 
 from CNCStepper.control.session.status import error_from_json
 from CNCStepper.errors import CNCStepperError
-from CNCStepper.job.question_key import key_of
+from CNCStepper.job.request_digest import key_of
 
 MOST_BYTES = 64_000_000  # of all that is kept
 ENTRY_BYTES = 1_000  # of an answer besides its texts

@@ -14,7 +14,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
 
-from CNCStepper.job import question_key
+from CNCStepper.job import request_digest
 from CNCStepper.job.deferred_fitting import Unfitted, only_looking
 from CNCStepper.machine.processes import MILLING
 from CNCStepper.workbench.calculation import result_cache
@@ -171,7 +171,7 @@ def _unknown(kind: type[Feature], pairs: Sequence[Pair]) -> dict[str, dict[str, 
     with only_looking():
         refusals = selected_drawings(kind, pairs).refusals
     questions = [error.question for error in refusals if isinstance(error, Unfitted)]
-    asked = {question_key.key_of(question): question for question in questions}
+    asked = {request_digest.key_of(question): question for question in questions}
     return {key: question for key, question in asked.items() if result_cache.may_ask(key)}
 
 

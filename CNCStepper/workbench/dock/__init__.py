@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from CNCStepper.recovery.restart.proof_folder import RestartPlace
+    from CNCStepper.recovery.restart.restart_proof_folder import RestartPlace
 
 
 def show() -> Any:

@@ -15,7 +15,7 @@ from CNCStepper.errors import CNCStepperError
 from CNCStepper.machine.controller_family import OWN, family_of
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.state import Start
-from CNCStepper.workbench.dock.model.controller_state import ControllerSnapshot, sentences
+from CNCStepper.workbench.dock.model.button_states import ControllerSnapshot, sentences
 from CNCStepper.workbench.dock.model.port_choices import VIRTUAL
 from CNCStepper.workbench.dock.virtual_controller import VirtualMachine
 from CNCStepper.workbench.services.message_translation import translated

@@ -14,7 +14,7 @@ from CNCStepper.workbench.dock.connection import Link, error_text
 from CNCStepper.workbench.dock.file_sending import FileSending
 from CNCStepper.workbench.dock.job_sending import Sending
 from CNCStepper.workbench.dock.model import settings
-from CNCStepper.workbench.dock.model.controller_state import RULES, face, why_not
+from CNCStepper.workbench.dock.model.button_states import RULES, face, why_not
 from CNCStepper.workbench.dock.model.relay_keys import sound_between
 from CNCStepper.workbench.dock.model.send_steps import why_not_confirm
 from CNCStepper.workbench.dock.restart_offer import RestartOffer
@@ -22,7 +22,7 @@ from CNCStepper.workbench.dock.retract_client import COMMANDS, RetractRun
 from CNCStepper.workbench.dock.views import widgets
 from CNCStepper.workbench.dock.views.connection_view import ConnectionView
 from CNCStepper.workbench.dock.views.console_view import ConsoleView, LogView
-from CNCStepper.workbench.dock.views.hold_and_progress_view import JobView, PauseView
+from CNCStepper.workbench.dock.views.job_buttons_view import JobView, PauseView
 from CNCStepper.workbench.dock.views.jog_view import JogView
 from CNCStepper.workbench.dock.views.keyboard import KeyboardArea
 from CNCStepper.workbench.dock.views.override_view import OverrideView

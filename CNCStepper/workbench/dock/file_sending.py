@@ -13,7 +13,7 @@ from typing import Any
 
 from CNCStepper.machine.processes import PROCESSES
 from CNCStepper.machine.profile import load_machine
-from CNCStepper.workbench.dock.model.controller_state import ControllerSnapshot
+from CNCStepper.workbench.dock.model.button_states import ControllerSnapshot
 from CNCStepper.workbench.dock.model.unfinished_job import why_not_now
 from CNCStepper.workbench.dock.views import widgets
 from CNCStepper.workbench.services import messages, missing_packages

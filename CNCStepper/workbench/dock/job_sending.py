@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from CNCStepper.errors import CNCStepperError, JobError
 from CNCStepper.state import Start
 from CNCStepper.workbench.dock.connection import Link, error_text
-from CNCStepper.workbench.dock.model.controller_state import sentences
+from CNCStepper.workbench.dock.model.button_states import sentences
 from CNCStepper.workbench.dock.model.send_steps import Flow
 from CNCStepper.workbench.proving.latest_proof import LatestProof
 from CNCStepper.workbench.services import messages
@@ -21,7 +21,7 @@ from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.translation import tr
 
 if TYPE_CHECKING:
-    from CNCStepper.recovery.restart.proof_folder import RestartPlace
+    from CNCStepper.recovery.restart.restart_proof_folder import RestartPlace
 
 
 class Sending:

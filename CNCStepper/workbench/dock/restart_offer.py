@@ -12,7 +12,7 @@ from PySide import QtGui
 from CNCStepper.control.journal.store import unfinished_at
 from CNCStepper.control.session.status import error_from_json
 from CNCStepper.errors import CNCStepperError
-from CNCStepper.workbench.dock.model.controller_state import WAITING, ControllerSnapshot
+from CNCStepper.workbench.dock.model.button_states import WAITING, ControllerSnapshot
 from CNCStepper.workbench.dock.model.unfinished_job import NAMES, Reading, program_of, why_not_now
 from CNCStepper.workbench.dock.views import widgets
 from CNCStepper.workbench.document import program_file

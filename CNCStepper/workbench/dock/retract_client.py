@@ -10,7 +10,7 @@ from CNCStepper.control.session.job_phase import Phase
 from CNCStepper.control.session.status import error_from_json
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.workbench.dock.connection import Link, error_text
-from CNCStepper.workbench.dock.model.controller_state import STANDING, sentences
+from CNCStepper.workbench.dock.model.button_states import STANDING, sentences
 from CNCStepper.workbench.dock.model.retract_state import FIND, RESUME, RetractFlow, request_of, why_not_back
 from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.services.message_translation import translated

@@ -18,7 +18,7 @@ from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.services.translation import tr
 
 if TYPE_CHECKING:
-    from CNCStepper.recovery.restart.proof_folder import RestartPlace
+    from CNCStepper.recovery.restart.restart_proof_folder import RestartPlace
 
 NAME = "CNCStepper_Dock"
 

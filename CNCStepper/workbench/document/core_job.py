@@ -11,7 +11,7 @@ from CNCStepper.job import cut_transfer
 from CNCStepper.job.cut_transfer import content_of, machine_content, program_texts
 from CNCStepper.job.deferred_fitting import once
 from CNCStepper.job.model import Job, StockForm, depends_on_contours
-from CNCStepper.job.question_key import Content
+from CNCStepper.job.request_digest import Content
 from CNCStepper.machine.profile import validated
 from CNCStepper.toolpath import Toolpath
 from CNCStepper.workbench.calculation import result_cache

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from CNCStepper.errors import CNCStepperError, CycleError, Text
-from CNCStepper.job.question_key import Content
+from CNCStepper.job.request_digest import Content
 from CNCStepper.machine.processes import MILLING
 from CNCStepper.workbench import packages
 from CNCStepper.workbench.document.input_limits import require_within_reach

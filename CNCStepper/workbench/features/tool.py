@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from CNCStepper.job.question_key import Content
+from CNCStepper.job.request_digest import Content
 from CNCStepper.machine.processes import MILLING, PROCESSES
 from CNCStepper.machine.tools.tool_shapes import SHAPES, foreign_keys
 from CNCStepper.workbench import packages

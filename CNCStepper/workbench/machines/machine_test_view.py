@@ -19,10 +19,10 @@ from CNCStepper.machine.axis_tests import axis_of, length_of_pulses_mm
 from CNCStepper.machine.controller_family import family_of
 from CNCStepper.machine.profile import AXIS_NAMES, Machine
 from CNCStepper.machine.relays import relays_of
-from CNCStepper.workbench.machines.bench import Bench
 from CNCStepper.workbench.machines.declaration import Path
 from CNCStepper.workbench.machines.labels import choice_label
-from CNCStepper.workbench.machines.measured import Play, Travel, squareness_words
+from CNCStepper.workbench.machines.machine_test_connection import Bench
+from CNCStepper.workbench.machines.machine_test_results import Play, Travel, squareness_words
 from CNCStepper.workbench.machines.port_picture import PortPicture, levels_of, pins_of
 from CNCStepper.workbench.panels.fields import ERROR_COLOUR, note_label
 from CNCStepper.workbench.services import messages

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 from CNCStepper.workbench.services.messages import guarded
 
 if TYPE_CHECKING:
-    from CNCStepper.recovery.restart.proof_folder import RestartPlace
+    from CNCStepper.recovery.restart.restart_proof_folder import RestartPlace
     from CNCStepper.state import Start
 
 

@@ -38,7 +38,7 @@ if TYPE_CHECKING:
     import numpy as np
 
     from CNCStepper.job.proof_folder import Part
-    from CNCStepper.recovery.restart.proof_folder import RestartPlace
+    from CNCStepper.recovery.restart.restart_proof_folder import RestartPlace
     from CNCStepper.simulation.finding import Finding
     from CNCStepper.simulation.meshes.fallen_faces import FallenFaces
     from CNCStepper.simulation.tip_track import TipTrack
@@ -169,7 +169,7 @@ class ProofRun(QtCore.QObject):
         def write() -> str:
             from CNCStepper.job.proof_folder import write_question
             from CNCStepper.job.start_state_file import write_start
-            from CNCStepper.recovery.restart.proof_folder import write_place
+            from CNCStepper.recovery.restart.restart_proof_folder import write_place
 
             write_question(path, self._program, job, machine, language)
             write_start(path, self._begins)
@@ -247,7 +247,7 @@ class ProofRun(QtCore.QObject):
     def _read(self, folder: tempfile.TemporaryDirectory) -> ProofResult:
         """Read the answer, beside the window; raises the error that was written instead."""
         from CNCStepper.job.proof_folder import read_answer
-        from CNCStepper.recovery.restart.proof_folder import read_restart
+        from CNCStepper.recovery.restart.restart_proof_folder import read_restart
 
         answer, restart = read_answer(Path(folder.name)), read_restart(Path(folder.name))
         return ProofResult(

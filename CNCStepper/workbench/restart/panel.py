@@ -10,14 +10,14 @@ from typing import TYPE_CHECKING, Any
 from PySide import QtCore, QtGui
 
 from CNCStepper.workbench.restart.place_table import PlaceList
-from CNCStepper.workbench.restart.places import Row, chosen, line_of, row_of
+from CNCStepper.workbench.restart.restart_places import Row, chosen, line_of, row_of
 from CNCStepper.workbench.services.findings_list import FindingsList
 from CNCStepper.workbench.services.icons import icon
 from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.translation import tr
 
 if TYPE_CHECKING:
-    from CNCStepper.recovery.restart.places import RequestedPlace
+    from CNCStepper.recovery.restart.restart_places import RequestedPlace
     from CNCStepper.workbench.proving.proof_process import ProofResult
 
 NAME = "CNCStepper_Restart_"

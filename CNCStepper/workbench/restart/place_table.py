@@ -9,7 +9,7 @@ from typing import Any
 
 from PySide import QtCore, QtGui
 
-from CNCStepper.workbench.restart.places import OPERATION, Row
+from CNCStepper.workbench.restart.restart_places import OPERATION, Row
 from CNCStepper.workbench.services.translation import later, tr
 
 ROLE, ALIGN = QtCore.Qt.ItemDataRole, QtCore.Qt.AlignmentFlag

@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING, Any
 from PySide import QtCore
 
 from CNCStepper.control.session.status import error_from_json
-from CNCStepper.recovery.restart.places import RequestedPlace
-from CNCStepper.recovery.restart.proof_folder import RestartPlace
-from CNCStepper.workbench.dock.model.controller_state import sentences
+from CNCStepper.recovery.restart.restart_places import RequestedPlace
+from CNCStepper.recovery.restart.restart_proof_folder import RestartPlace
+from CNCStepper.workbench.dock.model.button_states import sentences
 from CNCStepper.workbench.document import program_file
 from CNCStepper.workbench.document.core_job import machine_of
 from CNCStepper.workbench.editor.program_source import ObjectSource
@@ -25,7 +25,7 @@ from CNCStepper.workbench.panels.view_task_panel import ViewTask
 from CNCStepper.workbench.proving import latest_proof
 from CNCStepper.workbench.proving.latest_proof import LatestProof, Sender
 from CNCStepper.workbench.restart.panel import RestartPanel
-from CNCStepper.workbench.restart.places import Row, line_of, rows_of
+from CNCStepper.workbench.restart.restart_places import Row, line_of, rows_of
 from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.object_observers import ProgramObserver

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from CNCStepper.control.protocol.grbl.driver import Answered, Grbl, Received
-from CNCStepper.control.protocol.grbl.report import OK, Alarm, Answer, Feedback, Greeting, Report
+from CNCStepper.control.protocol.grbl.status_reports import OK, Alarm, Answer, Feedback, Greeting, Report
 
 PATIENCE_S = 3.0
 

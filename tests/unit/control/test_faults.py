@@ -13,7 +13,7 @@ import pytest
 
 from CNCStepper.control.journal.writer import Journal
 from CNCStepper.control.service.position_trust_file import PositionTrustFile
-from CNCStepper.control.stream.path_watch import PathWatch
+from CNCStepper.control.stream.path_comparison import PathWatch
 from CNCStepper.control.stream.position_trust import LOST
 from CNCStepper.virtual.faults.plan import KINDS, Fault, FaultPlan
 from CNCStepper.virtual.grbl.states import State

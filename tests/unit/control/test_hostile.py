@@ -26,7 +26,7 @@ from CNCStepper.control.session.status import FAILED, REFUSED, STOPPED, Outcome
 from CNCStepper.control.stream.retract_handover import write_leg
 from CNCStepper.errors import LinkError
 from CNCStepper.machine.profile import load_machine
-from CNCStepper.recovery.retract.client import RetractClient
+from CNCStepper.recovery.retract.retract_client import RetractClient
 from helpers.control.hostile_controller import FAULTS, HostileController, HostileServer
 
 TOLD_S, OBEYED_S = 2.0, 5.0

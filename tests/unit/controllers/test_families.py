@@ -14,8 +14,8 @@ from CNCStepper.control.session.status import DONE, FAILED, STOPPED
 from CNCStepper.errors import LinkError
 from CNCStepper.job.certify import certificate_of
 from CNCStepper.machine.profile import load_machine
-from CNCStepper.recovery.restart.places import RequestedPlace
-from CNCStepper.recovery.restart.prove import restart_program
+from CNCStepper.recovery.restart.prove_restart import restart_program
+from CNCStepper.recovery.restart.restart_places import RequestedPlace
 from helpers.control.service_bench import Person, Visit
 from helpers.controllers.families import FAMILIES, board_of, machine_of
 

@@ -15,7 +15,8 @@ import pytest
 
 from CNCStepper.cancellation import interruptible
 from CNCStepper.drawing.drawing import Drawing
-from CNCStepper.drawing.dxf.reader import MOST_ENTITIES, read_dxf
+from CNCStepper.drawing.dxf.limits import MOST_ENTITIES
+from CNCStepper.drawing.dxf.reader import read_dxf
 from CNCStepper.errors import CNCStepperError, JobError
 
 MOST_S = 5.0  # of processor time
@@ -67,7 +68,7 @@ def test_a_binary_drawing_is_counted_like_any_other(tmp_path: Path, monkeypatch:
         document.saveas(tmp_path / f"{version}.dxf", fmt="bin")
         assert len(read_dxf(tmp_path / f"{version}.dxf", 0.005).layers[0].curves) == 2000
         with monkeypatch.context() as smaller:
-            smaller.setattr("CNCStepper.drawing.dxf.reader.MOST_ENTITIES", 1999)
+            smaller.setattr("CNCStepper.drawing.dxf.limits.MOST_ENTITIES", 1999)
             assert "too many entities" in refused(tmp_path / f"{version}.dxf")
 
 
@@ -221,7 +222,7 @@ def test_what_ezdxf_logs_does_not_reach_the_terminal(tmp_path: Path, capfd: pyte
         return real(*given)
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("ezdxf.readfile", loud)
+        patch.setattr("ezdxf.read", loud)
         drawing = read_dxf(path, 0.005)
     assert drawing.damage == "lost \\x1b[31mhandle"
     assert capfd.readouterr().err == ""
@@ -283,7 +284,7 @@ def test_a_long_drawing_says_how_far_it_is_and_can_be_ended(tmp_path: Path) -> N
 
 def test_vertices_of_an_old_polyline_are_points_of_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """In R12 each stands in the file as an entity of its own."""
-    monkeypatch.setattr("CNCStepper.drawing.dxf.reader.MOST_ENTITIES", 100)
+    monkeypatch.setattr("CNCStepper.drawing.dxf.limits.MOST_ENTITIES", 100)
     document = ezdxf.new("R12")
     document.modelspace().add_polyline2d([(index, index % 7) for index in range(1000)])
     assert read(document, tmp_path).layers

@@ -12,8 +12,8 @@ from CNCStepper.job.make import Made, make_program
 from CNCStepper.job.model import Job, load_job
 from CNCStepper.job.prove import Proof, prove_job
 from CNCStepper.machine.profile import Machine
-from CNCStepper.recovery.restart.places import RequestedPlace
-from CNCStepper.recovery.restart.prove import restart_job
+from CNCStepper.recovery.restart.prove_restart import restart_job
+from CNCStepper.recovery.restart.restart_places import RequestedPlace
 from CNCStepper.state import Start
 
 JOBS = Path(__file__).parents[3] / "examples" / "jobs"

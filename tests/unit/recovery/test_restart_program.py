@@ -14,7 +14,7 @@ from CNCStepper.gcode.wire.encoder import prepare
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.recovery.restart.approach import Options
 from CNCStepper.recovery.restart.interrupted_program import read_program
-from CNCStepper.recovery.restart.places import RequestedPlace
+from CNCStepper.recovery.restart.restart_places import RequestedPlace
 from CNCStepper.recovery.restart.restart_program import Restart, restart, restart_of
 from CNCStepper.state import Start
 from CNCStepper.toolpath import RAPID, Toolpath

@@ -20,10 +20,16 @@ from CNCStepper.job.model import Job, load_job
 from CNCStepper.job.prove import prior_proofs
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tools.tool import Tool
-from CNCStepper.recovery.restart import prove as restart_module
+from CNCStepper.recovery.restart import prove_restart as restart_module
 from CNCStepper.recovery.restart.description import contour_table, words_of
-from CNCStepper.recovery.restart.places import RequestedPlace
-from CNCStepper.recovery.restart.prove import EntryOptions, ProvenRestart, restart_job, restart_name, restart_program
+from CNCStepper.recovery.restart.prove_restart import (
+    EntryOptions,
+    ProvenRestart,
+    restart_job,
+    restart_name,
+    restart_program,
+)
+from CNCStepper.recovery.restart.restart_places import RequestedPlace
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.state import Start
 
@@ -94,8 +100,8 @@ def test_what_is_not_cut_before_the_place_is_found(monkeypatch: pytest.MonkeyPat
         lift = type(chunk)(0, *(getattr(chunk, column)[rows:] for column in COLUMNS))
         return replace(one, cut=replace(one.cut, chunks=[lift], events=[], spans=[]))
 
-    restart_module_restart = restart_module.restart
-    monkeypatch.setattr(restart_module, "restart", forgets)
+    restart_module_restart = restart_module.restart_of
+    monkeypatch.setattr(restart_module, "restart_of", forgets)
     proven = restart_job(job, machine, text, RequestedPlace(line=120), file="p.nc")
     assert proven.proof.refused
     assert {"left-over", "restart-incomplete"} & {finding.code for finding in proven.proof.findings}

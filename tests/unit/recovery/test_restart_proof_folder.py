@@ -13,9 +13,9 @@ from CNCStepper.job.make import make_program
 from CNCStepper.job.model import load_job
 from CNCStepper.job.proof_folder import read_answer, write_question
 from CNCStepper.recovery.restart.description import words_of
-from CNCStepper.recovery.restart.places import RequestedPlace
-from CNCStepper.recovery.restart.proof_folder import RestartPlace, read_place, read_restart, write_place
-from CNCStepper.recovery.restart.prove import EntryOptions, restart_job
+from CNCStepper.recovery.restart.prove_restart import EntryOptions, restart_job
+from CNCStepper.recovery.restart.restart_places import RequestedPlace
+from CNCStepper.recovery.restart.restart_proof_folder import RestartPlace, read_place, read_restart, write_place
 from CNCStepper.workers.proof import answer
 
 JOB = Path(__file__).parents[3] / "examples" / "jobs" / "cycles" / "bore.toml"

@@ -10,13 +10,13 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from CNCStepper.control.stream.return_path import landed_mm, over_backlash
+from CNCStepper.control.stream.return_after_jog import landed_mm, over_backlash
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.wire.encoder import prepare
 from CNCStepper.machine.backlash import Backlash, Motors
-from CNCStepper.motion.planner.backlash import tool_moves
+from CNCStepper.motion.planner.backlash_moves import tool_moves
 from CNCStepper.recovery.retract.move_curve import Move
-from CNCStepper.recovery.retract.path import Place, RetractPath, stretch_moves
+from CNCStepper.recovery.retract.retract_path import Place, RetractPath, stretch_moves
 from CNCStepper.recovery.retract.wire_writer import crossing, taken_up
 from CNCStepper.simulation.tip_segments import segments
 from CNCStepper.state import Start

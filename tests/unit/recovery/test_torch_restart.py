@@ -9,9 +9,9 @@ import pytest
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.machine.profile import Machine, load_machine
-from CNCStepper.recovery.power_on import cut_begin, own_wait_s, pierce_height_mm
-from CNCStepper.recovery.restart.places import RequestedPlace
-from CNCStepper.recovery.restart.prove import restart_program
+from CNCStepper.recovery.restart.prove_restart import restart_program
+from CNCStepper.recovery.restart.restart_places import RequestedPlace
+from CNCStepper.recovery.tool_power_on import cut_begin, own_wait_s, pierce_height_mm
 from CNCStepper.state import Start
 from CNCStepper.toolpath import RAPID
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from CNCStepper.gcode.interpreter.interpret import interpret
-from CNCStepper.simulation.checks.report import report
+from CNCStepper.simulation.checks.program_report import report
 from CNCStepper.simulation.tip_segments import segments, segments_of_chunks, tips_mm, tips_of_chunks
 from CNCStepper.toolpath import CHUNK_ROWS, COLUMNS, Toolpath, join_chunks
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 
 import pytest
 
-from CNCStepper.recovery.restart.places import RequestedPlace
-from CNCStepper.workbench.restart.places import CONTOUR, OPERATION, Row, chosen, line_of, row_of, rows_of
+from CNCStepper.recovery.restart.restart_places import RequestedPlace
+from CNCStepper.workbench.restart.restart_places import CONTOUR, OPERATION, Row, chosen, line_of, row_of, rows_of
 
 TOLD = {
     "operations": [[1, 10, "face"], [2, 40, "pocket"], [3, 80, "pocket"]],

@@ -13,13 +13,13 @@ from typing import Any
 
 import pytest
 
+from CNCStepper.control.journal.journal_records import Group
 from CNCStepper.control.journal.progress_interval import ProgressInterval
-from CNCStepper.control.journal.records import Group
 from CNCStepper.control.journal.replay import KILLED, FirstProgram, JobReplay
 from CNCStepper.errors import ProgramError
 from CNCStepper.recovery.restart.approach import Options
 from CNCStepper.recovery.restart.description import words_of
-from CNCStepper.recovery.restart.places import RequestedPlace
+from CNCStepper.recovery.restart.restart_places import RequestedPlace
 from CNCStepper.recovery.restart.restart_program import restart
 from CNCStepper.workbench.services import message_translation
 from CNCStepper.workers.unfinished_job import job_summary

@@ -12,7 +12,7 @@ import pytest
 
 from CNCStepper.cancellation import checkpoint, interruptible
 from CNCStepper.errors import CNCStepperError, CycleError
-from CNCStepper.job import question_key
+from CNCStepper.job import request_digest
 from CNCStepper.job.cut_transfer import content_of, machine_content
 from CNCStepper.job.make import cut_operations, make_program
 from CNCStepper.job.model import load_job
@@ -67,7 +67,7 @@ def test_a_refusal_is_an_answer(told: list[dict[str, Any]]) -> None:
 def test_what_a_failed_process_left_unanswered_is_asked_anew(monkeypatch: pytest.MonkeyPatch, code: str) -> None:
     now_s = [100.0]
     monkeypatch.setattr(result_cache.time, "monotonic", lambda: now_s[0])
-    key = question_key.key_of({"a": 1})
+    key = request_digest.key_of({"a": 1})
     result_cache.keep(key, CNCStepperError(code, "the process ended"))
     assert not result_cache.may_ask(key)  # the recompute that asked takes it for its answer
     now_s[0] += 10
@@ -142,7 +142,7 @@ def test_whoever_begins_a_calculation_can_end_it() -> None:
 
 def test_a_question_is_named_by_all_that_it_holds() -> None:
     def asked(depth_mm: float, kind: type = dict, **given: int) -> str:
-        return question_key.key_of(
+        return request_digest.key_of(
             {"cut": {**given, "operation": [kind({"depth_mm": depth_mm})]}, "machine": kind(a=1)}
         )
 
@@ -150,8 +150,8 @@ def test_a_question_is_named_by_all_that_it_holds() -> None:
         asked(1.0),
         asked(2.0),
         asked(1.0, b=1),
-        asked(1.0, question_key.Content),
-        asked(2.0, question_key.Content),
+        asked(1.0, request_digest.Content),
+        asked(2.0, request_digest.Content),
     ]
     assert len(set(names)) == len(names)
-    assert asked(1.0, question_key.Content) == asked(1.0, question_key.Content)
+    assert asked(1.0, request_digest.Content) == asked(1.0, request_digest.Content)

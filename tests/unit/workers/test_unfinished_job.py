@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 from CNCStepper.control.journal import store
-from CNCStepper.control.journal.records import Group
+from CNCStepper.control.journal.journal_records import Group
 from CNCStepper.control.journal.replay import FORMAT, VERSION
 from CNCStepper.control.journal.writer import JournalFile
 from CNCStepper.control.processes.python_finder import command, environment

@@ -10,7 +10,7 @@ from CNCStepper.gcode.dialects import Dialect
 from CNCStepper.gcode.interpreter.block import check_feed
 from CNCStepper.gcode.interpreter.motion.arcs import arc_of
 from CNCStepper.gcode.interpreter.motion.end_points import end_point
-from CNCStepper.gcode.interpreter.state.model import Model
+from CNCStepper.gcode.interpreter.state.interpreter_state import Model
 from CNCStepper.gcode.syntax.line_grammar import Plan
 from CNCStepper.toolpath import LINE, RAPID, TableBuilder
 

@@ -17,7 +17,7 @@ from CNCStepper.gcode.dialects.codes import Code
 from CNCStepper.gcode.interpreter.block import Block
 from CNCStepper.gcode.interpreter.functions.tools import set_tool
 from CNCStepper.gcode.interpreter.motion.end_points import end_point, further_end
-from CNCStepper.gcode.interpreter.state.model import Model, Point, saved_g92
+from CNCStepper.gcode.interpreter.state.interpreter_state import Model, Point, saved_g92
 from CNCStepper.gcode.interpreter.state.parameters import (
     FIRST_G92,
     G92_IN_FORCE,
@@ -106,7 +106,7 @@ def _set_system(block: Block, name: str, kind: int) -> None:
 
 
 def _turn_in_force(model: Model, name: str) -> None:
-    """Take the new origin and rotation; as LinuxCNC does, the text goes on as if G92 had not turned with them."""
+    """Set the new origin and rotation; as in LinuxCNC, G92 does not turn with them."""
     x, y, z = model.work(model.position)
     before = complex(x, y) * (model.turn or 1.0) + complex(*model.origin[:2])
     z += model.origin[2]

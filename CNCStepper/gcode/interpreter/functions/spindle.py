@@ -11,7 +11,7 @@ from collections.abc import Callable
 from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects.codes import SPINDLE, Code
 from CNCStepper.gcode.interpreter.block import Block
-from CNCStepper.gcode.interpreter.state.model import POWER_ON, rpm_at
+from CNCStepper.gcode.interpreter.state.interpreter_state import POWER_ON, rpm_at
 
 START = {"cw": "START_SPINDLE_CLOCKWISE(0)", "ccw": "START_SPINDLE_COUNTERCLOCKWISE(0)"}
 SENSES = {"M3": "cw", "M4": "ccw", "M5": "off"}

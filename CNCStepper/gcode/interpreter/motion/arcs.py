@@ -20,7 +20,7 @@ from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects import ArcRule, Dialect
 from CNCStepper.gcode.dialects.codes import AXES, MOTION_NAMES
 from CNCStepper.gcode.interpreter.motion.end_points import unknown_position
-from CNCStepper.gcode.interpreter.state.model import Model, Point
+from CNCStepper.gcode.interpreter.state.interpreter_state import Model, Point
 from CNCStepper.gcode.syntax.line_grammar import Plan
 from CNCStepper.toolpath import ARC_CW, PLANE_AXES, PLANE_NAMES
 

@@ -15,7 +15,7 @@ from math import isnan, radians
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.dialects import Dialect
 from CNCStepper.gcode.dialects.codes import AXES
-from CNCStepper.gcode.interpreter.state.model import Model, Point
+from CNCStepper.gcode.interpreter.state.interpreter_state import Model, Point
 from CNCStepper.gcode.interpreter.state.parameters import FURTHER, length_scale
 from CNCStepper.gcode.syntax.line_grammar import Plan
 from CNCStepper.state import UNKNOWN

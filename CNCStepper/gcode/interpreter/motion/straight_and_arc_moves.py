@@ -14,7 +14,7 @@ from CNCStepper.gcode.interpreter.block import Block, check_feed
 from CNCStepper.gcode.interpreter.cutter_compensation import compensated_path, compensation_codes
 from CNCStepper.gcode.interpreter.motion.arcs import arc_of
 from CNCStepper.gcode.interpreter.motion.end_points import end_point, further_end, machine_end_point
-from CNCStepper.gcode.interpreter.state.model import rpm_at
+from CNCStepper.gcode.interpreter.state.interpreter_state import rpm_at
 from CNCStepper.toolpath import LINE
 
 

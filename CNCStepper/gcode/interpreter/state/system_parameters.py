@@ -10,7 +10,7 @@ from collections.abc import Callable
 
 from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects.codes import ALL_AXES, MOTION_NAMES
-from CNCStepper.gcode.interpreter.state.model import Model
+from CNCStepper.gcode.interpreter.state.interpreter_state import Model
 from CNCStepper.gcode.interpreter.state.parameters import FIRST_POSITION, LARGEST, READ_ONLY, Parameters, length_scale
 from CNCStepper.state import WORK_SYSTEMS
 from CNCStepper.units import MM_PER_INCH

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from CNCStepper.control.session.job_phase import Phase
-from CNCStepper.workbench.dock.model.controller_state import ControllerSnapshot
+from CNCStepper.workbench.dock.model.button_states import ControllerSnapshot
 from CNCStepper.workbench.services.sounds import ALARM, PAUSE
 
 

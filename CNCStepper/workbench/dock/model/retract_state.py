@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from CNCStepper.control.session.status import SenderStatus
-from CNCStepper.workbench.dock.model.controller_state import RULES, STANDING, ControllerSnapshot, why_not
+from CNCStepper.workbench.dock.model.button_states import RULES, STANDING, ControllerSnapshot, why_not
 from CNCStepper.workbench.services.translation import later
 
 FIND, RESUME = "find", "resume"

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from CNCStepper.workbench.dock.model.controller_state import CALM, DANGER, GOING, OFF, WAITING, ControllerSnapshot
+from CNCStepper.workbench.dock.model.button_states import CALM, DANGER, GOING, OFF, WAITING, ControllerSnapshot
 from CNCStepper.workbench.services.translation import later
 
 

@@ -15,7 +15,7 @@ from CNCStepper.control.journal.replay import KILLED
 from CNCStepper.control.processes.background_thread import in_background
 from CNCStepper.control.program.certificate import digest_of_text
 from CNCStepper.control.session.status import DONE, FAILED, STOPPED
-from CNCStepper.workbench.dock.model.controller_state import ControllerSnapshot
+from CNCStepper.workbench.dock.model.button_states import ControllerSnapshot
 from CNCStepper.workbench.services.translation import later
 
 NAMES = {

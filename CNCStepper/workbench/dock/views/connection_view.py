@@ -10,7 +10,7 @@ from PySide import QtGui
 
 from CNCStepper.machine.profile import profile_names
 from CNCStepper.workbench.dock.model import settings
-from CNCStepper.workbench.dock.model.controller_state import ControllerSnapshot, why_not_connect, why_not_disconnect
+from CNCStepper.workbench.dock.model.button_states import ControllerSnapshot, why_not_connect, why_not_disconnect
 from CNCStepper.workbench.dock.model.port_choices import (
     BAUDS,
     SPEEDS,

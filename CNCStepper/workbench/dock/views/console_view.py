@@ -12,8 +12,8 @@ from typing import Any
 
 from PySide import QtCore, QtGui
 
+from CNCStepper.workbench.dock.model.button_states import RULES, ControllerSnapshot, why_not
 from CNCStepper.workbench.dock.model.command_history import History
-from CNCStepper.workbench.dock.model.controller_state import RULES, ControllerSnapshot, why_not
 from CNCStepper.workbench.dock.views import widgets
 from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.services.translation import later, tr

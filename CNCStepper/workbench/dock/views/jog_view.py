@@ -15,7 +15,7 @@ from PySide import QtCore, QtGui
 
 from CNCStepper.control.service.connection_client import JOG_RENEW_S
 from CNCStepper.workbench.dock.model import settings
-from CNCStepper.workbench.dock.model.controller_state import RULES, ControllerSnapshot, why_not
+from CNCStepper.workbench.dock.model.button_states import RULES, ControllerSnapshot, why_not
 from CNCStepper.workbench.dock.views import widgets
 from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.services.number_format import Lengths

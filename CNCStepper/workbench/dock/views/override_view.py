@@ -9,7 +9,7 @@ from typing import Any
 
 from PySide import QtGui
 
-from CNCStepper.workbench.dock.model.controller_state import RULES, ControllerSnapshot, why_not
+from CNCStepper.workbench.dock.model.button_states import RULES, ControllerSnapshot, why_not
 from CNCStepper.workbench.dock.views import widgets
 from CNCStepper.workbench.services.number_format import NOTHING
 from CNCStepper.workbench.services.translation import later, tr

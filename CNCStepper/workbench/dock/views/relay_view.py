@@ -13,7 +13,7 @@ from CNCStepper.control.operator.machine_test_lines import is_on, switching
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.machine.profile import Machine, load_machine
 from CNCStepper.machine.relays import relays_of
-from CNCStepper.workbench.dock.model.controller_state import RULES, ControllerSnapshot, why_not
+from CNCStepper.workbench.dock.model.button_states import RULES, ControllerSnapshot, why_not
 from CNCStepper.workbench.dock.model.relay_keys import Lines
 from CNCStepper.workbench.dock.views import widgets
 from CNCStepper.workbench.services.translation import later, tr

@@ -8,7 +8,7 @@ from typing import Any
 
 from PySide import QtCore, QtGui
 
-from CNCStepper.workbench.dock.model.controller_state import ControllerSnapshot
+from CNCStepper.workbench.dock.model.button_states import ControllerSnapshot
 from CNCStepper.workbench.dock.model.retract_state import (
     ASIDE,
     BACK,

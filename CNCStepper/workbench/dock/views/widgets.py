@@ -9,7 +9,7 @@ from typing import Any
 from PySide import QtCore, QtGui
 
 from CNCStepper.errors import Text
-from CNCStepper.workbench.dock.model.controller_state import CALM, DANGER, GOING, OFF, WAITING
+from CNCStepper.workbench.dock.model.button_states import CALM, DANGER, GOING, OFF, WAITING
 from CNCStepper.workbench.dock.views.keyboard import KeyButton
 from CNCStepper.workbench.services import icons
 from CNCStepper.workbench.services.message_translation import translated

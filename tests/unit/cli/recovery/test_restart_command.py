@@ -13,7 +13,7 @@ from CNCStepper.cli.common.options import merged, plain_options
 from CNCStepper.cli.job import send as send_verb
 from CNCStepper.cli.main import group
 from CNCStepper.cli.recovery.restart_command import NO_PROFILE, RestartLine
-from CNCStepper.control.journal.records import Group
+from CNCStepper.control.journal.journal_records import Group
 from CNCStepper.control.journal.replay import FORMAT, VERSION, JobReplay, read_replay
 from CNCStepper.control.journal.writer import JournalFile
 from CNCStepper.control.program.send_job import SendJob

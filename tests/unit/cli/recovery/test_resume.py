@@ -11,7 +11,7 @@ from click.testing import CliRunner
 
 from CNCStepper.cli.main import group
 from CNCStepper.control.journal import store
-from CNCStepper.control.journal.records import Group
+from CNCStepper.control.journal.journal_records import Group
 from CNCStepper.control.journal.replay import FORMAT, VERSION
 from CNCStepper.control.journal.writer import JournalFile
 from CNCStepper.control.program.certificate import digest_of_text

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from CNCStepper.control.journal.records import Group, read_records, to_line
+from CNCStepper.control.journal.journal_records import Group, read_records, to_line
 from CNCStepper.control.journal.replay import FORMAT, KILLED, VERSION, read_replay
 from CNCStepper.errors import JobError
 

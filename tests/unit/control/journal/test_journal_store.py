@@ -11,7 +11,7 @@ import time
 import pytest
 
 from CNCStepper.control.journal import store
-from CNCStepper.control.journal.records import Group
+from CNCStepper.control.journal.journal_records import Group
 from CNCStepper.control.journal.replay import FORMAT, KILLED, RUNNING, VERSION, read_replay
 from CNCStepper.control.journal.store import (
     RECENT_S,

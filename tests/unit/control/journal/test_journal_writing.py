@@ -18,7 +18,7 @@ from CNCStepper.control.processes import file_lock
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.protocol.grbl.connect import ControllerInfo
 from CNCStepper.control.protocol.grbl.driver import Grbl
-from CNCStepper.control.protocol.grbl.report import Status
+from CNCStepper.control.protocol.grbl.status_reports import Status
 from CNCStepper.control.service.sender import Sender
 from CNCStepper.control.session.status import DONE, FAILED, REFUSED, STOPPED
 from CNCStepper.control.stream.feeder import Feeder

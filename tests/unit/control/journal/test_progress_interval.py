@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from CNCStepper.control.journal.journal_records import Group
 from CNCStepper.control.journal.progress_interval import PIECE_LINES, ProgressInterval, progress_interval
-from CNCStepper.control.journal.records import Group
 from CNCStepper.control.journal.replay import KILLED, JobReplay
 
 TEXT = "(a part)\nG21 G90\nG0 X0 Y0\nG1 X10 F600\nG1 Y10\nG2 X20 Y20 I10 J0\nG1 X30\n"

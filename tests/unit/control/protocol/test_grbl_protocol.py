@@ -26,7 +26,7 @@ from CNCStepper.control.program.wire_line import (
 )
 from CNCStepper.control.protocol.grbl.firmware import GRBL
 from CNCStepper.control.protocol.grbl.readiness import check_offsets, differences, offset_differences
-from CNCStepper.control.protocol.grbl.report import (
+from CNCStepper.control.protocol.grbl.status_reports import (
     Alarm,
     Answer,
     Damaged,

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import pytest
 
 import CNCStepper
-from CNCStepper.control.operator.buttons import COMMANDS
+from CNCStepper.control.operator.hardware_buttons import COMMANDS
 from CNCStepper.control.protocol.grbl.driver import HOLD, RESUME
 from CNCStepper.control.protocol.grbl.driver import Grbl as Driver
 from CNCStepper.control.protocol.grbl.motion_interlock import UNKNOWN, MotionInterlock, moves

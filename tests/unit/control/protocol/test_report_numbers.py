@@ -8,7 +8,7 @@ import pytest
 from CNCStepper.control.operator.console import kind_of, setting_of
 from CNCStepper.control.protocol.grbl.connect import read_modes, read_offsets
 from CNCStepper.control.protocol.grbl.driver import Grbl
-from CNCStepper.control.protocol.grbl.report import (
+from CNCStepper.control.protocol.grbl.status_reports import (
     OK,
     Alarm,
     Answer,

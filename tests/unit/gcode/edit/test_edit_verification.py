@@ -8,7 +8,7 @@ import pytest
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.edit.cutting_passes import Rows, passes_of
 from CNCStepper.gcode.edit.edit_result import Edited
-from CNCStepper.gcode.edit.executed_lines import Source
+from CNCStepper.gcode.edit.line_states import Source
 from CNCStepper.gcode.edit.path_transforms import mirrored, moved
 from CNCStepper.gcode.edit.reverse_passes import require_reversed, reverse
 from CNCStepper.gcode.edit.verification import require_same_path, verified

@@ -12,7 +12,7 @@ from CNCStepper.gcode.dialects import dialect
 from CNCStepper.gcode.interpreter.canonical_trace import canonical_calls
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
-from CNCStepper.gcode.interpreter.state.model import model_at
+from CNCStepper.gcode.interpreter.state.interpreter_state import model_at
 from CNCStepper.gcode.interpreter.state.system_parameters import SystemParameters
 from CNCStepper.gcode.syntax.expressions import Scanner
 from CNCStepper.gcode.syntax.words import pack

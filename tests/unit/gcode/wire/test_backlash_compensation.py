@@ -19,7 +19,7 @@ from CNCStepper.gcode.wire.encoder import prepare
 from CNCStepper.gcode.wire.read_back import read_back
 from CNCStepper.machine.backlash import Backlash
 from CNCStepper.machine.profile import load_machine
-from CNCStepper.motion.planner.backlash import tool_moves
+from CNCStepper.motion.planner.backlash_moves import tool_moves
 from CNCStepper.simulation.tip_segments import segments
 from CNCStepper.state import Start
 from helpers.gcode.backlash_programs import random_program

@@ -11,7 +11,7 @@ from CNCStepper import toolpath
 from CNCStepper.gcode.interpreter.program_file import FileReading, interpret_file
 from CNCStepper.machine.backlash import Backlash
 from CNCStepper.machine.profile import load_machine
-from CNCStepper.motion.planner.backlash import motor_chunks, motor_moves, way_duration_s
+from CNCStepper.motion.planner.backlash_moves import motor_chunks, motor_moves, way_duration_s
 from CNCStepper.motion.planner.chunk_window import ChunkWindow
 from CNCStepper.motion.planner.plan import duration_s
 from CNCStepper.motion.signals.pulse_stream import pulse_stream

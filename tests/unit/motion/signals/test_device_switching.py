@@ -10,7 +10,7 @@ import pytest
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.machine.backlash import Backlash
 from CNCStepper.machine.profile import load_machine
-from CNCStepper.motion.planner.backlash import motor_moves
+from CNCStepper.motion.planner.backlash_moves import motor_moves
 from CNCStepper.motion.planner.buffers import TICKS_PER_S
 from CNCStepper.motion.planner.machine_limits import Limits
 from CNCStepper.motion.signals.device_switching import Changes

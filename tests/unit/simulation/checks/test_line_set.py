@@ -8,13 +8,13 @@ import random
 import numpy as np
 import pytest
 
-from CNCStepper.simulation.checks import report
-from CNCStepper.simulation.checks.report import LineSet
+from CNCStepper.simulation.checks import program_report
+from CNCStepper.simulation.checks.program_report import LineSet
 
 
 @pytest.mark.parametrize("seed", range(5))
 def test_lines_are_counted_once_in_any_order(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(report, "BLOCK", 16)
+    monkeypatch.setattr(program_report, "BLOCK", 16)
     chance, lines, expected = random.Random(seed), LineSet(), set[int]()
     assert lines.count() == 0
     for _ in range(20):

@@ -16,7 +16,7 @@ import pytest
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.recovery.restart.approach import Options
-from CNCStepper.recovery.restart.places import RequestedPlace
+from CNCStepper.recovery.restart.restart_places import RequestedPlace
 from CNCStepper.recovery.restart.restart_program import Restart, restart
 from CNCStepper.simulation.checks.check_program import check
 from CNCStepper.simulation.prior_programs import followed

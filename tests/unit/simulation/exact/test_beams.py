@@ -9,7 +9,7 @@ from CNCStepper.cycles.cycle import Removal
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.simulation.checks.check_program import check
-from CNCStepper.simulation.checks.report import report
+from CNCStepper.simulation.checks.program_report import report
 from CNCStepper.simulation.removal.heightmap import height_map
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.state import UNKNOWN

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from CNCStepper.control.protocol.grbl.capabilities import reason
-from CNCStepper.workbench.dock.model.controller_state import RULES, ControllerSnapshot, does, why_not
+from CNCStepper.workbench.dock.model.button_states import RULES, ControllerSnapshot, does, why_not
 from CNCStepper.workbench.dock.model.relay_keys import Lines, sound_between
 from CNCStepper.workbench.services.sounds import ALARM, FOLDER, NAMES, PAUSE
 

@@ -7,7 +7,7 @@ import pytest
 
 from CNCStepper.control.session.status import SenderStatus
 from CNCStepper.workbench.dock.model import retract_state as dock_back
-from CNCStepper.workbench.dock.model.controller_state import NOT_CONNECTED, RULES, ControllerSnapshot
+from CNCStepper.workbench.dock.model.button_states import NOT_CONNECTED, RULES, ControllerSnapshot
 from CNCStepper.workbench.dock.model.retract_state import (
     ASIDE,
     BACK,

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import pytest
 
-from CNCStepper.workbench.dock.model.controller_state import ControllerSnapshot, why_not
+from CNCStepper.workbench.dock.model.button_states import ControllerSnapshot, why_not
 from CNCStepper.workbench.dock.model.send_steps import (
     AWAITED,
     ENDS,

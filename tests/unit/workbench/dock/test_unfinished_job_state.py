@@ -14,7 +14,7 @@ from CNCStepper.control.journal.replay import KILLED
 from CNCStepper.control.program.certificate import digest_of_text
 from CNCStepper.control.session.status import DONE, FAILED, STOPPED
 from CNCStepper.errors import JobError
-from CNCStepper.workbench.dock.model.controller_state import ControllerSnapshot
+from CNCStepper.workbench.dock.model.button_states import ControllerSnapshot
 from CNCStepper.workbench.dock.model.unfinished_job import NAMES, Reading, program_of, why_not_now
 
 WAIT_S = 30

@@ -1,0 +1,301 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Lines, arcs, circles and light polylines straight from the text of a DXF file, by columns; ezdxf reads all else.
+
+    text ──► group codes, values ──► ordinary entities ──► columns of numbers ──► curves
+                                  └► all else, with header, tables and blocks, as a shorter DXF text for ezdxf
+
+An ordinary entity lies in the model space, is visible and seen from above, has every value that it needs once and in
+bounds, and no group code that means anything else. Whatever is not ordinary stays in the text for ezdxf, so that both
+ways give the same drawing. An entity keeps its number in the file by its place, one that ezdxf reads by its handle.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from CNCStepper.geometry.curve import LIMIT_MM, Curve
+from CNCStepper.geometry.curve_columns import STRAIGHT_MM
+from CNCStepper.tolerances import COINCIDENT_MM
+
+LARGEST = 1e9  # units: beyond it nothing of a drawing can be told apart
+FLAT = 1e-6  # units: heights that differ by less are one
+CODES = 1100  # group codes are below it
+OTHER, LINE, ARC, CIRCLE, POLYLINE = range(5)
+KINDS = {b"LINE": LINE, b"ARC": ARC, b"CIRCLE": CIRCLE, b"LWPOLYLINE": POLYLINE}
+ALWAYS = (0, 5, 6, 8, 39, 48, 62, 100, 210, 220, 230, 330, 347, 370, 390, 420)
+MEANT = {  # group codes beside ALWAYS
+    LINE: (10, 20, 30, 11, 21, 31),
+    ARC: (10, 20, 30, 40, 50, 51),
+    CIRCLE: (10, 20, 30, 40),
+    POLYLINE: (10, 20, 38, 40, 41, 42, 43, 70, 90, 91),
+}
+NEEDED = {LINE: (8, 10, 20, 11, 21), ARC: (8, 10, 20, 40, 50, 51), CIRCLE: (8, 10, 20, 40), POLYLINE: (8, 10, 20, 70)}
+REPEATED = (0, 100)
+OF_VERTEX = (10, 20, 40, 41, 42, 91)
+AFTER = {20: 10, 30: 20, 21: 11, 31: 21, 220: 210, 230: 220}  # a coordinate and the one right before it
+NUMBERS = (10, 20, 30, 11, 21, 31, 38, 40, 41, 42, 50, 51)
+NAME_NEVER = frozenset(b'\\<>/":;?*=`|\t')  # in a layer's name: ezdxf decodes or corrects it
+
+
+@dataclass(frozen=True)
+class PlainEntity:
+    """The curve of an ordinary entity in the unit of the file, its number among the entities, and its attributes."""
+
+    number: int
+    curve: Curve
+    kind: str
+    layer: bytes
+    handle: str
+    colour_index: int
+    true_colour: int | None
+
+
+@dataclass(frozen=True)
+class SplitText:
+    """The ordinary entities of a file, the text of all else, and the number of each entity there by its handle."""
+
+    plain: tuple[PlainEntity, ...]
+    rest: bytes
+    numbers: dict[str, int]
+
+
+def split_text(content: bytes) -> SplitText | None:
+    """Return the ordinary entities of a DXF text and the rest; None where ezdxf has to read it all.
+
+    That is a binary or damaged file, one without ordinary entities, and one whose other entities have no handles.
+    """
+    lines = content.split(b"\n")
+    try:
+        codes = np.array(list(map(int, lines[0 : len(lines) - 1 : 2])))
+        bounds = _section(codes, lines)
+        if bounds is None or not ((codes >= 0) & (codes < CODES)).all():
+            return None
+        return _Entities(codes[slice(*bounds)], lines[2 * bounds[0] + 1 : 2 * bounds[1] : 2]).split(lines, bounds[0])
+    except ValueError:  # of a number that is none
+        return None
+
+
+def _section(codes: np.ndarray, lines: Sequence[bytes]) -> tuple[int, int] | None:
+    """Return the first group of the entities and the group that ends them."""
+    first = None
+    for group in np.flatnonzero(codes == 0).tolist():
+        word = lines[2 * group + 1].strip()
+        if first is not None and word in (b"ENDSEC", b"SECTION", b"EOF"):
+            return (first, group) if word == b"ENDSEC" and group > first else None
+        if word == b"SECTION" and group + 2 < len(codes) and codes[group + 1] == 2:
+            first = group + 2 if lines[2 * group + 3].strip() == b"ENTITIES" else first
+    return None
+
+
+class _Entities:
+    """The groups of the entities as columns: code, value, and the number of the entity that each belongs to."""
+
+    def __init__(self, codes: np.ndarray, values: Sequence[bytes]):
+        self._codes, self._values = codes, values
+        self._owner = np.cumsum(codes == 0) - 1
+        self._starts = np.flatnonzero(codes == 0)
+        words = [values[start].strip() for start in self._starts.tolist()]
+        self._words = words
+        self._kinds = np.array([KINDS.get(word, OTHER) for word in words], int)
+        self._count = len(words)
+        self._parsed: dict[int, tuple[np.ndarray, np.ndarray]] = {}
+
+    def split(self, lines: Sequence[bytes], first: int) -> SplitText | None:
+        """Return the ordinary ones and the rest of the lines, of which those of group `first` are the first here."""
+        if not self._count or self._codes[0] != 0:
+            return None
+        ordinary = self._ordinary()
+        curves = self._curves(ordinary)
+        handles = self._texts(5)
+        numbers: dict[str, int] = {}
+        for number in np.flatnonzero(~ordinary).tolist():
+            handle = handles.get(number, b"").decode("ascii", "replace").upper()
+            if self._words[number] not in (b"VERTEX", b"SEQEND", b"ATTRIB") and (not handle or handle in numbers):
+                return None
+            numbers[handle] = number
+        if not curves:
+            return None
+        return SplitText(self._plain(curves, handles), self._rest(lines, first, ordinary), numbers)
+
+    def _ordinary(self) -> np.ndarray:
+        """Return which entities are ordinary, bool[n]."""
+        allowed = np.zeros((len(KINDS) + 1, CODES), bool)
+        for kind, meant in MEANT.items():
+            allowed[kind, [*ALWAYS, *meant]] = True
+        kind = self._kinds[self._owner]
+        odd = ~allowed[kind, self._codes]
+        before = np.concatenate([[0], self._codes[:-1]])
+        for code, needed in AFTER.items():
+            odd |= (self._codes == code) & (before != needed)
+        ordinary = self._kinds != OTHER
+        ordinary[self._owner[odd]] = False
+        once = ~np.isin(self._codes, REPEATED) & ~((kind == POLYLINE) & np.isin(self._codes, OF_VERTEX))
+        keys, counts = np.unique(self._owner[once] * CODES + self._codes[once], return_counts=True)
+        ordinary[keys[counts > 1] // CODES] = False
+        for kind_number, needs in NEEDED.items():
+            for code in needs:
+                ordinary[(self._kinds == kind_number) & ~self._has(code)] = False
+        ordinary &= self._is_level() & self._is_within() & self._is_named()
+        return ordinary & self._is_measurable(ordinary)
+
+    def _at(self, code: int) -> np.ndarray:
+        return np.flatnonzero(self._codes == code)
+
+    def _has(self, code: int) -> np.ndarray:
+        found = np.zeros(self._count, bool)
+        found[self._owner[self._at(code)]] = True
+        return found
+
+    def _numbers(self, code: int) -> tuple[np.ndarray, np.ndarray]:
+        """Return the values of a code as numbers and their entities; raises ValueError for what is no number."""
+        if code not in self._parsed:
+            at, values = self._at(code), self._values
+            numbers = np.array([float(values[place]) for place in at.tolist()], float)
+            self._parsed[code] = numbers, self._owner[at]
+        return self._parsed[code]
+
+    def _column(self, code: int, otherwise: float = 0.0) -> np.ndarray:
+        """Return the value of a code for each entity, float64[n]."""
+        column = np.full(self._count, otherwise)
+        values, owner = self._numbers(code)
+        column[owner] = values
+        return column
+
+    def _texts(self, code: int) -> dict[int, bytes]:
+        at = self._at(code)
+        values = [self._values[place].rstrip(b"\r") for place in at.tolist()]
+        return dict(zip(self._owner[at].tolist(), values, strict=True))
+
+    def _is_level(self) -> np.ndarray:
+        """Return which entities are seen from above, and lines of one height, bool[n]."""
+        above = (self._column(210) == 0.0) & (self._column(220) == 0.0) & (self._column(230, 1.0) == 1.0)
+        level = np.abs(self._column(30) - self._column(31)) <= FLAT
+        return above & (level | (self._kinds != LINE))
+
+    def _is_within(self) -> np.ndarray:
+        """Return which entities have all numbers in bounds, bool[n]; false for NaN."""
+        within = np.ones(self._count, bool)
+        for code in NUMBERS:
+            values, owner = self._numbers(code)
+            within[owner[~(np.abs(values) <= LARGEST)]] = False
+        return within
+
+    def _is_named(self) -> np.ndarray:
+        """Return which entities have a layer's name that needs no decoding, bool[n]."""
+        plain: dict[bytes, bool] = {}
+        named = np.ones(self._count, bool)
+        for number, layer in self._texts(8).items():
+            if layer not in plain:
+                plain[layer] = layer.strip() == layer != b"" and not NAME_NEVER.intersection(layer)
+            named[number] = plain[layer]
+        return named
+
+    def _is_measurable(self, ordinary: np.ndarray) -> np.ndarray:
+        """Return which of the ordinary entities are curves in bounds, no part of them without length, bool[n]."""
+        fine = np.ones(self._count, bool)
+        reach = np.maximum(np.abs(self._column(10)), np.abs(self._column(20)))
+        run = np.hypot(self._column(11) - self._column(10), self._column(21) - self._column(20))
+        far = np.maximum(reach, np.maximum(np.abs(self._column(11)), np.abs(self._column(21))))
+        fine[(self._kinds == LINE) & ~((run > COINCIDENT_MM) & (far <= LIMIT_MM))] = False
+        radius, sweep = np.abs(self._column(40)), np.where(self._kinds == ARC, self._sweeps()[1], math.tau)
+        rise = radius * (1.0 - np.cos(np.minimum(sweep, math.pi) / 2.0))
+        round_ones = (self._kinds == ARC) | (self._kinds == CIRCLE)
+        fine[round_ones & ~((rise > STRAIGHT_MM) & (reach + radius <= LIMIT_MM))] = False
+        numbers = np.flatnonzero((self._kinds == POLYLINE) & ordinary)
+        for number, (xy, bulge) in self._polylines(numbers).items():
+            fine[number] = len(xy) > 1 and _is_chain(xy, bulge)
+        return fine
+
+    def _sweeps(self) -> tuple[np.ndarray, np.ndarray]:
+        """Return the first angle of each arc and how far it turns, rad."""
+        first, last = np.radians(self._column(50)), np.radians(self._column(51))
+        sweep = (last - first) % math.tau
+        return first, np.where(sweep == 0.0, math.tau, sweep)
+
+    def _polylines(self, numbers: np.ndarray) -> dict[int, tuple[np.ndarray, np.ndarray]]:
+        """Return vertices and bulges of light polylines by number; a closed one ends with its first vertex."""
+        x, owner = self._numbers(10)
+        y, _ = self._numbers(20)
+        bulge = np.zeros(len(x))
+        values, _ = self._numbers(42)
+        vertex = np.searchsorted(self._at(10), self._at(42)) - 1  # the last one that began before the bulge
+        bulge[vertex[vertex >= 0]] = values[vertex >= 0]
+        xy = np.column_stack([x, y]) if len(x) == len(y) else np.empty((0, 2))
+        closed = (self._column(70).astype(int) & 1).astype(bool)
+        first, last = np.searchsorted(owner, numbers), np.searchsorted(owner, numbers, "right")
+        found = {}
+        for number, begin, end in zip(numbers.tolist(), first.tolist(), last.tolist(), strict=True):
+            if closed[number]:
+                found[number] = np.concatenate([xy[begin:end], xy[begin : begin + 1]]), bulge[begin:end]
+            else:
+                found[number] = xy[begin:end], bulge[begin : end - 1]
+        return found
+
+    def _curves(self, ordinary: np.ndarray) -> dict[int, Curve]:
+        """Return the curves of the ordinary entities by their numbers."""
+        x, y = self._column(10), self._column(20)
+        lines = np.flatnonzero(ordinary & (self._kinds == LINE))
+        ends = np.stack([np.column_stack([x, y]), np.column_stack([self._column(11), self._column(21)])], axis=1)
+        straight = np.zeros(1)
+        curves = {number: Curve.trusted(ends[number], straight) for number in lines.tolist()}
+        numbers = np.flatnonzero(ordinary & ((self._kinds == ARC) | (self._kinds == CIRCLE)))
+        first, sweep = self._sweeps()
+        circle = self._kinds == CIRCLE
+        first, sweep = np.where(circle, 0.0, first), np.where(circle, math.tau, sweep)
+        curves |= _arcs(numbers, np.column_stack([x, y]), np.abs(self._column(40)), first, sweep)
+        for number, pair in self._polylines(np.flatnonzero(ordinary & (self._kinds == POLYLINE))).items():
+            curves[number] = Curve.trusted(*pair)
+        return curves
+
+    def _plain(self, curves: dict[int, Curve], handles: dict[int, bytes]) -> tuple[PlainEntity, ...]:
+        layers = self._texts(8)
+        index, true_colour = self._column(62, 256.0), self._column(420, -1.0)
+        return tuple(
+            PlainEntity(
+                number,
+                curve,
+                self._words[number].decode("ascii"),
+                layers[number],
+                handles.get(number, b"").decode("ascii", "replace"),
+                int(index[number]),
+                int(true_colour[number]) if true_colour[number] >= 0 else None,
+            )
+            for number, curve in sorted(curves.items())
+        )
+
+    def _rest(self, lines: Sequence[bytes], first: int, ordinary: np.ndarray) -> bytes:
+        """Return the text without the ordinary entities."""
+        groups = np.ones((len(lines) + 1) // 2, bool)
+        groups[first : first + len(self._owner)] = ~ordinary[self._owner]
+        return b"\n".join(itertools.compress(lines, np.repeat(groups, 2).tolist()))
+
+
+def _is_chain(xy: np.ndarray, bulge: np.ndarray) -> bool:
+    """Return whether a polyline is in bounds, has no side without a length and no arc that is nearly straight."""
+    sides = np.hypot(*np.diff(xy, axis=0).T)
+    rise = np.abs(bulge) * sides / 2.0
+    level = (bulge == 0.0) | ((rise > STRAIGHT_MM) & (rise <= LIMIT_MM))
+    return bool((np.abs(xy) <= LIMIT_MM).all() and (sides > COINCIDENT_MM).all() and level.all())
+
+
+def _arcs(
+    numbers: np.ndarray, centres: np.ndarray, radii: np.ndarray, first_rad: np.ndarray, sweep_rad: np.ndarray
+) -> dict[int, Curve]:
+    """Return arcs in parts of at most a half turn by their numbers, exactly closed where they are whole ones."""
+    curves: dict[int, Curve] = {}
+    parts = np.where(sweep_rad > math.pi + 1e-9 * math.pi, 2, 1)
+    for count in (1, 2):
+        chosen = numbers[parts[numbers] == count]
+        angles = first_rad[chosen, None] + sweep_rad[chosen, None] * np.linspace(0.0, 1.0, count + 1)
+        ways = np.stack([np.cos(angles), np.sin(angles)], axis=2)
+        xy = centres[chosen, None] + radii[chosen, None, None] * ways
+        whole = np.isclose(sweep_rad[chosen], math.tau, rtol=1e-12, atol=0.0)
+        xy[whole, -1] = xy[whole, 0]
+        bulges = np.repeat(np.tan(sweep_rad[chosen] / count / 4.0)[:, None], count, axis=1)
+        curves |= {number: Curve.trusted(xy[row], bulges[row]) for row, number in enumerate(chosen.tolist())}
+    return curves

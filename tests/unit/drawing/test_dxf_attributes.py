@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Layer, colour, name and groups of DXF entities, in blocks too."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import ezdxf
+import pytest
+
+from CNCStepper.drawing.dxf.reader import read_dxf
+
+RED, GREEN, BLUE, BLACK = "#ff0000", "#00ff00", "#0000ff", "#000000"
+
+
+def colours(document: Any, folder: Path) -> list[str]:
+    path = folder / "colours.dxf"
+    document.saveas(path)
+    return [chain.attributes.colour for chain in read_dxf(path, 0.01).chains]
+
+
+@pytest.mark.parametrize("ordinary", [True, False])
+def test_colours_by_index_layer_and_true_colour(tmp_path: Path, ordinary: bool) -> None:
+    document = ezdxf.new("R2010")
+    document.layers.add("red", color=1)
+    document.layers.add("true", true_color=0x123456)
+    document.layers.add("blue", color=5)
+    own: list[dict[str, Any]] = [
+        {"layer": "red"},
+        {"layer": "red", "color": 3},
+        {"layer": "red", "color": 3, "true_color": 0xAB00CD},
+        {"layer": "true"},
+        {"color": 7},
+        {"color": 0},
+        {"layer": "none"},
+        {"layer": "blue"},
+    ]
+    for number, attributes in enumerate(own):
+        bounds = {} if ordinary else {"extrusion": (0, 0, -1)}
+        document.modelspace().add_circle((9 * number, 0), 1, attributes | bounds)
+    assert colours(document, tmp_path) == [RED, GREEN, "#ab00cd", "#123456", BLACK, BLACK, BLACK, BLUE]
+
+
+def test_a_block_gives_layer_0_and_colour_by_block_and_its_name(tmp_path: Path) -> None:
+    document = ezdxf.new("R2010")
+    document.layers.add("plate", color=1)
+    inner, outer = document.blocks.new("hole"), document.blocks.new("flange")
+    inner.add_circle((0, 0), 1, {"color": 0})
+    inner.add_circle((0, 0), 2, {"layer": "plate"})
+    outer.add_blockref("hole", (5, 0), {"color": 0})
+    outer.add_circle((0, 0), 3)
+    document.modelspace().add_blockref("flange", (0, 0), {"layer": "plate", "color": 3})
+    document.modelspace().add_circle((0, 0), 50)
+    path = tmp_path / "blocks.dxf"
+    document.saveas(path)
+    found = [chain.attributes for chain in read_dxf(path, 0.01).chains]
+    assert [(each.layer, each.colour, each.name, each.groups) for each in found[:3]] == [
+        ("plate", GREEN, "hole", ("flange", "hole")),
+        ("plate", RED, "hole", ("flange", "hole")),
+        ("plate", RED, "flange", ("flange",)),
+    ]
+    alone = found[3]
+    assert alone.groups == () and document.entitydb[alone.name].dxf.radius == 50
