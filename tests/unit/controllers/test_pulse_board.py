@@ -8,7 +8,7 @@ import json
 
 import pytest
 
-from CNCStepper.control.protocol.grbl import report
+from CNCStepper.control.protocol.grbl import status_reports
 from CNCStepper.control.session.status import SenderStatus
 from CNCStepper.controllers.pulse_board import PulseBoard
 from CNCStepper.errors import LinkError, MachineRefusal
@@ -288,13 +288,13 @@ def test_the_port_shows_its_high_pins_and_what_is_on_also_while_it_runs(with_swi
     talk = with_switches
     talk.send("M8", "M62P0")
     talk.send("G1X40F600")
-    press(talk, {13})
+    press(talk, {15})
     fields = talk.status()
     line = f"<Run|MPos:1.000,0.000,0.000|In:{fields['In']}|Out:{fields['Out']}>"
-    seen = report.parse(line)
-    assert isinstance(seen, report.Status)
+    seen = status_reports.parse(line)
+    assert isinstance(seen, status_reports.Status)
     assert set(seen.port_outputs or ()) == {"flood", "output_0"}
-    assert set(seen.port_inputs or ()) == set(NOTHING_PRESSED ^ {13})
+    assert set(seen.port_inputs or ()) == set(NOTHING_PRESSED ^ {15})
     status = SenderStatus(port_inputs=seen.port_inputs, port_outputs=seen.port_outputs)
     assert SenderStatus.from_json(json.loads(json.dumps(status.to_json()))) == status
     board = SenderStatus.from_json(json.loads(json.dumps(SenderStatus().to_json())))
