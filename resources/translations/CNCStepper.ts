@@ -8058,6 +8058,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Adobe Illustrator</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>An angle of two legs, its outer corner at the zero, a hole near the end of each leg.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9098,6 +9102,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a number is out of range</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a number of hundreds of digits</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9143,6 +9151,10 @@
         </message>
         <message>
             <source>a pattern has at most {0} characters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a picture and no line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9315,6 +9327,10 @@
         </message>
         <message>
             <source>a template has no key '{key}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a text is too long</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9567,6 +9583,10 @@
         </message>
         <message>
             <source>an arc takes either R or a centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>an arc without numbers</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9886,6 +9906,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>bytes when it is unpacked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>canned cycles may not be used</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9927,6 +9951,10 @@
         </message>
         <message>
             <source>change_ms is so small that there are more than {most_waits} waits</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>characters with its entities in their places</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10526,6 +10554,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>cx cy</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>cx cy r</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>define it, or put its file beside the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10602,6 +10638,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>draw visible shapes, paths or texts; convert pictures to paths in the drawing program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>drawings with the suffix '{suffix}' cannot be read</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10623,6 +10663,10 @@
         </message>
         <message>
             <source>edge_mm must not be below zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>elements within each other</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11274,11 +11318,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it begins with {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it closed the connection</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>it cuts upwards on a helix, as thread mills do, and is entered at its begin, line {begin}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it does not begin with M</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11299,6 +11351,10 @@
         </message>
         <message>
             <source>it has chains on {known}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it has neither a stroke nor a fill</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11426,6 +11482,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it uses '{address}', which is not in the file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it uses itself, or too many others within each other</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it was a restart itself: the first line not certainly cut is the program's {story}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11447,6 +11511,10 @@
         </message>
         <message>
             <source>its file '{name}' is neither here nor in ../Bit</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>its first element is no &lt;svg&gt;</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11510,6 +11578,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>its radius is not above 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>its shape '{kind}' is none of {shapes}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11518,7 +11590,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>its transform is damaged</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>its weights are not above 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>its width or height is not above 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>its {0} has {1} numbers</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12282,6 +12366,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>name one of {names}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>name one of: {known}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12618,6 +12706,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>not an SVG file: {why}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>not an error: its words are none</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12735,6 +12827,10 @@
         </message>
         <message>
             <source>numbers 1 to {largest}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>numbers behind {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13226,7 +13322,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>rx ry</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>save it again as PNG</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>save it again from the drawing program as plain SVG</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13243,6 +13347,10 @@
         </message>
         <message>
             <source>save it as one of {known}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>save it with styles as attributes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13526,6 +13634,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>split it into several drawings</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>split it, or send it with cncstepper send</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13711,6 +13823,10 @@
         </message>
         <message>
             <source>take a larger tolerance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take a larger tolerance, or draw lines or arcs in their place</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14246,6 +14362,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the curves of the drawing are too many and too wild for the tolerance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14394,7 +14514,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the drawing declares entities that stand for more than a short text</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the drawing has no curves on a layer '{name}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the drawing has too many elements with those that it uses</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the drawing has too many rules of style</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14559,6 +14691,14 @@
         </message>
         <message>
             <source>the file ended</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the file gives no size in mm or inches: {dpi:g} pixels an inch are taken</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the file gives no size of its sheet: zero is the upper left corner</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15183,6 +15323,14 @@
         </message>
         <message>
             <source>the number of turns is a whole number from 1</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the numbers of an arc are damaged</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the numbers of {0} are damaged</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15862,6 +16010,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the system has no font</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the table gives it no diameter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16330,6 +16482,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>there is no single-line font '{name}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there is no subroutine o&lt;{seeking}&gt;</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16599,6 +16755,10 @@
         </message>
         <message>
             <source>too many lines lie on each other</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>too many numbers</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17634,6 +17794,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>x y width height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>zero of</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17746,11 +17910,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{count} clip paths and masks are not applied: what they hide is read too</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{count} dashed strokes are read as whole lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{count} joints do not fit on {chain}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{count} paths are damaged and read up to the damage</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{count} pulses do not fit: no room, or ticks that do not rise</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{count} texts are set in another font or style than the file names: {names}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{count} transforms are damaged and not applied</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18479,6 +18663,10 @@
         </message>
         <message>
             <source>{skipped} other things</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{skipped} other things, the first: {why}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

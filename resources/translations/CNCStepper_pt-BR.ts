@@ -8058,6 +8058,10 @@
             <translation>Entre faces planas</translation>
         </message>
         <message>
+            <source>Adobe Illustrator</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>An angle of two legs, its outer corner at the zero, a hole near the end of each leg.</source>
             <translation>Uma cantoneira de duas abas, o canto externo no zero, um furo perto da ponta de cada aba.</translation>
         </message>
@@ -9098,6 +9102,10 @@
             <translation>um número falta ou não pode ser lido</translation>
         </message>
         <message>
+            <source>a number is out of range</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a number of hundreds of digits</source>
             <translation>um número de centenas de algarismos</translation>
         </message>
@@ -9144,6 +9152,10 @@
         <message>
             <source>a pattern has at most {0} characters</source>
             <translation>um padrão tem no máximo {0} caracteres</translation>
+        </message>
+        <message>
+            <source>a picture and no line</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>a pin in the configuration is wrong</source>
@@ -9316,6 +9328,10 @@
         <message>
             <source>a template has no key '{key}'</source>
             <translation>um modelo não tem a chave '{key}'</translation>
+        </message>
+        <message>
+            <source>a text is too long</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>a tolerance must be above 0</source>
@@ -9568,6 +9584,10 @@
         <message>
             <source>an arc takes either R or a centre</source>
             <translation>um arco aceita R ou um centro, não os dois</translation>
+        </message>
+        <message>
+            <source>an arc without numbers</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>an axis is missing: {text}</source>
@@ -9886,6 +9906,10 @@
             <translation>deixe-a antes em Idle (pronta)</translation>
         </message>
         <message>
+            <source>bytes when it is unpacked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>canned cycles may not be used</source>
             <translation>ciclos fixos não podem ser usados</translation>
         </message>
@@ -9928,6 +9952,10 @@
         <message>
             <source>change_ms is so small that there are more than {most_waits} waits</source>
             <translation>change_ms é tão pequeno que há mais de {most_waits} esperas</translation>
+        </message>
+        <message>
+            <source>characters with its entities in their places</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>charts are there for: {processes}</source>
@@ -10526,6 +10554,14 @@
             <translation>corta de novo {overlap_mm:.3g} mm antes do ponto</translation>
         </message>
         <message>
+            <source>cx cy</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>cx cy r</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>define it, or put its file beside the program</source>
             <translation>defina-a ou ponha o seu arquivo ao lado do programa</translation>
         </message>
@@ -10602,6 +10638,10 @@
             <translation>desenhe-as a {kerf_mm:g} mm uma da outra</translation>
         </message>
         <message>
+            <source>draw visible shapes, paths or texts; convert pictures to paths in the drawing program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>drawings with the suffix '{suffix}' cannot be read</source>
             <translation>desenhos com o sufixo '{suffix}' não podem ser lidos</translation>
         </message>
@@ -10624,6 +10664,10 @@
         <message>
             <source>edge_mm must not be below zero</source>
             <translation>edge_mm não pode ser menor que zero</translation>
+        </message>
+        <message>
+            <source>elements within each other</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>enable homing ($22=1) or switch soft limits off ($20=0)</source>
@@ -11274,12 +11318,20 @@
             <translation>é lido em uma linha própria, em um programa inteiro, onde o dialeto tem sub-rotinas</translation>
         </message>
         <message>
+            <source>it begins with {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it closed the connection</source>
             <translation>ele fechou a conexão</translation>
         </message>
         <message>
             <source>it cuts upwards on a helix, as thread mills do, and is entered at its begin, line {begin}</source>
             <translation>o corte sobe em hélice, como fazem as fresas de roscar, e é retomado no seu início, linha {begin}</translation>
+        </message>
+        <message>
+            <source>it does not begin with M</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>it ended with an error</source>
@@ -11300,6 +11352,10 @@
         <message>
             <source>it has chains on {known}</source>
             <translation>ele tem cadeias em {known}</translation>
+        </message>
+        <message>
+            <source>it has neither a stroke nor a fill</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>it has no face {0}</source>
@@ -11426,6 +11482,14 @@
             <translation>não aceita nada há {limit:g} s</translation>
         </message>
         <message>
+            <source>it uses '{address}', which is not in the file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it uses itself, or too many others within each other</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it was a restart itself: the first line not certainly cut is the program's {story}</source>
             <translation>ele já era um reinício: a primeira linha não certamente cortada é a {story} do programa</translation>
         </message>
@@ -11448,6 +11512,10 @@
         <message>
             <source>its file '{name}' is neither here nor in ../Bit</source>
             <translation>o seu arquivo '{name}' não está aqui nem em ../Bit</translation>
+        </message>
+        <message>
+            <source>its first element is no &lt;svg&gt;</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>its head is no object of JSON</source>
@@ -11510,6 +11578,10 @@
             <translation>o programa dele terminou com M02</translation>
         </message>
         <message>
+            <source>its radius is not above 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>its shape '{kind}' is none of {shapes}</source>
             <translation>a sua forma '{kind}' não é nenhuma de {shapes}</translation>
         </message>
@@ -11518,8 +11590,20 @@
             <translation>seus links simbólicos formam um círculo</translation>
         </message>
         <message>
+            <source>its transform is damaged</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>its weights are not above 0</source>
             <translation>seus pesos não são maiores que 0</translation>
+        </message>
+        <message>
+            <source>its width or height is not above 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>its {0} has {1} numbers</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>its {name} are no numbers in bounds</source>
@@ -12282,6 +12366,10 @@
             <translation>nomeie uma delas</translation>
         </message>
         <message>
+            <source>name one of {names}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>name one of: {known}</source>
             <translation>nomeie uma de: {known}</translation>
         </message>
@@ -12618,6 +12706,10 @@
             <translation>nem toda a parede é vista do meio do espaço</translation>
         </message>
         <message>
+            <source>not an SVG file: {why}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>not an error: its words are none</source>
             <translation>não é um erro: suas palavras não são texto</translation>
         </message>
@@ -12736,6 +12828,10 @@
         <message>
             <source>numbers 1 to {largest}</source>
             <translation>números de 1 a {largest}</translation>
+        </message>
+        <message>
+            <source>numbers behind {0}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>o&lt;name&gt; sub ends with o&lt;name&gt; endsub</source>
@@ -13226,8 +13322,16 @@
             <translation>rode 'make setup' na pasta da bancada, ou instale-os por Ferramentas &gt; Gerenciador de extensões, ou instale-os para Python {version_info}.{version_info2} em uma pasta própria (pip install --target PASTA) e indique-a na variável de ambiente CNCSTEPPER_PACKAGES</translation>
         </message>
         <message>
+            <source>rx ry</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>save it again as PNG</source>
             <translation>salve-a de novo como PNG</translation>
+        </message>
+        <message>
+            <source>save it again from the drawing program as plain SVG</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>save it as DXF again, as R2000 or newer</source>
@@ -13244,6 +13348,10 @@
         <message>
             <source>save it as one of {known}</source>
             <translation>salve-o como um de {known}</translation>
+        </message>
+        <message>
+            <source>save it with styles as attributes</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>save the file as UTF-8 text</source>
@@ -13526,6 +13634,10 @@
             <translation>splines ficam no plano XY</translation>
         </message>
         <message>
+            <source>split it into several drawings</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>split it, or send it with cncstepper send</source>
             <translation>divida-o, ou envie-o com cncstepper send</translation>
         </message>
@@ -13711,6 +13823,10 @@
         </message>
         <message>
             <source>take a larger tolerance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take a larger tolerance, or draw lines or arcs in their place</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14246,6 +14362,10 @@
             <translation>a curva está aberta, é preciso uma fechada</translation>
         </message>
         <message>
+            <source>the curves of the drawing are too many and too wild for the tolerance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the cut</source>
             <translation>o corte</translation>
         </message>
@@ -14394,8 +14514,20 @@
             <translation>o desenho '{label}' tem uma linha que não é elipse</translation>
         </message>
         <message>
+            <source>the drawing declares entities that stand for more than a short text</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the drawing has no curves on a layer '{name}'</source>
             <translation>o desenho não tem curvas em uma camada '{name}'</translation>
+        </message>
+        <message>
+            <source>the drawing has too many elements with those that it uses</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the drawing has too many rules of style</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the drawing has too many {of_what}</source>
@@ -14560,6 +14692,14 @@
         <message>
             <source>the file ended</source>
             <translation>o arquivo terminou</translation>
+        </message>
+        <message>
+            <source>the file gives no size in mm or inches: {dpi:g} pixels an inch are taken</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the file gives no size of its sheet: zero is the upper left corner</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the file has no pulse letter</source>
@@ -15184,6 +15324,14 @@
         <message>
             <source>the number of turns is a whole number from 1</source>
             <translation>o número de voltas é um inteiro a partir de 1</translation>
+        </message>
+        <message>
+            <source>the numbers of an arc are damaged</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the numbers of {0} are damaged</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the object of this program is no longer there</source>
@@ -15862,6 +16010,10 @@
             <translation>a sub-rotina o&lt;{call}&gt; não tem fim</translation>
         </message>
         <message>
+            <source>the system has no font</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the table gives it no diameter</source>
             <translation>a tabela não lhe dá diâmetro</translation>
         </message>
@@ -16330,6 +16482,10 @@
             <translation>não há retalho para a perfuração depois de uma ponte de {chain} perto de X{x:.3f} Y{y:.3f}</translation>
         </message>
         <message>
+            <source>there is no single-line font '{name}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there is no subroutine o&lt;{seeking}&gt;</source>
             <translation>não há sub-rotina o&lt;{seeking}&gt;</translation>
         </message>
@@ -16600,6 +16756,10 @@
         <message>
             <source>too many lines lie on each other</source>
             <translation>linhas demais estão umas sobre as outras</translation>
+        </message>
+        <message>
+            <source>too many numbers</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>too many points</source>
@@ -17634,6 +17794,10 @@
             <translation>escreva {word} antes</translation>
         </message>
         <message>
+            <source>x y width height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>zero of</source>
             <translation>zero de</translation>
         </message>
@@ -17746,12 +17910,32 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{count} clip paths and masks are not applied: what they hide is read too</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{count} dashed strokes are read as whole lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{count} joints do not fit on {chain}</source>
             <translation>{count} microjunções não cabem em {chain}</translation>
         </message>
         <message>
+            <source>{count} paths are damaged and read up to the damage</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{count} pulses do not fit: no room, or ticks that do not rise</source>
             <translation>{count} pulsos não cabem: falta espaço, ou os tempos não crescem</translation>
+        </message>
+        <message>
+            <source>{count} texts are set in another font or style than the file names: {names}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{count} transforms are damaged and not applied</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{crossing} rapid(s) lead over parts that are already free</source>
@@ -18480,6 +18664,10 @@
         <message>
             <source>{skipped} other things</source>
             <translation>{skipped} outras coisas</translation>
+        </message>
+        <message>
+            <source>{skipped} other things, the first: {why}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{stale} has changed since the program was made</source>
