@@ -181,3 +181,15 @@ def test_a_later_rule_does_not_take_what_an_earlier_one_has_when_the_job_is_read
     """
     job = made(tmp_path, rules).job
     assert len(job.operation[0].pattern.holes()) == 2 and len(job.operation[1].curves) == 5
+
+
+def test_a_drawing_that_becomes_nested_deeper_is_noted(tmp_path: Path) -> None:
+    job = made(tmp_path)
+    assert not job.job.notes
+    job.write(tmp_path / "jobs" / "job.toml")
+    document = ezdxf.readfile(tmp_path / "part.dxf")
+    for radius in (8, 4):
+        document.modelspace().add_circle((30, 45), radius, dxfattribs={"layer": "pocket"})
+    document.saveas(tmp_path / "part.dxf")
+    deeper, _ = load_job(tmp_path / "jobs" / "job.toml")
+    assert [note for note in deeper.notes if "nesting level 3, 4" in note]
