@@ -146,7 +146,7 @@ class Curve(Columns):
         return self._stretch(begin_mm, begin_mm + self.length_mm)
 
     def part(self, first_mm: float, last_mm: float) -> Curve:
-        """Return the stretch between two places; a closed curve is gone round past its start when last <= first.
+        """Return the part between two places; on a closed curve it passes the start when last <= first.
 
         Raises GeometryError when the stretch has no length.
         """

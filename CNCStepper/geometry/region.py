@@ -33,7 +33,7 @@ from CNCStepper.geometry.winding_number import windings
 from CNCStepper.tolerances import NO_AREA_MM2, SAME_MM
 
 SMALL_MM = (1e-4, 2e-4, 5e-4, 1e-3)  # how long a step of an outline must be to count; more where that tangles
-BESIDE_MM = (4.0 * SAME_MM, 1.2 * SAME_MM)  # how far beside a piece its two sides are looked at
+BESIDE_MM = (4.0 * SAME_MM, 1.2 * SAME_MM)  # distance from a piece at which its two sides are tested
 
 
 @dataclass(frozen=True, eq=False)
@@ -146,7 +146,7 @@ class Region:
 
 
 def _joined_up(loop: Curve, keep: np.ndarray) -> Curve:
-    """Return a loop without some of its segments; each that stays goes on to the next one."""
+    """Return a loop without some of its segments; each remaining one is extended to the next."""
     stay = np.flatnonzero(keep)
     return loop if len(stay) == len(loop) else Curve(loop.xy[np.append(stay, stay[0])], loop.bulge[stay])
 

@@ -38,6 +38,7 @@ COMMANDS = {
     "CNCStepper_Send": "Enviar",
     "CNCStepper_Controller": "Controlador",
     "CNCStepper_Machines": "Máquinas…",
+    "CNCStepper_Letters": "Letras de pulso…",
 }
 ENGLISH = {
     "Depth",

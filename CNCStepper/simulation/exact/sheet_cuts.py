@@ -74,7 +74,7 @@ class PathPieces:
 
 
 def is_torch(state: State) -> bool:
-    """Return whether what is on is the torch: QtPlasmaC's scribe ($1) and its spots ($2) do not go through."""
+    """Return whether the torch is on: QtPlasmaC's scribe ($1) and its spots ($2) do not go through."""
     return state.spindle_number == TORCH
 
 
@@ -139,7 +139,7 @@ class SheetCuts:
 
     @cached_property
     def moving(self) -> PathPieces:
-        """The cutting segments that go sideways: their kerf is what the sheet loses."""
+        """The cutting segments that move sideways: the sheet loses their kerf."""
         return self.cuts[_lengths(self.cuts) > NO_LENGTH_MM]
 
     def _rows_that_cut(self, subject: CheckContext) -> tuple[np.ndarray, np.ndarray]:
