@@ -45,10 +45,19 @@ CORE_ROOMS = (
     "workers",
     "workbench",
 )
-CORE_MODULES = ("errors.py", "input_file.py", "quantities.py", "atomic_file.py")
+CORE_MODULES = (
+    "errors.py",
+    "input_file.py",
+    "quantities.py",
+    "atomic_file.py",
+    "motion/signals/letter_track.py",
+    "motion/signals/step_letters.py",
+)
 NO_SENTENCES = {
     "picture.py",
     "picture_style.py",
+    "drawing_picture.py",
+    "svg_writer.py",
     "readings_plot.py",
     "path_commands.py",
     "message_translation.py",

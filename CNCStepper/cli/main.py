@@ -16,6 +16,13 @@ from CNCStepper.errors import CNCStepperError
 
 STOPPED = 130  # 128 + SIGINT
 FAMILIES = {  # folder of the verbs' modules: title in the help, and its verbs
+    "drawing": (
+        "Read drawings",
+        {
+            "drawing": "Show what is in a drawing and what is wrong with it; mend it.",
+            "job": "Make a job file of a drawing by the rules of a template.",
+        },
+    ),
     "program": (
         "Make and check programs",
         {
@@ -34,6 +41,13 @@ FAMILIES = {  # folder of the verbs' modules: title in the help, and its verbs
             "edit": "Move, scale, turn, mirror, renumber, split ... a program.",
             "compact": "Rewrite tiny moves of a program as arcs and longer lines.",
             "convert": "Write a program in another dialect.",
+        },
+    ),
+    "sheets": (
+        "Many parts",
+        {
+            "nest": "Place the parts of an order on sheets, remnants or a strip.",
+            "arrange": "Make one program of several, each placed, turned and counted.",
         },
     ),
     "calculators": (

@@ -186,18 +186,31 @@ def _one(parts: Sequence[Curve], closed: bool) -> Curve:
 
 def _gaps(chains: Sequence[Curve], near_mm: float) -> tuple[Gap, ...]:
     """Return the gaps between ends, each end in one gap at most."""
+    return tuple(Gap(_middle(ends), abs(ends[0] - ends[1])) for _, ends in nearly_meeting(chains, near_mm))
+
+
+def nearly_meeting(chains: Sequence[Curve], near_mm: float) -> list[tuple[tuple[int, int], tuple[complex, complex]]]:
+    """Return the pairs of ends of open chains within a distance, nearest first, and where they lie; each end once.
+
+    End 2 i begins chain i, end 2 i + 1 ends it. The ends of one chain that is hardly longer than their distance are no
+    pair.
+    """
     ends = complex_of(np.array([chain.xy[index] for chain in chains for index in (0, -1)]).reshape(-1, 2))
     pairs = _close_pairs(ends, near_mm)
     sizes = np.abs(ends[pairs[:, 0]] - ends[pairs[:, 1]])
     taken: set[int] = set()
-    gaps = []
+    found = []
     for row in np.argsort(sizes, kind="stable").tolist():
         a, b = pairs[row].tolist()
         if not taken & {a, b} and not _is_whole(chains, a, b, float(sizes[row])):
             taken |= {a, b}
-            middle = complex(ends[a] + ends[b]) / 2.0
-            gaps.append(Gap((middle.real, middle.imag), float(sizes[row])))
-    return tuple(gaps)
+            found.append(((a, b), (complex(ends[a]), complex(ends[b]))))
+    return found
+
+
+def _middle(ends: tuple[complex, complex]) -> tuple[float, float]:
+    middle = (ends[0] + ends[1]) / 2.0
+    return middle.real, middle.imag
 
 
 def _is_whole(chains: Sequence[Curve], a: int, b: int, size_mm: float) -> bool:

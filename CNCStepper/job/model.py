@@ -406,7 +406,11 @@ def read_job(path: Path, share: Share = lambda share: None) -> Job:
 
 
 def _read(path: Path, share: Share) -> Job:
-    content = read_json(path) if path.suffix.lower() == ".json" else read_toml(path)
+    return job_of_content(read_json(path) if path.suffix.lower() == ".json" else read_toml(path), path, share)
+
+
+def job_of_content(content: dict[str, Any], path: Path, share: Share = lambda share: None) -> Job:
+    """Return the job that a file of this content at `path` holds; the content is used up. Raises as `load_job` does."""
     drawn = Drawn()
     shapes = read_shapes(_tables(content, "shape", path), path.parent, str(path), drawn, share)
     content.pop("shape", None)

@@ -27,6 +27,7 @@ PROGRAM = "G21 G90\nG0 X1 Y1 Z1\nG1 X10 F600\no<sub> call\nM2\n"
 IN_FOLDERS = {
     ("run",): ["program.nc", "report.json", "certificate-1-T2.zip", "part.png"],
     ("edit", "split"): ["p-2-T7.nc"],
+    ("nest",): ["sheet-0.dxf", "remnant-0-1.dxf", "placements.json", "nest.png"],
 }
 WORDS = {"PROFILE": "m.toml", "DIALECT": "grbl", "SHAPE:MM": "flat:3", "NUMBER": "1", "X,Y": "1,1", "X,Y,Z": "1,1,1"}
 
@@ -66,6 +67,8 @@ def test_every_path_of_every_verb_is_an_input_or_under_the_rule(names: tuple[str
 
 def test_the_walk_finds_the_verbs_that_write() -> None:
     writers = {
+        "drawing",
+        "job",
         "run",
         "check",
         "steps",
@@ -79,6 +82,8 @@ def test_the_walk_finds_the_verbs_that_write() -> None:
         "restart",
         "virtual",
         "machine-test",
+        "nest",
+        "arrange",
     }
     assert {names[0] for names in WRITING} == writers <= set(FAMILY_OF)
 
@@ -101,7 +106,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 def inputs(command: click.Command) -> dict[str, str]:
     """Return the files that a call of `call` reads, by the option or argument that names them."""
-    named = {"program": "p.nc", "job": "j.toml", "job_path": "j.toml", "file": "i.tbl"}
+    named = {"program": "p.nc", "job": "j.toml", "job_path": "j.toml", "file": "i.tbl", "template": "j.toml"}
     files = {}
     for param in command.params:
         if isinstance(param.type, InputPath):

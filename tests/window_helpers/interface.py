@@ -1,0 +1,188 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""FreeCAD's interface thread, seen from the thread in which pytest runs."""
+
+from __future__ import annotations
+
+import gc
+import queue
+import sys
+import threading
+import time
+import traceback
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from PySide import QtCore
+
+CALL_LIMIT_S = 30.0
+TICK_MS = 2
+
+
+NO_PYTHON = "(no Python)"
+
+
+def interface_stack() -> str:
+    """Return what the interface thread is doing at this moment, as a traceback shows it."""
+    frame = sys._current_frames().get(threading.main_thread().ident or 0)
+    return "".join(traceback.format_stack(frame)) if frame else NO_PYTHON
+
+
+class Interface(QtCore.QObject):
+    """Runs functions on the interface thread, also while a modal dialog or another loop is open there."""
+
+    _asked = QtCore.Signal(object)
+
+    def __init__(self) -> None:
+        """Make it on the interface thread: that is where the functions will run."""
+        super().__init__()
+        self._asked.connect(self._answer, QtCore.Qt.ConnectionType.QueuedConnection)
+
+    @QtCore.Slot(object)
+    def _answer(self, task: Callable[[], None]) -> None:
+        task()
+
+    def call(self, function: Callable[..., Any], *arguments: Any, limit_s: float = CALL_LIMIT_S) -> Any:
+        """Return the function's result; what it raises is raised here. TimeoutError when the thread does not answer."""
+        if threading.current_thread() is threading.main_thread():
+            return function(*arguments)
+        answers: queue.Queue[tuple[Any, BaseException | None]] = queue.Queue()
+
+        def task() -> None:
+            try:
+                answers.put((function(*arguments), None))
+            except BaseException as error:
+                answers.put((None, error))
+
+        self._asked.emit(task)
+        try:
+            result, error = answers.get(timeout=limit_s)
+        except queue.Empty:
+            raise TimeoutError(
+                f"the interface thread did not answer within {limit_s} s; it is in\n{interface_stack()}"
+            ) from None
+        if error is not None:
+            raise error
+        return result
+
+
+class Keeper:
+    """Lets what the tests leave behind be deleted on the interface thread, as Qt demands of what belongs to it.
+
+    A callable that was connected to a signal, or a widget in a cycle of garbage, would otherwise be deleted in
+    pytest's thread, whenever a test's function returns or Python happens to collect: a crash, now and then.
+    """
+
+    COLLECT_EVERY_MS = 200
+    MANY = 2000  # young objects since the last collection; Python's own threshold has the same order
+
+    def __init__(self, folders: tuple[str, ...]) -> None:
+        """Keep the locals of functions in the files of these folders; made on the interface thread."""
+        self._folders = folders
+        self._kept: list[Any] = []
+        gc.disable()
+        self._timer = QtCore.QTimer()
+        self._timer.timeout.connect(self._collect)
+        self._timer.start(self.COLLECT_EVERY_MS)
+
+    def watch(self, frame: Any, event: str, _: Any) -> None:
+        """Keep the locals of a function that returns; for `sys.setprofile` in pytest's thread."""
+        if event == "return" and frame.f_code.co_filename.startswith(self._folders):
+            self._kept.append(dict(frame.f_locals))
+
+    def let_go(self) -> None:
+        """Delete what was kept, also by the last error's traceback; runs on the interface thread."""
+        self._kept.clear()
+        for name in ("last_exc", "last_type", "last_value", "last_traceback"):
+            vars(sys).pop(name, None)
+        gc.collect()
+
+    def _collect(self) -> None:
+        if gc.get_count()[0] > self.MANY:
+            gc.collect(1)
+
+
+def waited_for_a_core_s(thread: int) -> float:
+    """Return how long a thread was ready to run while the system let others run in its place (Linux)."""
+    words = Path(f"/proc/self/task/{thread}/schedstat").read_text("ascii").split()
+    return int(words[1]) / 1e9
+
+
+class Watchdog:
+    """Measures how long the interface thread is kept from its events: `with hand.watchdog() as watch:`.
+
+    `max_ms` is the longest time between two ticks of a 2 ms timer there. On a busy machine it grows, so it is also
+    told apart: `max_cpu_ms` is the most processor time that the interface thread itself used between two ticks, and
+    `max_waited_ms` the longest that it waited there for something else than a free core: a lock, a file, another
+    process. `where` is what it was doing in the longest one, `where_cpu` in the one that used most. `max_python_ms` is
+    the most processor time between two ticks in which Python was seen at work; the rest is Qt's and FreeCAD's own,
+    such as painting a large panel.
+    """
+
+    def __init__(self, interface: Interface) -> None:
+        self._interface = interface
+        self.max_ms = self.max_cpu_ms = self.max_waited_ms = self.max_python_ms = 0.0
+        self._saw_python = False  # since the last tick
+        self.where = self.where_cpu = ""
+        self._stack = ""  # seen since the last tick
+
+    def __enter__(self) -> Watchdog:
+        self._interface.call(self._start)
+        self._ended = threading.Event()
+        self._looker = threading.Thread(target=self._look, daemon=True)
+        self._looker.start()
+        return self
+
+    def __exit__(self, *_error: object) -> None:
+        self._ended.set()
+        self._looker.join()
+        self._interface.call(self._stop)
+
+    def _start(self) -> None:
+        self._thread = threading.get_native_id()
+        self._seen_s, self._cpu_s = time.perf_counter(), time.thread_time()
+        self._queued_s = waited_for_a_core_s(self._thread)
+        self._timer = QtCore.QTimer()
+        self._timer.setTimerType(QtCore.Qt.TimerType.PreciseTimer)
+        self._timer.timeout.connect(self._tick)
+        self._timer.start(TICK_MS)
+
+    def _stop(self) -> None:
+        self._tick()
+        self._timer.stop()
+        self._timer.deleteLater()
+
+    def key_seen(self) -> None:
+        """End the block here, in the interface thread: keys that wait in a row there are several blocks, not one."""
+        self._tick()
+
+    def _tick(self) -> None:
+        now_s, cpu_s, queued_s = time.perf_counter(), time.thread_time(), waited_for_a_core_s(self._thread)
+        took_ms, cpu_ms = 1000 * (now_s - self._seen_s), 1000 * (cpu_s - self._cpu_s)
+        self.max_ms = max(self.max_ms, took_ms)
+        self.max_waited_ms = max(self.max_waited_ms, took_ms - cpu_ms - 1000 * (queued_s - self._queued_s))
+        if cpu_ms > self.max_cpu_ms:
+            self.max_cpu_ms, self.where_cpu = cpu_ms, self._stack
+        if self._saw_python:
+            self.max_python_ms = max(self.max_python_ms, cpu_ms)
+        self._stack, self._saw_python = "", False
+        self._seen_s, self._cpu_s, self._queued_s = now_s, cpu_s, queued_s
+
+    def _look(self) -> None:
+        """Keep the stack of the longest block, looked at while it lasts."""
+        longest_s = 0.02
+        while not self._ended.wait(0.01):
+            blocked_s = time.perf_counter() - self._seen_s
+            if blocked_s > 0.02:
+                self._stack = interface_stack()
+                self._saw_python |= NO_PYTHON not in self._stack and "in _tick" not in self._stack
+            if blocked_s > longest_s:
+                longest_s, self.where = blocked_s, self._stack
+
+    def __str__(self) -> str:
+        return (
+            f"longest block {self.max_ms:.0f} ms ({self.max_cpu_ms:.0f} ms of its own work, "
+            f"{self.max_python_ms:.0f} ms "
+            f"with Python in it, {self.max_waited_ms:.0f} ms of waiting) in\n{self.where}\n"
+            f"the most of its own work in\n{self.where_cpu}"
+        )

@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Runs pytest inside FreeCAD's window: `freecad run_tests.py -M CHECKOUT`, started by start_window.py.
+
+pytest has a thread of its own, so that the interface lives as it does for a person. At the end the documents and the
+main window are closed as a person closes them; the tests' result goes into the file named by CNCSTEPPER_WINDOW_STATUS,
+because FreeCAD's own exit status knows nothing of it.
+"""
+
+import os
+import sys
+import threading
+import traceback
+from pathlib import Path
+
+TESTS = Path(__file__).resolve().parents[1]
+OPTIONS = [
+    # Its look at other threads may crash Python 3.13, so it comes when all else has been in vain.
+    *("-p", "no:cacheprovider", "-s", "-o", "faulthandler_timeout=600"),
+    *("-W", "ignore:Type PySide2:DeprecationWarning"),  # FreeCAD 1.0's own
+]
+sys.path += [str(TESTS / "window"), str(TESTS)]  # conftest for a test that lies elsewhere, and the helpers
+for name in os.environ.get("CNCSTEPPER_WINDOW_WITHOUT", "").split():
+    sys.modules[name] = None  # Python then says that there is no such package
+
+
+class ByThread:
+    """Lets pytest write to the terminal while all other threads write where FreeCAD wants it: the report view."""
+
+    def __init__(self, pytest_thread, terminal, freecad):
+        self._pytest_thread, self._terminal, self._freecad = pytest_thread, terminal, freecad
+
+    def _stream(self):
+        return self._terminal if threading.current_thread() is self._pytest_thread else self._freecad
+
+    def write(self, text):
+        return self._stream().write(text)
+
+    def flush(self):
+        self._stream().flush()
+
+    def __getattr__(self, name):
+        return getattr(self._terminal, name)
+
+
+def work(interface, keeper):
+    """Run the tests, write their status, close FreeCAD; this is pytest's thread."""
+    sys.setprofile(keeper.watch)
+    status = 3
+    try:
+        import pytest
+
+        arguments = [part for part in os.environ["CNCSTEPPER_PYTEST"].split("\n") if part]
+        status = int(pytest.main([*OPTIONS, *arguments]))
+    except BaseException:
+        traceback.print_exc(file=sys.__stderr__)
+    finally:
+        sys.setprofile(None)
+        for terminal in (sys.__stdout__, sys.__stderr__):  # a FreeCAD that does not end in order loses the summary
+            terminal.flush()
+        interface.call(keeper.let_go)
+        Path(os.environ["CNCSTEPPER_WINDOW_STATUS"]).write_text(str(status))
+        interface.call(close)
+
+
+def close():
+    """Close FreeCAD a moment later, when no call of ours is under way."""
+    from PySide import QtCore
+
+    QtCore.QTimer.singleShot(0, close_now)
+
+
+def close_now():
+    """Close the documents and the main window."""
+    import FreeCAD
+    import FreeCADGui
+
+    for name in list(FreeCAD.listDocuments()):
+        FreeCAD.closeDocument(name)
+    FreeCADGui.getMainWindow().close()
+
+
+def begin():
+    """Start pytest's thread; FreeCAD is up now and handles events."""
+    import FreeCAD
+    import FreeCADGui
+
+    from window_helpers import interface
+
+    print("FreeCAD", ".".join(FreeCAD.Version()[:3]), "Python", sys.version.split()[0], file=sys.__stdout__, flush=True)
+    FreeCADGui.getMainWindow().showMaximized()
+    sys.argv = ["pytest"]
+    link = interface.Interface()
+    keeper = interface.Keeper((str(TESTS / "window"), str(TESTS / "window_helpers")))
+    FreeCAD.__cncstepper_window__ = link, keeper
+    thread = threading.Thread(target=work, args=(link, keeper), daemon=True)
+    sys.stdout = ByThread(thread, sys.__stdout__, sys.stdout)
+    sys.stderr = ByThread(thread, sys.__stderr__, sys.stderr)
+    thread.start()
+
+
+def start():
+    """Wait for FreeCAD's event loop."""
+    from PySide import QtCore
+
+    QtCore.QTimer.singleShot(200, begin)
+
+
+start()

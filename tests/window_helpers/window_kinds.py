@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The kinds of windows that tests run in; a test without `pytest.mark.window(KIND, ...)` runs in the plain one."""
+
+VARIABLE = "CNCSTEPPER_WINDOW_KIND"
+LANGUAGE = "CNCSTEPPER_WINDOW_LANGUAGE"  # as FreeCAD calls it
+WITHOUT = "CNCSTEPPER_WINDOW_WITHOUT"  # packages that FreeCAD's Python shall not find
+
+AUTOLOAD = "CNCSTEPPER_WINDOW_AUTOLOAD"  # the workbench that FreeCAD opens at its start
+
+RENAMED = {"1.1.3": {"Portuguese, Brazilian": "Portuguese (Brazilian)"}}  # languages, by the FreeCAD that renamed them
+
+KINDS: dict[str, dict[str, str]] = {
+    "plain": {},
+    "scaled": {"QT_SCALE_FACTOR": "2"},
+    "portuguese": {LANGUAGE: "Portuguese, Brazilian"},
+    "bare": {WITHOUT: "numba serial shapely"},
+    # Its start is measured: our Init.py and InitGui.py run through timed_start/. It is soon over, so it makes the
+    # documents, for which newer FreeCADs of `make matrix` wait.
+    "timed": {AUTOLOAD: "NoneWorkbench"},
+}
