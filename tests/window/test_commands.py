@@ -12,11 +12,11 @@ import FreeCADGui
 import Part
 import pytest
 from FreeCAD import Vector
-from hand import Hand
 from PySide import QtGui
 
 from CNCStepper.workbench import api, packages
 from CNCStepper.workbench.services import missing_packages
+from window_helpers.hand import Hand
 
 LABELS = {
     "CNCStepper_NewJob": "New job",

@@ -13,8 +13,9 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 import pytest
-from hand import Hand
 from PySide import QtGui
+
+from window_helpers.hand import Hand
 
 PORTUGUESE = "pt-BR"
 STARTED_IN = os.environ.get("CNCSTEPPER_WINDOW_LANGUAGE", "English")

@@ -11,11 +11,11 @@ from typing import Any
 
 import FreeCADGui
 import pytest
-import screen_places as places
-from hand import Hand
 from PySide import QtGui
 
 from CNCStepper.control.processes.python_finder import command, environment, find_python
+from window_helpers import screen_places as places
+from window_helpers.hand import Hand
 
 D, L = "CNCStepper_Dock_", "CNCStepper_Letters_"
 SIDE = 300

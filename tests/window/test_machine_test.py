@@ -10,14 +10,14 @@ from typing import Any
 
 import FreeCADGui
 import pytest
-import screen_places as places
-from hand import Hand
 from PySide import QtGui
 
 from CNCStepper.machine.files.profile_files import own_folder
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.workbench.dock.model.port_choices import VIRTUAL
 from CNCStepper.workbench.machines.port_picture import levels_of
+from window_helpers import screen_places as places
+from window_helpers.hand import Hand
 
 M, T, D = "CNCStepper_Machines", "CNCStepper_MachineTest", "CNCStepper_Dock_"
 

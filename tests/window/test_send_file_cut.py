@@ -10,14 +10,14 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 import pytest
-import screen_places as places
-from hand import Hand
 from PySide import QtGui
 
 from CNCStepper.job.proof_folder import SEND
 from CNCStepper.machine.cut_charts import cut_data_for
 from CNCStepper.workbench import api
 from CNCStepper.workbench.dock.model.port_choices import VIRTUAL
+from window_helpers import screen_places as places
+from window_helpers.hand import Hand
 
 D, C = "CNCStepper_Dock_", "CNCStepper_Cut_"
 PROGRAM = "G21 G90\nG0 X20 Y20\nM3 S1\nG4 P{0}\nG1 X60\nY50\nM5\nG0 X0 Y0\nM2\n"
