@@ -32,8 +32,11 @@ from CNCStepper.drawing.dxf.attributes import (
 )
 from CNCStepper.drawing.dxf.entities import BROKEN, Fits, curve_of
 from CNCStepper.drawing.dxf.ezdxf_log import collected_log
+from CNCStepper.drawing.dxf.hatches import hatch_curves, without_drawn
 from CNCStepper.drawing.dxf.limits import DEEPEST, MOST_BYTES, require_readable, require_small
 from CNCStepper.drawing.dxf.plain_entities import PlainEntity, SplitText, split_text
+from CNCStepper.drawing.dxf.texts import KINDS as TEXTS
+from CNCStepper.drawing.dxf.texts import Texts
 from CNCStepper.drawing.read_drawing import ReadOptions
 from CNCStepper.errors import GeometryError, JobError, Place, Text, placed
 from CNCStepper.geometry.chain_joining import NEAR_MM
@@ -46,6 +49,7 @@ from CNCStepper.tolerances import JOINED_ENDS_MM
 MOST_WORDS = 255  # characters of a name, and of what ezdxf says
 PARSED, CURVED = 0.4, 0.95  # of the time, for a drawing of lines, when ezdxf is done, and when all are curves
 TOLD_EVERY = 256  # entities
+FILLED = ("HATCH", *TEXTS)
 OUTSIDE = Insertion()
 UNIT_NAME = b"$INSUNITS"  # where a file does not hold it, ezdxf may take it for one in metres
 
@@ -78,7 +82,8 @@ def read_dxf(
         unit_mm = unit_mm or (_unit_mm(document) if UNIT_NAME in content else 1.0)
         unit_mm = Bounds("unit").require(unit_mm, "the drawing's unit", place)
         with placed(place):
-            pieces, skipped = _Reading(source, Fits(tolerance_mm / unit_mm), unit_mm).all(count, share)
+            reading = _Reading(source, Fits(tolerance_mm / unit_mm), unit_mm)
+            pieces, skipped = reading.all(count, share)
     damage = damage or (log[0] if log else "")
     if not pieces and damage:
         raise _no_dxf(path, damage)
@@ -94,7 +99,11 @@ def read_dxf(
         chains, gaps = joined_pieces(
             pieces, same_mm, near_mm, by_colour, lambda done: share(CURVED + (1.0 - CURVED) * done)
         )
-    return Drawing(chains, gaps, tuple(skipped), unit_mm, printable(damage, MOST_WORDS))
+    kept, doubles = without_drawn(chains)
+    warnings = list(reading.texts.warnings)
+    if doubles:
+        warnings.append(Text("{doubles} boundaries of hatches are drawn as lines too; they are read once", doubles=doubles))
+    return Drawing(tuple(kept), gaps, tuple(skipped), unit_mm, printable(damage, MOST_WORDS), tuple(warnings))
 
 
 def read(path: Path, options: ReadOptions, share: Share) -> Drawing:
@@ -123,6 +132,7 @@ class _Reading:
     def __init__(self, source: _Source, fits: Fits, unit_mm: float):
         self._source, self._fits, self._unit_mm = source, fits, unit_mm
         self._layers = Layers(source.document)
+        self.texts = Texts(source.document, fits.tolerance)
         self._pieces: list[tuple[int, Piece]] = []
         self._skipped: list[tuple[int, Skipped]] = []
 
@@ -169,13 +179,22 @@ class _Reading:
             for insert in _inserts(entity):
                 for part in _taken_apart(insert):
                     yield from self._read(part, number, inside)
+            for attached in entity.attribs:
+                yield from self._read(attached, number, inside)
             return
+        own = attributes(layer, colour, str(entity.dxf.handle or ""), around, entity.dxftype() in FILLED)
         try:
-            own = attributes(layer, colour, str(entity.dxf.handle or ""), around)
-            self._add(number, curve_of(entity, self._fits), own)
+            for curve in self._curves(entity):
+                self._add(number, curve, own)
         except GeometryError as error:
             self._skip(number, entity.dxftype(), layer, str(entity.dxf.handle or ""), error)
         yield
+
+    def _curves(self, entity: Any) -> list[Curve]:
+        kind = entity.dxftype()
+        if kind == "HATCH":
+            return hatch_curves(entity, self._fits)
+        return self.texts.curves(entity) if kind in TEXTS else [curve_of(entity, self._fits)]
 
     def _skip(self, number: int, kind: str, layer: str, handle: str, error: GeometryError) -> None:
         kind, layer, handle = (printable(text, MOST_WORDS) for text in (kind, layer, handle))
