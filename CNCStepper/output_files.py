@@ -8,6 +8,8 @@ one file are the same. An existing file is replaced without asking only where CN
     report         JSON whose "format" is "CNCStepper report"
     certificate    a zip whose proof.json, or in an old one JSON whose "format" is "CNCStepper certificate"
     picture        PNG, SVG, GIF, APNG, WebP or MP4 whose description names CNCStepper
+    drawing        DXF or SVG whose first lines say "made by CNCStepper"
+    job            a job file whose first line is a comment that says so
     sheet          PDF or HTML whose creator or generator is CNCStepper
     mesh           STL whose header names CNCStepper
     signals        CSV that begins with one of our headers, or VCD of the module "motion"
@@ -36,6 +38,8 @@ MARKS = {
     "report": rb'\A\s*\{[^{}]*"format": "CNCStepper report"',
     "certificate": rb'(?s)\A(PK\x03\x04.{26}proof\.json.{0,64}|\s*)\{[^{}]*"format": "CNCStepper certificate"',
     "picture": rb"(?s)\A(\x89PNG\r\n|GIF8|RIFF|<\?xml|....ftyp).*CNCStepper",
+    "drawing": rb"\A(999\r?\n|<\?xml[^\n]*\n[^\n]*\n<desc>)made by CNCStepper",
+    "job": rb"\A# [^\n]*made by CNCStepper",
     "sheet": rb"(?s)\A(%PDF|<!DOCTYPE html>).*made by CNCStepper",
     "mesh": rb"\ACNCStepper, binary STL",
     "signals": rb"\A(time_s,(x_steps|x,|0x)|\$timescale [^\n]*\n\$scope module motion)",

@@ -2,8 +2,9 @@
 """Writes the reference pages that follow from the code: `python tools/reference.py`.
 
 The tables of docs/reference/job-file.md, between two comments, are what the cycles declare; docs/reference/cli.md is
-what the commands declare. tests/unit/job/test_jobs_page.py and tests/unit/cli/test_cli_page.py fail when a page is
-behind the code.
+what the commands declare; docs/reference/shapes.md and its pictures are what the shapes of the library declare.
+tests/unit/job/test_jobs_page.py, tests/unit/cli/test_cli_page.py and tests/unit/drawing/test_shapes_page.py fail when a
+page is behind the code.
 """
 
 from __future__ import annotations
@@ -24,6 +25,10 @@ from CNCStepper.cli.main import FAMILIES, OTHER_NAMES, group  # noqa: E402
 from CNCStepper.cycles.catalogue import CYCLES  # noqa: E402
 from CNCStepper.cycles.holes.hole_parameters import PATTERNS  # noqa: E402
 from CNCStepper.cycles.parameter import Declared, Parameters, declared  # noqa: E402
+from CNCStepper.drawing.shape_library.declaration import LibraryShape  # noqa: E402
+from CNCStepper.drawing.shape_library.shape_families import FAMILIES as SHAPE_FAMILIES  # noqa: E402
+from CNCStepper.drawing.shape_library.shape_families import shapes_of  # noqa: E402
+from CNCStepper.drawing.writers.svg_writer import path_data  # noqa: E402
 from CNCStepper.job.shapes import SHAPE_KEYS  # noqa: E402
 
 PAGE = ROOT / "docs" / "reference" / "job-file.md"
@@ -34,6 +39,23 @@ CLI_HEAD = """# Command line
 Every command and its options, as `cncstepper COMMAND --help` prints them. `python tools/reference.py` writes this page
 from the code. [The user guide](../user-guide/command-line.md) shows the commands at work.
 """
+SHAPES_PAGE, SHAPE_PICTURES = PAGE.with_name("shapes.md"), ROOT / "docs" / "pictures" / "shapes"
+SHAPES_HEAD = """# Library of shapes
+
+A job file draws a shape of the library by its kind and its dimensions. Dimensions that are left out have the values in
+the table. `python tools/reference.py` writes this page and its pictures from the code.
+
+```
+[[shape]]
+name = "flange"
+library = { kind = "flange", outer_diameter_mm = 90, holes = 8, offset_mm = [60, 60], rotation_deg = 22.5 }
+```
+
+`offset_mm` moves the shape's zero, the cross in its picture, after `rotation_deg` has turned it. `part = "outline"` or
+`part = "holes"` takes some of its curves: a contour takes all, a drill the holes. Dimensions that do not go together
+are refused.
+"""
+PICTURE_PIXELS, PICTURE_MARGIN = 160.0, 0.08
 HEAD = ["| key | value | default | |", "|---|---|---|---|"]
 MODEL = "pocket"  # whose keys others have too, beside their own
 
@@ -190,6 +212,49 @@ def option_value(option: click.Option) -> str:
     return escaped(option.metavar or kind.name.upper())
 
 
+def shapes_page() -> str:
+    """Return the reference of the library in Markdown, a section a family of shapes."""
+    parts = [SHAPES_HEAD]
+    for title in SHAPE_FAMILIES:
+        parts.append(f"## {title}\n")
+        parts += [shape_part(shape) for shape in shapes_of(title)]
+    return "\n".join(parts)
+
+
+def shape_part(shape: LibraryShape) -> str:
+    """Return heading, picture and table of a shape."""
+    rows = [
+        f"| `{key}` | {one.bounds.words} | `{one.usual:g}` | {one.title} |" for key, one in shape.dimensions.items()
+    ]
+    picture = f"![{shape.title}](../pictures/shapes/{shape.kind}.svg)"
+    return "\n".join([f"### `{shape.kind}`", "", shape.about, "", picture, "", *HEAD, *rows, ""])
+
+
+def shape_picture(shape: LibraryShape) -> str:
+    """Return a picture of a shape with its usual dimensions as SVG; a cross is its zero."""
+    figure = shape.figure({})
+    left, low, right, high = figure.outline.box_mm
+    left, low, right, high = min(left, 0.0), min(low, 0.0), max(right, 0.0), max(high, 0.0)
+    size = max(right - left, high - low)
+    margin = PICTURE_MARGIN * size
+    box = [left - margin, -margin, right - left + 2.0 * margin, high - low + 2.0 * margin]
+    wide, tall = (PICTURE_PIXELS * side / size for side in box[2:])
+    line, arm = size / 130.0, size / 25.0
+    paths = "".join(path_data(curve, high) for curve in figure.curves)
+    cross = f"M{-arm:.4g} {high:.6g}H{arm:.4g}M0 {high - arm:.6g}V{high + arm:.6g}"
+    return (
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{wide:.0f}" height="{tall:.0f}" '
+        f'viewBox="{" ".join(f"{value:.6g}" for value in box)}">\n'
+        f'<path fill="#cfd8e6" fill-rule="evenodd" stroke="#1f4e9e" stroke-width="{line:.3g}" d="{paths}"/>\n'
+        f'<path fill="none" stroke="#c0267e" stroke-width="{line:.3g}" d="{cross}"/>\n</svg>\n'
+    )
+
+
+def shape_pictures() -> dict[str, str]:
+    """Return the pictures of all shapes by the names of their files."""
+    return {f"{shape.kind}.svg": shape_picture(shape) for title in SHAPE_FAMILIES for shape in shapes_of(title)}
+
+
 def escaped(text: str) -> str:
     """Return a text in which Markdown reads no table, no tag and no emphasis."""
     for sign in "|<*":
@@ -200,3 +265,7 @@ def escaped(text: str) -> str:
 if __name__ == "__main__":
     PAGE.write_text(page(PAGE.read_text("utf-8")), "utf-8", newline="\n")
     CLI_PAGE.write_text(cli_page(), "utf-8", newline="\n")
+    SHAPES_PAGE.write_text(shapes_page(), "utf-8", newline="\n")
+    SHAPE_PICTURES.mkdir(exist_ok=True)
+    for name, picture in shape_pictures().items():
+        (SHAPE_PICTURES / name).write_text(picture, "utf-8", newline="\n")

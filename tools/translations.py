@@ -49,6 +49,8 @@ CORE_MODULES = ("errors.py", "input_file.py", "quantities.py", "atomic_file.py")
 NO_SENTENCES = {
     "picture.py",
     "picture_style.py",
+    "drawing_picture.py",
+    "svg_writer.py",
     "readings_plot.py",
     "path_commands.py",
     "message_translation.py",

@@ -16,6 +16,13 @@ from CNCStepper.errors import CNCStepperError
 
 STOPPED = 130  # 128 + SIGINT
 FAMILIES = {  # folder of the verbs' modules: title in the help, and its verbs
+    "drawing": (
+        "Read drawings",
+        {
+            "drawing": "Show what is in a drawing and what is wrong with it; mend it.",
+            "job": "Make a job file of a drawing by the rules of a template.",
+        },
+    ),
     "program": (
         "Make and check programs",
         {

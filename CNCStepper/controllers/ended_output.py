@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a board has in place of an output that has ended by itself."""
+"""The output of a board after its pulse output has ended by itself."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class EndedOutput:
         """Nothing moves."""
 
     def resume(self) -> None:
-        """Nothing goes on."""
+        """Nothing continues."""
 
     def share(self, feed: float, rapid: float) -> None:
         """Nothing moves."""

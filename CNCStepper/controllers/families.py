@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Which board drives a machine, by its family; what the process of a controller needs of a board."""
+"""The board of a machine, by its family; the interface of a board for a controller's process."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class ServedBoard(Protocol):
         """Take note that `dt_s` seconds have passed."""
 
     def take_output(self) -> bytes:
-        """Return what the board has sent since the last call."""
+        """Return the bytes that the board has sent since the last call."""
 
     def come_to_rest(self) -> None:
         """Begin to brake, whatever moves, for the end of the process."""
@@ -62,7 +62,7 @@ FACTORIES: dict[str, Callable[[Machine, str], ServedBoard]] = {
 def open_board(machine: Machine, port: str) -> ServedBoard:
     """Return the board that drives a machine at a port.
 
-    Raises LinkError where the port cannot be had, MachineRefusal where nothing of ours drives this machine.
+    Raises LinkError where the port cannot be opened, MachineRefusal where CNCStepper cannot drive this machine.
     """
     factory = FACTORIES.get(family_of(machine))
     if factory is None:

@@ -17,6 +17,7 @@ from collections.abc import Sequence
 from CNCStepper.control.operator.hardware_buttons import Debouncer
 from CNCStepper.controllers.ended_output import EndedOutput, Output
 from CNCStepper.machine.controller_family import family_of
+from CNCStepper.machine.processes import process_named
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.wiring import ENABLE, Input, letters_of_own
 from CNCStepper.virtual.grbl.board import Board
@@ -24,6 +25,7 @@ from CNCStepper.virtual.grbl.input_pins import LIMITS
 from CNCStepper.virtual.grbl.machine import Grbl
 from CNCStepper.virtual.grbl.spindle_control import OFF
 from CNCStepper.virtual.grbl.states import State
+from CNCStepper.virtual.grbl.suspend import SPINDLE_RETURNS_S
 
 SPINDLES = {3: "spindle_cw", 4: "spindle_ccw"}
 MOTOR_LINES = ("_step", "_direction")
@@ -45,7 +47,9 @@ class Relays:
         named = {_squeezed(relay.name): str(relay.device) for relay in machine.relay if relay.device in self.wired}
         self._by_name = {_squeezed(device): device for device in self.wired} | named
         self._output = output
+        self._has_jet = any(process_named(name).pause_power == "off" for name in machine.processes)
         self._on: frozenset[str] = frozenset()
+        self._was_dark = False  # the outputs are off behind an open door
 
     @property
     def digital_outputs(self) -> int:
@@ -80,17 +84,30 @@ class Relays:
         self.follow(board)
 
     def follow(self, board: Board) -> None:
-        """Let every device be as the board has switched it; asleep everything is off, whatever switched it on."""
+        """Let every device be as the board has switched it; asleep everything is off, whatever switched it on.
+
+        Behind an open door the outputs of a machine that cuts with a jet are off too: one of them may be its torch.
+        """
         if board.state is State.SLEEP:
             board.outputs.clear()
             self.further.clear()
         wanted = {OUTPUT + str(number) for number in board.outputs} | self.further
         wanted |= {SPINDLES[board.spindle.direction]} if board.spindle.direction in SPINDLES else set()
         wanted |= {name for name, on in (("flood", board.flood), ("mist", board.mist)) if on}
-        wanted &= self.wired
+        wanted = self._behind_door(wanted & self.wired, board)
         for device in sorted(wanted ^ self._on):
             self._output.switch(device, device in wanted)
         self._on = frozenset(wanted)
+
+    def _behind_door(self, wanted: set[str], board: Board) -> set[str]:
+        """Return what of the devices stays on while a door is open; those that come back are waited for."""
+        suspension = board.suspension
+        is_dark = self._has_jet and suspension.door and suspension.stopped and suspension.restoring_s is None
+        jets = wanted & ({name for name in self.wired if name.startswith(OUTPUT)} | self.further)
+        if self._was_dark and not is_dark and jets and suspension.restoring_s is not None:
+            suspension.restoring_s = max(suspension.restoring_s, SPINDLE_RETURNS_S)
+        self._was_dark = is_dark
+        return wanted - jets if is_dark else wanted
 
     def lose_output(self, ended: EndedOutput) -> None:
         """Switch nothing any more: the output has ended, and everything is off."""

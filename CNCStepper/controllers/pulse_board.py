@@ -83,7 +83,7 @@ class PulseBoard(Grbl):
 
     def receive(self, data: bytes) -> None:
         """Take bytes from the sender."""
-        self._unless_ended(lambda: super(PulseBoard, self).receive(data))
+        self._unless_ended(lambda: self._take(data))
 
     def pins(self) -> str:
         """Return the input pins that are on, as the status report names them."""
@@ -142,6 +142,10 @@ class PulseBoard(Grbl):
 
     def _step(self, dt_s: float) -> None:
         self._unless_ended(lambda: self._act(dt_s))
+
+    def _take(self, data: bytes) -> None:
+        super().receive(data)
+        self._relays.follow(self)  # before time passes: what comes back behind a door is waited for
 
     def _act(self, dt_s: float) -> None:
         self._player.check()

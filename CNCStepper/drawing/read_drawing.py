@@ -12,9 +12,12 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from CNCStepper.drawing.drawing import Drawing, Share
+from CNCStepper.drawing.trace.options import TraceOptions
 from CNCStepper.errors import JobError, Place, Text
 from CNCStepper.geometry.chain_joining import NEAR_MM
 from CNCStepper.tolerances import JOINED_ENDS_MM
+
+AS_FOUND = TraceOptions()
 
 
 @dataclass(frozen=True)
@@ -22,9 +25,9 @@ class ReadOptions:
     """How a drawing is read.
 
     Curves that are no arcs become arcs within `tolerance_mm`. `unit_mm` is the length of the file's unit where the file
-    does not say it or is wrong. Of a solid, `height_mm` chooses the section or the level faces there, None its whole
-    outline seen from above. Ends within `same_mm` are joined, with `by_colour` only of lines of one colour; gaps up
-    to `near_mm` are reported.
+    does not say it or is wrong. Ends within `same_mm` are joined, with `by_colour` only of lines of one colour; gaps up
+    to `near_mm` are reported. `trace` is how a picture becomes contours. Of a solid, `height_mm` chooses the level
+    faces or the section there, None its whole outline seen from above.
     """
 
     tolerance_mm: float = 0.005
@@ -33,12 +36,16 @@ class ReadOptions:
     near_mm: float = NEAR_MM
     by_colour: bool = False
     height_mm: float | None = None
+    trace: TraceOptions = AS_FOUND
 
 
 Reader = Callable[[Path, ReadOptions, Share], Drawing]
 READERS = {  # suffix: the module whose function `read` is the reader
     ".dxf": "CNCStepper.drawing.dxf.reader",
     ".stl": "CNCStepper.drawing.solids.stl",
+    ".jpeg": "CNCStepper.drawing.trace.picture_tracer",
+    ".jpg": "CNCStepper.drawing.trace.picture_tracer",
+    ".png": "CNCStepper.drawing.trace.picture_tracer",
 }
 
 

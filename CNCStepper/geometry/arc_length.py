@@ -42,7 +42,7 @@ def places_along(rows, before_mm, lengths_mm):
 def stretch(xy, bulge, rows, before_mm, first_mm, last_mm):
     """Return the columns of the stretch between two lengths from the start, `first_mm` below `last_mm`.
 
-    Beyond the end it goes on from the start, as a closed chain does. A place within COINCIDENT_MM of a vertex is that.
+    Beyond the end it continues from the start, as a closed chain does. A place within COINCIDENT_MM of a vertex is it.
     """
     whole_mm, count = before_mm[-1], 0
     part_xy, part_bulge = np.empty((len(rows) + 3, 2)), np.empty(len(rows) + 2)

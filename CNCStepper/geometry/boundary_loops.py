@@ -70,7 +70,7 @@ def _spokesmen(pieces, owner, curves, count):
 
 @njit
 def _sides(rows, pieces, owner, spokesman, outlines, beside_mm):
-    """Return for each piece whether what is wanted lies to its left and to its right, as its spokesman says."""
+    """Return for each piece whether the wanted area is to its left and to its right, as at its representative."""
     asked = np.flatnonzero(spokesman == np.arange(len(spokesman)))
     places = np.empty((2 * len(asked), 2))
     for index in range(len(asked)):

@@ -2,7 +2,7 @@
 """Loose pieces of a drawing, in any order and direction, as chains; what nearly meets is reported with its place.
 
 Ends within `same_mm` of each other meet. Where two meet, their pieces become one; where more meet, those
-two that go on straightest, then the next two. A piece goes on as it was drawn where its chain allows.
+two that continue straightest, then the next two. A piece keeps its drawn direction where its chain allows.
 
         a ---->---- b ----<---- c        ends at b meet: one chain a b c, its second piece turned round
                        d ----            b and d lie apart by more than `same_mm`, by less than `near_mm`: a Gap
@@ -76,7 +76,7 @@ def _measures(pieces: Sequence[Curve]) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _partners(pieces: Sequence[Curve], same_mm: float) -> np.ndarray:
-    """Return the end that each end goes on with, int64[2 n], -1 for none; end 2 i begins piece i, 2 i + 1 ends it."""
+    """Return the end that follows each end, int64[2 n], -1 for none; end 2 i begins piece i, 2 i + 1 ends it."""
     partner = np.full(2 * len(pieces), -1)
     places, outward = _ends(pieces)
     for meeting in _groups(places, same_mm):
@@ -169,7 +169,7 @@ def _walks(partner: np.ndarray) -> list[list[int]]:
 
 
 def _followed(partner: np.ndarray, entered: int) -> list[int]:
-    """Return the ends at which pieces are entered from this one on, until none goes on or it comes round."""
+    """Return the ends at which pieces are entered from this one on, to the chain's end or once round."""
     walk = [entered]
     while (following := int(partner[walk[-1] ^ 1])) not in (-1, entered):
         walk.append(following)
@@ -186,18 +186,31 @@ def _one(parts: Sequence[Curve], closed: bool) -> Curve:
 
 def _gaps(chains: Sequence[Curve], near_mm: float) -> tuple[Gap, ...]:
     """Return the gaps between ends, each end in one gap at most."""
+    return tuple(Gap(_middle(ends), abs(ends[0] - ends[1])) for _, ends in nearly_meeting(chains, near_mm))
+
+
+def nearly_meeting(chains: Sequence[Curve], near_mm: float) -> list[tuple[tuple[int, int], tuple[complex, complex]]]:
+    """Return the pairs of ends of open chains within a distance, nearest first, and where they lie; each end once.
+
+    End 2 i begins chain i, end 2 i + 1 ends it. The ends of one chain that is hardly longer than their distance are no
+    pair.
+    """
     ends = complex_of(np.array([chain.xy[index] for chain in chains for index in (0, -1)]).reshape(-1, 2))
     pairs = _close_pairs(ends, near_mm)
     sizes = np.abs(ends[pairs[:, 0]] - ends[pairs[:, 1]])
     taken: set[int] = set()
-    gaps = []
+    found = []
     for row in np.argsort(sizes, kind="stable").tolist():
         a, b = pairs[row].tolist()
         if not taken & {a, b} and not _is_whole(chains, a, b, float(sizes[row])):
             taken |= {a, b}
-            middle = complex(ends[a] + ends[b]) / 2.0
-            gaps.append(Gap((middle.real, middle.imag), float(sizes[row])))
-    return tuple(gaps)
+            found.append(((a, b), (complex(ends[a]), complex(ends[b]))))
+    return found
+
+
+def _middle(ends: tuple[complex, complex]) -> tuple[float, float]:
+    middle = (ends[0] + ends[1]) / 2.0
+    return middle.real, middle.imag
 
 
 def _is_whole(chains: Sequence[Curve], a: int, b: int, size_mm: float) -> bool:

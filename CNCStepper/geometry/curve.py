@@ -42,13 +42,11 @@ from CNCStepper.geometry.curve_columns import LIMIT_MM, Columns, pairs_of, requi
 from CNCStepper.geometry.nearest_point import nearest, nearest_of
 from CNCStepper.geometry.proximity_tree import spines_of
 from CNCStepper.geometry.winding_number import windings
-from CNCStepper.tolerances import COINCIDENT_MM
+from CNCStepper.tolerances import COINCIDENT_MM, SAME_SCALE
 
 __all__ = ["COINCIDENT_MM", "LIMIT_MM", "Curve", "circle", "from_points", "joined", "straight"]
 
 Point = tuple[float, float]
-
-SIMILAR = 1e-9  # two scales that differ by less, relatively, are one
 
 
 class Curve(Columns):
@@ -124,7 +122,7 @@ class Curve(Columns):
         sizes, turns = np.linalg.svd(linear, compute_uv=False), float(np.linalg.det(linear))
         if not sizes[1] > 0.0:
             raise GeometryError("curve-scale", "a transform must not collapse the curve", value=f"scale {sizes[1]:g}")
-        if self.bulge.any() and sizes[0] - sizes[1] > SIMILAR * sizes[0]:
+        if self.bulge.any() and sizes[0] - sizes[1] > SAME_SCALE * sizes[0]:
             raise GeometryError(
                 "curve-uneven",
                 "an arc scaled unevenly is no arc",
@@ -148,7 +146,7 @@ class Curve(Columns):
         return self._stretch(begin_mm, begin_mm + self.length_mm)
 
     def part(self, first_mm: float, last_mm: float) -> Curve:
-        """Return the stretch between two places; a closed curve is gone round past its start when last <= first.
+        """Return the part between two places; on a closed curve it passes the start when last <= first.
 
         Raises GeometryError when the stretch has no length.
         """

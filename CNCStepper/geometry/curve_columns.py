@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The two columns of a Curve, refused when they are no curve, and the measures of all its segments at once.
 
-Lines and arcs as columns of complex numbers: what a Curve computes with, one row a segment.
+Lines and arcs as columns of complex numbers, one row a segment, for the computations of Curve.
 
     begin  complex128[n]   where the segment begins, x + iy, mm
     end    complex128[n]   where it ends; exactly where the next one of a chain begins
@@ -133,7 +133,7 @@ FLAT_RAD = 1e-3  # below, the area under an arc is sweep / 12 of its chord's squ
 
 @dataclass(frozen=True, eq=False)
 class Columns:
-    """Vertices and bulges of a chain, checked, with what is measured on them; see curve.py for the columns.
+    """Vertices and bulges of a chain, checked, with their measures; see curve.py for the columns.
 
     What others are computed from is kept: nothing changes a curve.
     """

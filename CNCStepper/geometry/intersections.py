@@ -116,7 +116,7 @@ def place_on(rows, row, x, y):
 
 @njit
 def _at_end(rows, row, x, y):
-    """Return whether a place on a row is surely one of its ends: mostly neighbours meet there, and it is soon told."""
+    """Return whether a place on a row is certainly one of its ends: a fast test, since most neighbours meet there."""
     begin = abs(x - rows[row, 0]) + abs(y - rows[row, 1])
     end = abs(x - rows[row, 2]) + abs(y - rows[row, 3])
     return min(begin, end) <= 0.5 * SAME_MM

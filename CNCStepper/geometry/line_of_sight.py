@@ -60,7 +60,7 @@ def sees(barrier, boxes, tree, hx, hy, tx, ty):
 
 @njit
 def _crosses(rows, row, hx, hy, dx, dy):
-    """Return whether a row meets the straight way d from h: a square equation in the share of the way."""
+    """Return whether a row meets the straight line d from h: a quadratic equation in the share of the line."""
     k, nx, ny, bx, by = rows[row, 5], -rows[row, 7], rows[row, 6], hx - rows[row, 0], hy - rows[row, 1]
     a, half = k * (dx * dx + dy * dy), k * (bx * dx + by * dy) - (nx * dx + ny * dy)
     rest = k * (bx * bx + by * by) - 2.0 * (nx * bx + ny * by)

@@ -20,7 +20,7 @@ from CNCStepper.kernels import njit
 from CNCStepper.tolerances import SAME_MM, SAME_PIECE_MM
 
 LOOKED_AT = 0.382  # of a piece: its very middle may touch something by symmetry, this place by no such chance
-SHORT_MM = 4.0 * SAME_MM  # what is shorter and returns to its node is nothing
+SHORT_MM = 4.0 * SAME_MM  # a shorter piece that returns to its node is none
 
 
 class LoopPieces(NamedTuple):

@@ -2,7 +2,7 @@
 """Kernels: the nearest place on lines and arcs, exact; rows as in box_tree.py, spines as in proximity_tree.py.
 
 A node's chord at distance d from a place, which the rows below leave by at most s, proves that none of them is
-nearer than d - s: nodes that cannot hold anything nearer than what is found are passed over.
+nearer than d - s: nodes that cannot hold anything nearer than the best so far are skipped.
 """
 
 from __future__ import annotations

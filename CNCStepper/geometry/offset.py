@@ -139,7 +139,7 @@ def _lay_chain(rows, vertices, bulge, shortest_mm):
 
 @njit
 def _seen(raw, own, rows, spines, far_mm):
-    """Return what a look says of each row of the raw parallel: DEAD when all of it is too near."""
+    """Return the result of a look for each row of the raw parallel: DEAD when all of it is too near."""
     there, dead = np.empty((len(raw), 2)), np.empty(len(raw))
     for row in range(len(raw)):
         there[row, 0], there[row, 1] = place_at(raw, row, LOOKED_AT * raw[row, 10])

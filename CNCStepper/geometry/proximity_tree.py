@@ -18,7 +18,7 @@ import numpy as np
 from CNCStepper.geometry.box_tree import DEEPEST, LEAF
 from CNCStepper.kernels import njit
 
-DEAD, NEAR, FAR = 0, 1, 2  # what a look says
+DEAD, NEAR, FAR = 0, 1, 2  # results of a look
 
 
 @njit
@@ -127,7 +127,7 @@ def look(rows, spines, x, y, limit, dead, stack):
                 away = distance(rows, row, x, y)
                 if away < dead:
                     return DEAD
-                if away < limit:  # now only what is nearer than `dead` is of interest
+                if away < limit:  # from here only rows nearer than `dead` matter
                     answer, limit = NEAR, max(dead, 0.0)
             continue
         left, right = square_to(spines, 2 * node, x, y), square_to(spines, 2 * node + 1, x, y)

@@ -30,11 +30,10 @@ from CNCStepper.geometry.nearest_point import nearest
 from CNCStepper.geometry.offset import left_loops
 from CNCStepper.geometry.proximity_tree import spines_of
 from CNCStepper.geometry.winding_number import windings
-from CNCStepper.tolerances import SAME_MM
+from CNCStepper.tolerances import NO_AREA_MM2, SAME_MM
 
 SMALL_MM = (1e-4, 2e-4, 5e-4, 1e-3)  # how long a step of an outline must be to count; more where that tangles
-BESIDE_MM = (4.0 * SAME_MM, 1.2 * SAME_MM)  # how far beside a piece its two sides are looked at
-NOTHING_MM2 = 1e-9  # a loop round less is rounding
+BESIDE_MM = (4.0 * SAME_MM, 1.2 * SAME_MM)  # distance from a piece at which its two sides are tested
 
 
 @dataclass(frozen=True, eq=False)
@@ -147,7 +146,7 @@ class Region:
 
 
 def _joined_up(loop: Curve, keep: np.ndarray) -> Curve:
-    """Return a loop without some of its segments; each that stays goes on to the next one."""
+    """Return a loop without some of its segments; each remaining one is extended to the next."""
     stay = np.flatnonzero(keep)
     return loop if len(stay) == len(loop) else Curve(loop.xy[np.append(stay, stay[0])], loop.bulge[stay])
 
@@ -171,7 +170,7 @@ def _bounds(curves: Sequence[Curve], outlines: int) -> Bundle:
     for small_mm, beside_mm in itertools.product(SMALL_MM, BESIDE_MM):
         closes, found = bounds(bundle, outlines, small_mm, beside_mm)
         if closes:
-            return found.where(np.abs(areas(*found)) > NOTHING_MM2)
+            return found.where(np.abs(areas(*found)) > NO_AREA_MM2)
     x, y = bundle.xy[0]
     raise GeometryError(
         "region-tangle",

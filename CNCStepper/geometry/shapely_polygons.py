@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Regions of lines and arcs as shapely polygons of short chords, for those who only look at them."""
+"""Regions of lines and arcs as shapely polygons of short chords, for display and measurement."""
 
 from __future__ import annotations
 

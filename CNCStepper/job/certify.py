@@ -61,7 +61,7 @@ Read = TypeVar("Read")
 _PLAY = TypeAdapter(Backlash)
 SOURCE = ("number", "name", "source")  # of a chart's row: where it comes from
 MOST_NAMED = 4  # values in a refusal
-ANY_TOOL = "any"  # the number of a tool that stands for every number
+ANY_TOOL = "any"  # the number of a tool that applies to every number
 
 
 class Sent(Protocol):
@@ -155,18 +155,18 @@ def certificate_of(proof: Proven) -> Certificate:
 
 
 def _language(given: Given) -> dict[str, str]:
-    """Return the program's language where what is sent is in another one."""
+    """Return the program's language where the wire text is in another one."""
     return {"dialect": given.dialect} if translated_to(given.machine, given.dialect) is not None else {}
 
 
 def _play(given: Given) -> dict[str, Any] | None:
-    """Return the play of the axes that the wire text takes up; None where it takes up none."""
+    """Return the backlash of the axes that the wire text compensates; None for none."""
     play = backlash_of(given.machine, given.dialect)
     return asdict(play) if play else None
 
 
 def proven_wire(certificate: Certificate, text: str, dialect: str, file: str, start: Start | None) -> WireText:
-    """Return the wire text of a program with the play that a certificate's proof has taken up.
+    """Return the wire text of a program with the backlash that a certificate's proof has compensated.
 
     start: None is the one of the proof. Raises ProgramError as `prepare` does,
     JobError where the certificate's play or start is none.
@@ -194,7 +194,7 @@ def _play_in(content: Mapping[str, Any]) -> Backlash | None:
 
 
 def _part_of(certificate: Certificate, read: Callable[[Mapping[str, Any]], Read]) -> Read:
-    """Return what is read of a certificate's content, which somebody may have made by hand."""
+    """Return the checked content of a certificate, which may be hand-made."""
     try:
         return read(certificate.content)
     except (AttributeError, KeyError, TypeError, ValueError) as error:
@@ -260,7 +260,7 @@ def _counted(stream: PulseStream, rate: PeakRate) -> Iterator[PulseChunk]:
 
 
 def _path_retract(machine: Machine, start: Start, dialect: str) -> dict[str, Any]:
-    """Return what a way back along the cut is proven with, as plain data."""
+    """Return the data with which a retract along the cut is proven."""
     profile = machine.model_dump(mode="json")
     return {"machine": profile, "start": _start(start), "dialect": machine.wire_language(dialect)}
 
@@ -271,7 +271,7 @@ def _offsets(start: Start) -> dict[str, tuple[float, ...]]:
 
 
 def _places(start: Start, lines: Sequence[str]) -> dict[str, tuple[float, ...]]:
-    """Return the places of G28 and G30 that the proof has gone to, machine coordinates in mm."""
+    """Return the positions of G28 and G30 that the proof has used, machine coordinates in mm."""
     return {
         name: tuple(start.parameters[first + axis] * start.machine_unit_mm for axis in range(len(ZERO3)))
         for name, first in HOMES.items()
@@ -334,7 +334,7 @@ def tools_digest(tools: Tools | None) -> str:
 
 
 def keep_out_digest(clamps: Sequence[Clamp], edge_mm: float | None) -> str:
-    """Return the fingerprint of what the tool must keep clear of: the clamps and the sheet's rim."""
+    """Return the fingerprint of the obstacles of the tool: the clamps and the sheet's rim."""
     return digest_of(_keep_out(clamps, edge_mm))
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a job takes from a cut chart: its row for process, material and thickness, and the tool that the row describes.
+"""Applies a cut chart to a job: its row for process, material and thickness, and the tool that the row describes.
 
     process = "plasma"              the process, which the machine's profile must name
     material = "mild-steel"         of the chart; the thickness is the third value of the stock's size_mm
@@ -105,6 +105,6 @@ def filled(tool: Tool, process: Process, row: CutData, most_mm_min: float) -> To
 
 
 def as_cut_by(row: CutData, tool: Tool) -> CutData:
-    """Return the row with what the tool says otherwise: its diameter is the kerf, at any feed."""
+    """Return the row with the tool's own values: its diameter is the kerf, at any feed."""
     said = {"kerf_by_feed": (), "kerf_mm": tool.diameter_mm, "feed_mm_min": tool.feed_mm_min, "power": tool.spindle_rpm}
     return row.model_copy(update={key: value for key, value in said.items() if value or key == "kerf_by_feed"})

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Ellipses and B-splines of drawings as arcs within a tolerance, from plain data; a window lets the cut process do it.
 
-edge ──► Spline or Ellipse (plain data) ──► fit_of ──► Curve, kept for the next who asks
+edge ──► Spline or Ellipse (plain data) ──► fit_of ──► Curve, kept for the next call
                              │
                              └── require, while a window only looks ──► Unfitted: what the process is to be asked
 """
@@ -78,7 +78,7 @@ class Ellipse(Line):
 
 @dataclass(frozen=True)
 class Spline(Line):
-    """A B-spline. knots: each as often as it counts; period: 0 for one that does not go on where it ends.
+    """A B-spline. knots: repeated by their multiplicity; period: 0 for one that is not periodic.
 
     corners: whether its corners and cusps are looked for, which may lie at its knots.
     """
@@ -134,14 +134,14 @@ def fit_of(line: Line, tolerance_mm: float) -> Curve:
 
 
 def require(lines: Sequence[Line], tolerance_mm: float) -> None:
-    """Raise Unfitted for lines that are not fitted yet, while a window only looks at what it takes to make objects."""
+    """Raise Unfitted for lines that are not fitted yet, while a window only collects the work of making objects."""
     missing = [line for line in lines if line.key(tolerance_mm) not in _fits] if looks_only() else []
     if missing:
         raise Unfitted({"fit": [line.content for line in missing], "tolerance_mm": tolerance_mm})
 
 
 def answer_to(question: dict[str, Any]) -> dict[str, Any]:
-    """Return what the cut process answers: the fits by their keys, as columns; raises GeometryError."""
+    """Return the answer of the cut process: the fits by their keys, as columns; raises GeometryError."""
     tolerance_mm = question["tolerance_mm"]
     lines = [_line(content) for content in question["fit"]]
     curves = [(line.key(tolerance_mm), line.fit(tolerance_mm * SAMPLED)) for line in lines]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Jobs that find out what a cut chart should say: a kerf test and speed tests, as text of job files.
+"""Jobs that measure values of a cut chart: a kerf test and speed tests, as text of job files.
 
 kerf test      a square of side S with a square hole of S / 2:   kerf = kerf used + (S - part + hole - S / 2) / 2
 (a wire)       a square of side S, entered from the edge:        kerf = kerf used + S - part
@@ -17,7 +17,7 @@ from CNCStepper.machine.processes import process_named
 
 SLOWEST, FASTEST = 0.7, 1.3  # of the chart's feed, in a speed test
 SQUARE_MM = 25.0  # of a speed test
-ROOM_MM = 15.0  # around the parts, for leads and pierces, beside what the chart wants
+ROOM_MM = 15.0  # around the parts, for leads and pierces, besides the chart's own lengths
 
 
 def kerf_test(row: CutData, machine: str, side_mm: float = 80.0) -> str:

@@ -72,7 +72,7 @@ def _machine(content: str) -> Machine:
 
 
 def program_texts(job: Job, machine: Machine, title: str) -> list[tuple[str, str]]:
-    """Return the names and texts of a job's programs; raises what the core raises.
+    """Return the names and texts of a job's programs; raises the errors of `make`.
 
     It is one without a name, or several where the machine wants one a tool.
     """

@@ -26,13 +26,13 @@ class CycleCache:
         self._moves: Toolpath = table.toolpath()
 
     def __getattr__(self, name: str) -> Any:
-        """Return a parameter of the cycle, for a job that asks one operation what it means for another."""
+        """Return a parameter of the cycle, for a job that compares its operations."""
         if name.startswith("_") or name == "model":  # while it is copied it has none yet
             raise AttributeError(name)
         return getattr(self.model, name)
 
     def fits(self, cycle: Any, setup: Setup) -> bool:
-        """Return whether cutting `cycle` with `setup` would give what is kept here."""
+        """Return whether this is the cut of `cycle` with `setup`."""
         return (self.model, self.setup) == (cycle, setup)
 
     def cut(self, setup: Setup, table: TableBuilder) -> Answer:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""While a window only looks at what it takes to make objects, it calculates nothing that takes long.
+"""While a window only collects the work of making objects, it calculates nothing that takes long.
 
 What is missing is raised as `Unfitted`, with the question that the cut process is asked for it. Nothing changes in the
 document meanwhile: what all operations of a job need of it is worked out `once`.
@@ -20,7 +20,7 @@ Found = TypeVar("Found")
 
 
 class Unfitted(GeometryError):
-    """Lines are not fitted yet; `question` is what the cut process is asked for them."""
+    """Lines are not fitted yet; `question` is the request for them to the cut process."""
 
     def __init__(self, question: dict[str, Any]):
         super().__init__("unfitted", "the lines are being fitted", advice="it goes on by itself")
@@ -45,7 +45,7 @@ def looks_only() -> bool:
 
 
 def once(what: str, obj: Any, work_out: Callable[[], Found]) -> Found:
-    """Return what is worked out of an object; while a window only looks the first one's is everyone's."""
+    """Return the result for an object; while a window only collects work, the first one's result serves all."""
     if not _only_looking:
         return work_out()
     key = what, obj.Document.Name, obj.Name

@@ -157,7 +157,7 @@ def _loose(job: Job, first: int, places: Sequence[Place], answers: Sequence[Answ
 
 
 def _warnings(places: Sequence[Place], answers: Sequence[Answer], stock: Stock) -> Iterator[Finding]:
-    """Yield what the cycles warn of, and shapes beside the stock, each at the first line of its operation."""
+    """Yield the warnings of the cycles, and shapes outside the stock, each at the first line of its operation."""
     for place, answer in zip(places, answers, strict=False):
         for warning in answer.warnings:
             yield Finding("warning", "not-exact", place, warning)

@@ -2,7 +2,7 @@
 """How far values may go for a job's stock and machine before they are slips: of a decimal point, or of a unit.
 
 Bounds without a job are those of the quantities (`quantities`); what only leaves the stock a little is a finding, not
-a slip. A key says what it measures:
+a slip. A key's suffix is its unit:
 
     depths    depth_mm, stepdown_mm, …    twice the stock's thickness and 10 mm, and the travel of Z
     heights   clearance_mm, …             the travel of Z, without a Z that of the last axis
@@ -79,13 +79,13 @@ def largest(found: dict[str, Any]) -> dict[str, float]:
 
 
 def _largest(value: Any) -> float:
-    """Return the largest number of a value, whatever its sign; 0 for what is none."""
+    """Return the largest absolute number of a value; 0 without one."""
     numbers = value if isinstance(value, tuple | list) else [value]
     return max(map(abs, numbers), default=0.0) if all(isinstance(number, int | float) for number in numbers) else 0.0
 
 
 def reach_of(stock_mm: tuple[float, float, float], machine: Machine) -> Reach:
-    """Return how far values may go on a stock of that size and that machine."""
+    """Return the limits of values for a stock of that size and that machine."""
     travels_mm = [axis.travel_max_mm - axis.travel_min_mm for axis in machine.own_axes.values()]
     travel = Limit(travels_mm[-1], "travel")
     stock_limit = Limit(TIMES_THICK * stock_mm[2] + SPARE_MM, "depth")

@@ -33,7 +33,7 @@ COOLANTS = ("mist", "flood")
 
 @dataclass(frozen=True)
 class LetterFile:
-    """What a file of letters does. steps: where it ends, of X, Y and Z. least, most: how far it goes on the way."""
+    """The motion of a file of letters. steps: its end, of X, Y and Z. least, most: its extent."""
 
     pulses: int
     steps: tuple[int, ...]

@@ -20,9 +20,9 @@ from CNCStepper.toolpath import TableBuilder, Toolpath
 
 @dataclass(frozen=True)
 class Made:
-    """A program and what is known of it before it is read back.
+    """A program with the facts that are known before it is read back.
 
-    program: the text in the machine's dialect. toolpath: what the cycles made, in work coordinates.
+    program: the text in the machine's dialect. toolpath: the cycles' moves, in work coordinates.
     answers: one for each operation, in order.
     """
 

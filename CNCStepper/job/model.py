@@ -306,7 +306,7 @@ class Job(BaseModel):
 
     @property
     def begin(self) -> Start:
-        """Where the first operation finds the tool, in work coordinates: at the zero where the language says so."""
+        """The position before the first operation, in work coordinates: the zero if the language starts there."""
         return Start.at_zero() if self._starts_at_zero else Start()
 
     @property
@@ -320,7 +320,7 @@ class Job(BaseModel):
         return self.process == MILLING.name
 
     def remarks(self, machine: Machine) -> dict[int, tuple[Remark, ...]]:
-        """Return what is out of the range of tool or material on that machine, by tool; nothing without a material."""
+        """Return the values out of the range of tool or material on that machine, by tool; none without a material."""
         if not (self.is_milled and self.material):
             return {}
         used = {operation.tool for operation in self.operation}
@@ -352,7 +352,7 @@ class Job(BaseModel):
         return ", ".join(tool.words for tool in self.tool)
 
     def setup(self, operation: Cycle) -> Setup:
-        """Return what the job gives that operation besides its own parameters."""
+        """Return the job's data for that operation besides its own parameters."""
         keep: tuple[Curve, ...] = ()
         parts: tuple[tuple[Curve, ...], ...] = ()
         if depends_on_contours(operation):  # a cut is kept by its setup: no more
@@ -368,7 +368,7 @@ class Job(BaseModel):
         return Setup(*given, self.cutting, row, self._has_z, self._power_s(tool))
 
     def _power_s(self, tool: Tool) -> float:
-        """Return the S with which a beam or wire is on; a torch that is a switch knows only on and off."""
+        """Return the S with which a beam or wire is on; a torch has only on and off."""
         if self._is_switch:
             return ON_RPM
         share = (self.cut_data.power_percent if self.cut_data else 0.0) / 100.0
@@ -381,7 +381,7 @@ def depends_on_contours(operation: Cycle) -> bool:
 
 
 def _kept_by(operation: Cycle) -> tuple[Curve, ...]:
-    """Return the outlines of what a contour leaves standing."""
+    """Return the outlines of the parts that a contour leaves."""
     return operation.kept() if operation.cycle == "contour" else ()  # type: ignore[attr-defined]
 
 
@@ -406,7 +406,11 @@ def read_job(path: Path, share: Share = lambda share: None) -> Job:
 
 
 def _read(path: Path, share: Share) -> Job:
-    content = read_json(path) if path.suffix.lower() == ".json" else read_toml(path)
+    return job_of_content(read_json(path) if path.suffix.lower() == ".json" else read_toml(path), path, share)
+
+
+def job_of_content(content: dict[str, Any], path: Path, share: Share = lambda share: None) -> Job:
+    """Return the job that a file of this content at `path` holds; the content is used up. Raises as `load_job` does."""
     drawn = Drawn()
     shapes = read_shapes(_tables(content, "shape", path), path.parent, str(path), drawn, share)
     content.pop("shape", None)
@@ -490,7 +494,7 @@ def _notes(content: dict[str, Any], path: Path) -> list[Any]:
 
 
 def file_in_job_folder(folder: Path, name: Any, key: str, file: str) -> Path:
-    """Return the path of a file that a job names, looked for in its folder; raises JobError for what is no text."""
+    """Return the path of a job's file, relative to its folder; raises JobError for a value of another type."""
     if not isinstance(name, str):
         advice = Text('write {key} = "file"', key=key)
         raise JobError(

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The folder in which a proof is asked for and answered, between a window and the process that proves.
+"""The folder with request and answer of a proof, between a window and the process that proves.
 
-    job.json  machine.json  program.nc        what is asked; the machine is that of machine.json
-    part.npz                                  what is left of the stock, as soon as it is cut: a first picture
-    result.json  moves.npz  lines.npz  fallen.npz  tools.npz  send.zip     what is answered then; or error.json, why not
+    job.json  machine.json  program.nc        the request; the machine is that of machine.json
+    part.npz                                  the cut stock, as soon as it is known: a first picture
+    result.json  moves.npz  lines.npz  fallen.npz  tools.npz  send.zip     the answer; or error.json
     tiles.bin  part.stl                       what `simulation_timeline` answers afterwards
 
 send.zip is the program's certificate. Reading an answer takes numpy only, so that a window does it at once.
@@ -83,7 +83,7 @@ class Answer:
 
 
 def write_question(folder: Path, program: str, job: Job, machine: Machine) -> None:
-    """Write what is asked."""
+    """Write the request."""
     from CNCStepper.job.model import save_job
 
     (folder / PROGRAM).write_bytes(program.encode("utf-8"))
@@ -92,7 +92,7 @@ def write_question(folder: Path, program: str, job: Job, machine: Machine) -> No
 
 
 def read_question(folder: Path) -> tuple[str, Job, Machine]:
-    """Return program, job and machine; raises JobError for what is not as `write_question` left it."""
+    """Return program, job and machine; raises JobError for files that `write_question` has not written so."""
     from CNCStepper.job.model import read_job
     from CNCStepper.machine.profile import Machine, validated
 
@@ -110,7 +110,7 @@ def proven_file(folder: Path) -> str:
 
 
 def write_part(folder: Path, part: HeightMap) -> None:
-    """Write what is left of the stock; the file appears when all of it is there."""
+    """Write the cut stock; the file appears when it is complete."""
     from CNCStepper.simulation.meshes.mesh_faces import faces_of
     from CNCStepper.simulation.views.coloured_faces import drawn, height_range_mm
 
@@ -156,7 +156,7 @@ def write_error(folder: Path, error: CNCStepperError) -> None:
 
 
 def read_part(folder: Path) -> Part:
-    """Return what is left of the stock, once it is written."""
+    """Return the cut stock, once it is written."""
     with np.load(folder / PART, allow_pickle=False) as arrays:
         return Part(**arrays)
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Program text to proof: read back from the wire text, timed, judged, checked, reported and drawn.
 
-Nothing here looks at what the cycles meant to do, except at the shapes that they want removed.
+Nothing here uses the cycles' moves; only the shapes that they want removed.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ if TYPE_CHECKING:
     from CNCStepper.simulation.removal.timeline import TimelinePosition
     from CNCStepper.simulation.views.scene import Scene
 
-STAGES = ("make", "read", "cut", "time", "judge", "check", "report")  # what `tell` hears, in this order
+STAGES = ("make", "read", "cut", "time", "judge", "check", "report")  # arguments of `tell`, in this order
 Tell = Callable[[str], None]
 Share = Callable[[float], None]
 See = Callable[[HeightMap], None]
@@ -113,7 +113,7 @@ class Proof:
         return None if self.part is None else self.part.cell_mm
 
     def scene(self, moment: TimelinePosition | None = None, part: HeightMap | None = None) -> Scene:
-        """Return what a picture shows of the program's end, or of a moment and the part at that moment.
+        """Return the contents of a picture of the program's end, or of a time and the part at that time.
 
         Raises JobError for a program that was proven without stock and tools.
         """
@@ -174,7 +174,7 @@ def prove(
     shapes wanted, in work coordinates, by which gouge and left-over are judged. keep_out: the clamps. edge_mm: how far
     from the sheet's edge cuts must stay. before: the programs that have cut this stock; `removals` hold theirs too.
     process, cut_data, parts: how it cuts, the row of the cut chart, and the shapely polygons that are to be left whole.
-    tell: called with the stage that begins, one of STAGES. share: with how much of reading and timing is done, 0 to 1.
+    tell: called with the stage that begins, one of STAGES. share: called with the share of reading and timing, 0 to 1.
     see: called with the part once it is cut, before judging.
     """
     language = machine.language(dialect)
@@ -206,7 +206,7 @@ def _own_pieces(sheet: SheetVerdict | None, toolpath: Toolpath, moves: Toolpath)
 
 
 def _sheet(given: Given, moves: Toolpath, ends_s: np.ndarray) -> SheetVerdict | None:
-    """Return what the moves cut free of a sheet; ends_s: of the last of them. None where nothing comes free."""
+    """Return the pieces that the moves cut free of a sheet; ends_s: end of the last move. None for no pieces."""
     cutting = Cutting(given.process, given.cut_data, given.parts)
     if given.tools is None or not cutting.is_through_sheet:
         return None
@@ -267,7 +267,7 @@ def prove_job(
     """Return the proof of a job's program text, as `prove` does, against the shapes that the job wants removed.
 
     earlier: the proofs of the programs that the job was split into and that are run before this one, in their order.
-    answers: what the program's own operations answered, where somebody has just cut them; else they are cut anew.
+    answers: those of the program's own operations, where they were just cut; else they are cut again.
     """
     if tell := options.get("tell"):
         tell("make")
@@ -402,7 +402,7 @@ def prior_proofs(
 
 
 def answers_of(job: Job, machine: Machine, number: int) -> list[Answer]:
-    """Return what the operations of the job's program answer, of the one after `number` others where it is split."""
+    """Return the answers of the operations of the job's program, of part `number` (from 0) of a split one."""
     if is_split(job, machine):
         return make_parts(job, machine)[number].answers
     return make_program(job, machine).answers

@@ -2,7 +2,7 @@
 """The proof of a program's file, piece by piece: memory stays the same however long the program is.
 
     WireFile ─chunks─► tool's way ─► planner ─► parts of PART_ROWS rows ─► Checks · Figures · the cut part
-        └── what is sent ─► columns of a bundle, for the certificate
+        └── wire text ─► columns of a bundle, for the certificate
 
 It finds and reports what `prove.prove` does of the whole text. Where shapes are judged, the path that cuts lies on the
 disk until all of it is known, and is judged block by block.
@@ -47,7 +47,7 @@ from CNCStepper.simulation.table_parts import PART_ROWS, TableParts
 from CNCStepper.state import Start
 from CNCStepper.toolpath import Chunk, Event, Span, Toolpath, straight_chunks
 
-if TYPE_CHECKING:  # what looks at the stock is loaded where there is one: a short check takes half the time without
+if TYPE_CHECKING:  # modules for the stock are loaded where there is one: a short check takes half the time without
     from shapely.geometry.base import BaseGeometry
 
     from CNCStepper.control.program.program_columns import ColumnWriter
@@ -189,7 +189,7 @@ class _FileProof:
         self._whole_s = 0.0
 
     def _reading(self, path: Path, start: Start | None, **options: Unpack[WireOptions]) -> WireFile | TranslatedFile:
-        """Return the reading of the file through what is sent of it."""
+        """Return the reading of the file through its wire text."""
         dialect = self._given.dialect
         if (target := translated_to(self._machine, dialect)) is not None:
             return TranslatedFile(path, start, dialect, target, **options)
@@ -328,7 +328,7 @@ class _FileProof:
         return self._judged.judged(self._given.removals)
 
     def _sheet_verdict(self) -> SheetVerdict | None:
-        """Return what is cut free of the sheet, of a process that cuts through."""
+        """Return the pieces cut free of the sheet, of a process that cuts through."""
         if not self._sheet:
             return None
         from CNCStepper.simulation.exact.free_pieces import SheetVerdict, freed_pieces

@@ -10,7 +10,7 @@ A saved job holds the curves themselves and needs no shapes any more.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -20,21 +20,29 @@ import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, StrictBool, model_validator
 
 from CNCStepper.cycles.parameter_types import CurveField
+from CNCStepper.drawing.chain_list import counts_of
 from CNCStepper.drawing.drawing import Drawing, Share
 from CNCStepper.drawing.dxf.reader import read_dxf
 from CNCStepper.drawing.point_list import read_points
+from CNCStepper.drawing.repair.mend import CHANGES, Change, mended
 from CNCStepper.errors import GeometryError, JobError, Place, Text, placed
 from CNCStepper.geometry.curve import Curve, circle, from_points
+from CNCStepper.geometry.fitting.point_fit import refitted
 from CNCStepper.geometry.shapes.ellipse import Ellipse
 from CNCStepper.geometry.shapes.rectangle import rectangle
+from CNCStepper.job.drawings.read_any import read_any_drawing
+from CNCStepper.job.shape_forms.drawing_form import DrawingForm
+from CNCStepper.job.shape_forms.library_form import LibraryForm
 from CNCStepper.machine.profile import validated
-from CNCStepper.quantities import MOST_ITEMS, Angle, Bounds, Coordinate, Length, LengthOr0, Unit, shown
+from CNCStepper.quantities import MOST_ITEMS, Angle, Bounds, Coordinate, Length, LengthOr0, Unit, WidthOr0, shown
 
 Point = tuple[Coordinate, Coordinate]
 ELLIPSE_TOLERANCE_MM = 0.001
 MOST_DRAWINGS = 32  # that one job reads: each may take a minute
 MOST_DRAWN = 2_000_000  # lines and arcs in the files of one job
-MOST_SKIPPED = 5  # entities told one by one
+MOST_SKIPPED = 5  # entities that are listed
+MOST_LISTED = 12  # layers that a refusal names
+MOST_GAPS = 1000  # that the notes of one shape name
 
 
 class _Checked(BaseModel):
@@ -42,7 +50,7 @@ class _Checked(BaseModel):
 
 
 class CircleForm(_Checked):
-    """A circle; lengths in mm, as the name of its key says."""
+    """A circle; lengths in mm, as the suffix of a key says."""
 
     centre: Point
     radius: Length
@@ -96,7 +104,10 @@ class DxfForm(_Checked):
 
 
 class ShapeForm(_Checked):
-    """A shape as a job file names it: a name and one way of drawing it. `closed` belongs to `points`."""
+    """A shape as a job file names it: a name and one way of drawing it. `closed` and `smooth_mm` belong to `points`.
+
+    smooth_mm: the line through the points becomes arcs and lines within it.
+    """
 
     name: str = Field(min_length=1)
     polygon_mm: tuple[Point, ...] | None = Field(default=None, min_length=3, max_length=MOST_ITEMS["points"])
@@ -105,7 +116,10 @@ class ShapeForm(_Checked):
     ellipse_mm: EllipseForm | None = None
     points: str | None = None
     closed: StrictBool = False
+    smooth_mm: WidthOr0 = 0.0
     dxf: DxfForm | None = None
+    drawing: DrawingForm | None = None
+    library: LibraryForm | None = None
     curve: CurveField | None = None
 
     @model_validator(mode="after")
@@ -118,10 +132,12 @@ class ShapeForm(_Checked):
             )
         if self.closed and self.points is None:
             raise ValueError("closed belongs to points")
+        if self.smooth_mm and self.points is None:
+            raise ValueError("smooth_mm belongs to points")
         return self
 
 
-WAYS = ("polygon_mm", "circle_mm", "rectangle_mm", "ellipse_mm", "points", "dxf", "curve")
+WAYS = ("polygon_mm", "circle_mm", "rectangle_mm", "ellipse_mm", "points", "dxf", "drawing", "library", "curve")
 
 
 @dataclass(frozen=True)
@@ -240,7 +256,7 @@ class _Files:
 
     def __init__(self, folder: Path, drawn: Drawn, share: Share):
         self._folder, self._drawn, self._share = folder, drawn, share
-        self._drawings: dict[DxfForm, Drawing] = {}
+        self._drawings: dict[tuple[Any, ...], Drawing] = {}
         self.notes: list[str] = []
 
     def curves(self, shape: ShapeForm) -> tuple[Curve, ...]:
@@ -248,36 +264,80 @@ class _Files:
         if shape.polygon_mm is not None:
             return (from_points(shape.polygon_mm, closed=True),)
         if shape.points is not None:
-            return self._points(self._folder / shape.points, shape.closed)
+            return self._points(self._folder / shape.points, shape.closed, shape.smooth_mm)
         if shape.curve is not None:
             return (shape.curve,)
         if shape.dxf is not None:
             return self._layer(shape.name, shape.dxf)
+        if shape.drawing is not None:
+            return self._selected(shape.name, shape.drawing)
+        if shape.library is not None:
+            return shape.library.curves()
         form = shape.circle_mm or shape.rectangle_mm or shape.ellipse_mm
         assert form is not None  # the model has seen to it
         return (form.curve(),)
 
-    def _points(self, path: Path, closed: bool) -> tuple[Curve, ...]:
-        curves = (read_points(path, closed),)
+    def _points(self, path: Path, closed: bool, smooth_mm: float) -> tuple[Curve, ...]:
+        drawn = read_points(path, closed)
+        curves = (refitted(drawn, smooth_mm) if smooth_mm else drawn,)
         self._drawn.add(curves)
         return curves
 
     def _layer(self, name: str, form: DxfForm) -> tuple[Curve, ...]:
         """Return the chains of a layer."""
-        key = form.model_copy(update={"layer": ""})
-        if key not in self._drawings:
-            self._drawings[key] = self._read(form)
-        drawing = self._drawings[key]
+        key = ("dxf", form.model_copy(update={"layer": ""}))
+        path = self._folder / form.file
+        drawing = self._drawing(key, lambda: read_dxf(path, form.tolerance_mm, form.unit_mm, share=self._share))
         layer = drawing.layer(form.layer)
-        self.notes.extend(_notes(name, form, drawing))
+        self.notes.extend(_notes(name, form.file, drawing, [layer.name]))
         return layer.curves
 
-    def _read(self, form: DxfForm) -> Drawing:
-        if len(self._drawings) == MOST_DRAWINGS:
-            raise _too_much("too many drawings, or one read in too many ways", MOST_DRAWINGS + 1, MOST_DRAWINGS)
-        drawing = read_dxf(self._folder / form.file, form.tolerance_mm, form.unit_mm, share=self._share)
-        self._drawn.add(curve for layer in drawing.layers for curve in layer.curves)
+    def _selected(self, name: str, form: DrawingForm) -> tuple[Curve, ...]:
+        """Return the chains of a drawing that a shape means; raises JobError where there are none."""
+        key = ("drawing", form.file, form.options(), form.mend)
+        drawing = self._drawing(key, lambda: self._read(form))
+        chains = form.selected(drawing.chains)
+        if not chains:
+            raise _nothing_selected(name, form, drawing)
+        layers = dict.fromkeys(chain.attributes.layer for chain in chains)
+        self.notes.extend(_notes(name, form.file, drawing, list(layers)))
+        return tuple(form.placed(chain.curve) for chain in chains)
+
+    def _read(self, form: DrawingForm) -> Drawing:
+        drawing = read_any_drawing(self._folder / form.file, form.options(), self._share)
+        if form.mend is None:
+            return drawing
+        drawing, changes = mended(drawing, form.mend)
+        self.notes.extend(_mended_notes(form.file, changes))
         return drawing
+
+    def _drawing(self, key: tuple[Any, ...], read: Callable[[], Drawing]) -> Drawing:
+        """Return the drawing of that key, read now where it was not read before."""
+        if key not in self._drawings:
+            if len(self._drawings) == MOST_DRAWINGS:
+                raise _too_much("too many drawings, or one read in too many ways", MOST_DRAWINGS + 1, MOST_DRAWINGS)
+            drawing = self._drawings[key] = read()
+            self._drawn.add(chain.curve for chain in drawing.chains)
+        return self._drawings[key]
+
+
+def _nothing_selected(name: str, form: DrawingForm, drawing: Drawing) -> JobError:
+    counts = counts_of(drawing.chains)
+    known = ", ".join(f"'{count.layer}' {count.colour}".strip() for count in counts[:MOST_LISTED])
+    return JobError(
+        "drawing-selection",
+        Text("the drawing {file} has no chains for the shape '{name}': {words}", file=form.file, name=name,
+             words=form.words),
+        advice=Text("it has chains on {known}", known=known),
+    )  # fmt: skip
+
+
+def _mended_notes(file: str, changes: Sequence[Change]) -> Iterator[str]:
+    """Yield what was mended in a drawing, a sentence for each kind of change."""
+    for kind, words in CHANGES.items():
+        own = [change for change in changes if change.kind == kind]
+        if own:
+            yield Text("the drawing {file}: {words}: {count}", file=file, words=words, count=len(own))
 
 
 def _too_much(of_what: str, count: int, most: int) -> JobError:
@@ -287,15 +347,16 @@ def _too_much(of_what: str, count: int, most: int) -> JobError:
     )
 
 
-def _notes(name: str, form: DxfForm, drawing: Drawing) -> Iterator[str]:
-    """Yield what of a layer is not as drawn: damage, gaps, and what no tool could follow."""
+def _notes(name: str, file: str, drawing: Drawing, layers: Sequence[str]) -> Iterator[str]:
+    """Yield what of some layers is not as drawn: damage, gaps, and what no tool could follow."""
     if drawing.damage:
         yield Text(
             "the drawing {form_file} is damaged, a part of it may be missing: {damage}",
-            form_file=form.file,
+            form_file=file,
             damage=drawing.damage,
         )
-    for gap in drawing.layer(form.layer).gaps:
+    yield from drawing.warnings
+    for gap in [gap for layer, gap in drawing.gaps if layer in layers][:MOST_GAPS]:
         x, y = gap.place_mm
         yield Text(
             "shape '{name}': two ends lie {size_mm:.3g} mm apart at X{x:.3f} Y{y:.3f}",
@@ -304,7 +365,8 @@ def _notes(name: str, form: DxfForm, drawing: Drawing) -> Iterator[str]:
             x=x,
             y=y,
         )
-    skipped = [each for each in drawing.skipped if each.layer.casefold() == form.layer.casefold()]
+    folded = {layer.casefold() for layer in layers}
+    skipped = [each for each in drawing.skipped if each.layer.casefold() in folded]
     for entity in skipped[:MOST_SKIPPED]:
         yield Text(
             "shape '{name}' goes without the {entity_kind} {handle} of its drawing: {why}",
@@ -339,7 +401,7 @@ def with_curves(content: dict[str, Any], shapes: Shapes, file: str) -> dict[str,
 
 
 def _inner(content: dict[str, Any], tables: Iterable[str]) -> dict[str, Any] | None:
-    """Return the table in which a key stands, as a copy that may be changed; None where there is none."""
+    """Return the table that has a key, as a copy that may be changed; None where there is none."""
     for name in tables:
         if not isinstance(content.get(name), dict):
             return None

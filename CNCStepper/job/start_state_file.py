@@ -45,5 +45,5 @@ def _entry(content: dict[str, Any]) -> ToolEntry:
 
 
 def _same_unknown(value: float | None) -> float:
-    """Return the one NaN that stands for unknown, so that start states can be compared."""
+    """Return the one NaN object that means unknown, so that start states can be compared."""
     return UNKNOWN if value is None or math.isnan(value) else value

@@ -3,9 +3,9 @@
 
 depth_mm, through_mm ──► below the stock's bottom?      what is drawn, seen from above ──► outside the stock's outline?
 
-A panel asks this while somebody types. The checks of the program (`simulation/checks/stock_checks.py`,
+A panel calls this while a person types. The checks of the program (`simulation/checks/stock_checks.py`,
 `job/findings.py`)
-say the same of what is cut, in the same words, so that nobody reads two names of one fault.
+report the same faults of the cut, in the same words.
 """
 
 from __future__ import annotations

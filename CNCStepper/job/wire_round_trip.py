@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""From a program to what is sent, and back to the ways of motors and tool: one chain for proofs and pictures."""
+"""From a program to its wire text, and back to the paths of motors and tool: one chain for proofs and pictures."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from CNCStepper.toolpath import Toolpath, require_straight_axes
 
 
 class WireRoundTrip(NamedTuple):
-    """wire: what is sent. motors: how the motors go by it. toolpath: how the tool goes, row by row the same."""
+    """wire: the lines sent. motors: the path of the motors. toolpath: the path of the tool, with the same rows."""
 
     wire: WireText
     motors: Toolpath
@@ -40,7 +40,7 @@ def translated_to(machine: Machine | None, dialect: str | Dialect) -> str | None
 def wire_of(
     text: str, machine: Machine | None, dialect: str, file: str, start: Start | None, play: Backlash | None = None
 ) -> WireText:
-    """Return what is sent of a program on a machine, with this play taken up; raises ProgramError as `prepare` does."""
+    """Return the wire text of a program on a machine, with this backlash compensated; raises ProgramError."""
     if (target := translated_to(machine, dialect)) is not None:
         return translate(text, dialect, target, file, start).wire
     return prepare(text, dialect, file, start, play)

@@ -120,7 +120,7 @@ class Drive(BaseModel, extra="forbid", frozen=True, allow_inf_nan=False):
         return S_PER_MIN * self.travel_per_turn_mm * pulse_rate_hz / self.pulses_per_turn
 
 
-USUAL_RATE_HZ = 25_000.0  # what a parallel port is asked for
+USUAL_RATE_HZ = 25_000.0  # the pulse rate of a parallel port
 
 
 class Answer(NamedTuple):

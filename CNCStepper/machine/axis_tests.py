@@ -114,7 +114,7 @@ def squareness_of_triangle(side_x_mm: float, side_y_mm: float, between_mm: float
 
 
 def _check_diagonals(side_x_mm: float, side_y_mm: float, rising_mm: float, falling_mm: float) -> None:
-    """Raise JobError unless the squares of the diagonals add up to those of the sides, within what a reading errs."""
+    """Raise JobError unless the squares of the diagonals add up to those of the sides, within the reading error."""
     true_mm = math.hypot(side_x_mm, side_y_mm)
     for value in (rising_mm, falling_mm):
         check_reading(value, true_mm)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The backlash of the axes: how far a motor is ahead of its axis, and when it is taken up.
+"""The backlash of the axes: how far a motor is ahead of its axis, and when it is crossed.
 
     motor   -->|#####|        going +: the motor stands `ahead` of the tool's place
     tool        |   |
@@ -88,7 +88,7 @@ class Motors:
     def go(self, begin_mm: Sequence[float], end_mm: Sequence[float]) -> tuple[float, ...] | None:
         """Follow a move of the tool, in which no axis turns back; `at_mm` is where the motors end.
 
-        Returns where they must stand before it to have taken up the play, None where they do already.
+        Return the motors' positions before it at which the backlash is crossed, None where they have them.
         """
         before, after = list(self.at_mm), list(self.at_mm)
         for axis, (begin, end) in enumerate(zip(begin_mm, end_mm, strict=True)):

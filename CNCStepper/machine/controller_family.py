@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The controller families: by which way a profile's machine is driven.
+"""The controller families: how a profile's machine is driven.
 
     controller                        family     what drives it
     grbl, grblhal, fluidnc            grbl       a controller with a firmware of its own, on a serial port or socket
@@ -26,12 +26,12 @@ FAMILIES: dict[str, Family] = {
 }
 OWN: tuple[Family, ...] = ("parport", "board", "lathe")  # a process on this computer is their controller
 PULSES: tuple[Family, ...] = ("parport", "board")  # of these, those whose single pulses it makes
-WIRE_LANGUAGE = "grbl"  # of lines to a controller of ours that makes pulses
+WIRE_LANGUAGE = "grbl"  # of lines to a CNCStepper controller that makes pulses
 LANGUAGES = {"usb-board": WIRE_LANGUAGE}  # of programs, where the controller's name is that of no dialect
 
 
 class Driven(Protocol):
-    """A machine profile, as far as it says what drives it."""
+    """The part of a machine profile that selects its controller."""
 
     @property
     def controller(self) -> str:

@@ -105,7 +105,7 @@ def read_chart(path: Path, units: str = "") -> list[CutData]:
 
 
 def write_chart(path: Path, rows: Sequence[CutData], units: str = "mm") -> list[str]:
-    """Write the rows as TOML, or as QtPlasmaC's material file (`*.cfg`) in `units`; return what is left out of them."""
+    """Write the rows as TOML, or as QtPlasmaC's material file (`*.cfg`) in `units`; return notes on omitted values."""
     if path.suffix.lower() == ".cfg":
         return write_materials(path, rows, units)
     tables = [
@@ -207,7 +207,7 @@ def _spread(table: dict[str, Any], place: Place) -> list[dict[str, Any]]:
 
 
 def _refuse_twice(rows: Sequence[CutData], place: Place) -> None:
-    """Raise JobError where two rows are for the same: nobody knows which one counts."""
+    """Raise JobError where two rows are for the same cut, because it is unclear which one counts."""
     seen = set()
     for row in rows:
         says = (row.process, material_key(row.material), row.consumable.lower(), row.thickness_mm)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Feeds and speeds of a tool in a material on a machine, and what is out of range in those that are given.
+"""Feeds and speeds of a tool in a material on a machine, and values out of range in those that are given.
 
     speed of the rim ──► rpm ──► not above what the spindle turns, nor so fast that the axes could not follow with
     the middle of          │     the wanted chip; not below what the spindle turns

@@ -73,7 +73,7 @@ def profile_text(name_or_path: str) -> str:
 
 
 def profile_content(name_or_path: str) -> dict[str, Any]:
-    """Return what a profile says, without what it leaves out."""
+    """Return the content of a profile, without defaults."""
     return tomllib.loads(profile_text(name_or_path))
 
 
@@ -103,7 +103,7 @@ def change(name_or_path: str, changes: Mapping[KeyPath, Any]) -> Written:
 
 
 def save(name: str, content: Mapping[str, Any]) -> Written:
-    """Let a profile of the user's have this content; of what is there already only what differs is changed."""
+    """Write this content to a user's profile; in an existing one only values that differ are changed."""
     if name not in profile_names():
         return _write(_place_of(name), document_text(content, TITLE), {}, "")
     return change(name, dict(differences(profile_content(name), content)))
@@ -112,7 +112,7 @@ def save(name: str, content: Mapping[str, Any]) -> Written:
 def differences(
     before: Mapping[str, Any], after: Mapping[str, Any], table: KeyPath = ()
 ) -> Iterator[tuple[KeyPath, Any]]:
-    """Yield the paths of the keys whose values differ, with the new value, None for what is no longer there."""
+    """Yield the paths of the keys whose values differ, with the new value, None for a removed key."""
     for key in {**before, **after}:
         old, new = before.get(key), after.get(key)
         if isinstance(old, Mapping) and isinstance(new, Mapping):
@@ -122,7 +122,7 @@ def differences(
 
 
 def read_change(word: str) -> tuple[KeyPath, Any]:
-    """Return the path and value of "axis.x.steps_per_mm=80"; an empty value is None, what is no TOML a text.
+    """Return the path and value of "axis.x.steps_per_mm=80"; an empty value is None, a value that is no TOML a text.
 
     Raises JobError for what has no key.
     """
@@ -191,7 +191,7 @@ def _write(path: Path, text: str, changes: Mapping[KeyPath, Any], copied_from: s
 
 
 def _place_of(name: str) -> Path:
-    """Return where the user's profile of a name lies; raises JobError for what is no name."""
+    """Return the path of the user's profile of a name; raises JobError for an invalid name."""
     if not NAME.fullmatch(name):
         raise JobError(
             "profile-name",

@@ -2,14 +2,14 @@
 """The cutting processes as data: when the tool has power, how it enters, what a rapid may do, what holds the checks.
 
 process      tool      power       entry    a rapid over the sheet        may stand with power
-milling      any mill  operation   plunge   above the stock               as long as it likes
+milling      any mill  operation   plunge   above the stock               any time
 plasma       jet       contour     pierce   without power                 no longer than the pierce delay
 oxyfuel      jet       contour     pierce   without power                 no longer than preheat and pierce
 laser        jet       contour     pierce   without power                 no longer than the pierce delay
 waterjet     jet       contour     pierce   without power                 no longer than the pierce delay
 hot-wire     wire      always      edge     never: the wire would cut     a few seconds, then it melts a hole
-drag-knife   knife     none        lower    with the knife lifted         as long as it likes
-scribe       point     none        lower    with the point lifted         as long as it likes
+drag-knife   knife     none        lower    with the knife lifted         any time
+scribe       point     none        lower    with the point lifted         any time
 """
 
 from __future__ import annotations

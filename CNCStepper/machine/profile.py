@@ -40,7 +40,7 @@ from CNCStepper.safe_text import printable
 
 AXIS_NAMES = ("x", "y", "z")
 WITHOUT_FEED_WORDS = ("thesis-a",)  # languages in which the speeds of cuts and rapids are settings of the machine
-CALIBRATED = 0.02  # steps_per_mm, as measured, may differ from what the drive gives by this share
+CALIBRATED = 0.02  # measured steps_per_mm may differ from the drive's by this share
 Model = TypeVar("Model", bound=BaseModel)
 Interpolation = Literal["planner", "dda", "published"]
 TorqueOr0 = Annotated[float, Bounds("torque", zero=True)]
@@ -119,7 +119,7 @@ class Axis(_Checked):
             return content
         try:
             return {**content, "steps_per_mm": Drive.model_validate(content["drive"]).pulses_per_mm}
-        except ValidationError:  # what is wrong with the drive is told where it stands
+        except ValidationError:  # errors of the drive are reported at its own keys
             return {**content, "steps_per_mm": 1.0}
 
     @model_validator(mode="after")
@@ -213,7 +213,7 @@ NO_AXIS = Axis(  # what planner and step generators take for an axis that is not
     travel_min_mm=-1.0,
     travel_max_mm=1.0,
 )
-SWITCHED = Spindle(min_rpm=0.0, max_rpm=1.0)  # stands for no spindle: a torch is off at 0 and on at 1
+SWITCHED = Spindle(min_rpm=0.0, max_rpm=1.0)  # means no spindle: a torch is off at 0 and on at 1
 ON_RPM = SWITCHED.max_rpm
 
 
@@ -260,7 +260,7 @@ class Machine(_Checked):
 
     @model_serializer(mode="wrap")
     def _without_what_is_usual(self, as_dict: Any) -> dict[str, Any]:
-        """Leave out what a profile that does not say it means, so that its certificates stay what they were."""
+        """Omit default values, so that certificates of older profiles stay valid."""
         usual: dict[str, Any] = {"feed_mm_min": None, "rapid_mm_min": None, "interpolation": "planner"}
         usual |= {"link": None, "relay": ()}
         usual["processes"] = _usual_processes(self.spindle.laser)
@@ -311,7 +311,7 @@ class Machine(_Checked):
 
     @property
     def cuts_standing(self) -> bool:
-        """Whether the tool cuts on where it stands: a laser, or all that has power is a torch, a jet or a hot wire."""
+        """Whether the tool keeps cutting at rest: a laser, or all that has power is a torch, a jet or a hot wire."""
         return self.spindle.laser or (bool(self._powers) and "operation" not in self._powers)
 
     @property
@@ -370,7 +370,7 @@ class Machine(_Checked):
 
     @property
     def rapid_limit_mm_min(self) -> float | None:
-        """The speed of rapids along the way, where the controller's language leaves it to the machine; else None."""
+        """The speed of rapids along the path, where the controller's language leaves it to the machine; else None."""
         return self.rapid_mm_min if self.controller in WITHOUT_FEED_WORDS else None
 
     def process(self, name: str) -> Process:
@@ -452,7 +452,7 @@ def _shipped(name: str) -> Machine:
 
 
 def validated(model: type[Model], content: dict[str, Any], file: str) -> Model:
-    """Return `content` as a checked `model`; raises JobError that names the key, its value and what is wrong."""
+    """Return `content` as a checked `model`; raises JobError with the key, its value and the error."""
     try:
         return model.model_validate(content)
     except ValidationError as error:

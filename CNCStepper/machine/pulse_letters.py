@@ -8,7 +8,7 @@ S +X+Y+Z   T -X-Y-Z   U to Z three axes
 from __future__ import annotations
 
 AXES = "XYZ"
-COMMAND = "$L="  # begins a line of letters to a controller of ours
+COMMAND = "$L="  # begins a line of letters to a CNCStepper controller
 _TABLE = """
 A+X B+Y C+Z D-X E-Y F-Z   G+X+Y H+X+Z I+Y+Z J-X-Y K-X-Z L-Y-Z   M+X-Y N-X+Y O+X-Z P-X+Z Q+Y-Z R-Y+Z
 S+X+Y+Z T-X-Y-Z U+X-Y-Z V-X+Y-Z W-X-Y+Z X-X+Y+Z Y+X-Y+Z Z+X+Y-Z

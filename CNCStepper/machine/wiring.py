@@ -132,10 +132,10 @@ class Signals(BaseModel, extra="forbid", frozen=True):
 
 CONTROLLER_PINS = "XYZABCPDHRS"  # limit switches, probe, door, hold, reset, cycle start
 LONGEST_LINE = 70
-LONGEST_NAME = 20  # of what stands on a key
+LONGEST_NAME = 20  # of a key's label
 _SWITCHING = re.compile(r"M(?:[345789]|6[234578])(?:[SPQE]\d+(?:\.\d+)?)*")
 
-SENDERS_PINS = "ABC"  # by which a controller of ours reports its pins for acts that only the sender can do
+SENDERS_PINS = "ABC"  # by which a CNCStepper controller reports its pins for acts that only the sender can do
 SENDERS_ACTS = ("back", "switch")
 BOARDS_ACTS = ("limit", "door")  # that only the controller itself can do
 
@@ -220,7 +220,7 @@ def letters_of_own(inputs: Iterable[Input]) -> dict[int, str]:
 
 
 def seen_by_sender(inputs: Sequence[Input]) -> list[Input]:
-    """Return the inputs that the sender looks at; of those on the machine's own port by their letters in `Pn:`."""
+    """Return the inputs that the sender polls; those on the machine's own port by their letters in `Pn:`."""
     letters = letters_of_own(inputs)
     return [
         entry.model_copy(update={"pin": letters[int(entry.pin)], "level": "high", "debounce_ms": 0.0})

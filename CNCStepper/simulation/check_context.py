@@ -20,7 +20,7 @@ from CNCStepper.simulation.finding import Finding, Severity
 from CNCStepper.simulation.tip_segments import tips_mm
 from CNCStepper.toolpath import RAPID, Chunk, Toolpath
 
-if TYPE_CHECKING:  # shapely is loaded where a stock is looked at
+if TYPE_CHECKING:  # shapely is loaded only for a stock
     from shapely.geometry.base import BaseGeometry
 
 
@@ -110,10 +110,10 @@ class CheckContext:
 
 
 class PartCheck:
-    """A check that remembers what the parts of a program before have shown."""
+    """A check that accumulates results over the parts of a program."""
 
     def __call__(self, subject: CheckContext) -> Iterator[Finding]:
-        """Yield what is found in the next part."""
+        """Yield the findings in the next part."""
         raise NotImplementedError
 
     def end(self, last: CheckContext) -> Iterator[Finding]:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The cutter as the exact judge sees it: a solid of revolution about the tool's axis, by its form.
+"""The cutter for the exact judge: a solid of revolution about the tool's axis, by its form.
 
      radius                        beside
 |<----------->|              +------------------>  from the axis to a point
@@ -27,7 +27,7 @@ from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.machine.tools.tool_profile import Form
 
 NEWTON = 60  # steps at most; three are usual
-WIDER = 1.01  # what is `CLOSE` only is taken that much larger where nothing may be left out
+WIDER = 1.01  # factor on a result of precision `CLOSE` where it must be an upper bound
 CLOSE = 1e-2  # a step of that share is the last: the next would be its square, and the height is at its minimum
 
 
@@ -201,7 +201,7 @@ class Cutter:
 
 
 POINT = Cutter(Form(0.0, 0.0))
-Tools = Mapping[int, Tool] | Tool  # a tool alone stands for every number
+Tools = Mapping[int, Tool] | Tool  # a single tool applies to every number
 
 
 def tool_numbered(tools: Tools | None, number: int) -> Tool | None:

@@ -92,7 +92,7 @@ class Findings:
         self._found: list[Finding] = []
         self._places: dict[tuple[str, str], int] = {}  # of a group among them
         self._listed: Counter[tuple[str, str]] = Counter()  # by code and severity
-        self._more: dict[tuple[str, str], int] = {}  # where the finding stands that counts the rest of them
+        self._more: dict[tuple[str, str], int] = {}  # place of the finding that counts the rest
 
     def add(self, found: Iterable[Finding]) -> None:
         """Take the findings of one part."""

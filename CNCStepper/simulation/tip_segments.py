@@ -41,7 +41,7 @@ class Segments:
         return self[np.isfinite(self.begin).all(axis=1) & np.isfinite(self.end).all(axis=1)]
 
     def known_in(self, axes: tuple[int, ...]) -> Segments:
-        """Return those known in `axes`; what is known at neither end of another axis counts as 0."""
+        """Return those known in `axes`; other axes that are unknown at both ends count as 0."""
         begin, end = self.begin.copy(), self.end.copy()
         for other in {0, 1, 2}.difference(axes):
             nowhere = np.isnan(begin[:, other]) & np.isnan(end[:, other])

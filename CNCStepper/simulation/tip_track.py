@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where the tool's tip is at any moment, and which line of the program moves it there.
+"""The position of the tool's tip at any time, and the program line that moves it there.
 
 begins_s   ends_s        A row's share of its way grows evenly between the two moments, along its arc;
    |  row k  |           before `begins_s` the tool stands (a dwell), and so it does at a point whose
 ---+=========+---        way there is not known.
 
-Steps through a program's time by move or by line: from any moment to the next end of one, and back.
+Steps through a program's time by move or by line: from any time to the next end of one, and back.
 """
 
 from __future__ import annotations
@@ -73,7 +73,7 @@ class TipTrack:
 
     @property
     def duration_s(self) -> float:
-        """The moment at which the last row ends."""
+        """The time at which the last row ends."""
         return float(self.ends_s[-1]) if len(self) else 0.0
 
     def save(self, path: Path) -> None:
@@ -87,11 +87,11 @@ class TipTrack:
             return cls(**{entry.name: arrays[entry.name] for entry in fields(cls)})
 
     def row_at(self, time_s: float) -> int:
-        """Return the row that runs at a moment; the first one before the begin, the last one after the end."""
+        """Return the row that runs at a time; the first one before the begin, the last one after the end."""
         return min(int(np.searchsorted(self.ends_s, time_s, side="left")), len(self) - 1)
 
     def share_at(self, row: int, time_s: float) -> float:
-        """Return how much of its way a row has done at a moment, from 0 to 1."""
+        """Return the share of a row that is done at a time, from 0 to 1."""
         length_s = float(self.ends_s[row] - self.begins_s[row])
         return min(max((time_s - float(self.begins_s[row])) / length_s, 0.0), 1.0) if length_s > 0 else 1.0
 
@@ -131,7 +131,7 @@ class TipTrack:
 
 
 def _begins_s(toolpath: Toolpath, ends_s: np.ndarray) -> np.ndarray:
-    """Return the moment at which every row sets out: the end of the row before, and the dwells between."""
+    """Return the time at which every row starts: the end of the row before, and the dwells between."""
     begins_s = np.concatenate([[0.0], ends_s[:-1]])[: len(ends_s)]
     for event in toolpath.events:
         if event.kind == "dwell" and event.index < len(ends_s):

@@ -7658,6 +7658,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'cncstepper drawing' prints its layers and colours</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{axes}' names no axes</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7770,6 +7774,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>0.87 times the width</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>= is missing after the parameter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7786,11 +7794,183 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A bar above and a stem below, the zero in the middle of the bar's upper edge; three holes.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A bore about the zero with a keyway above (DIN 6885: bore and key's depth over all).</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A circle about the zero.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A cross of two bars about the zero.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A disc about the zero less another one beside it, like a moon.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A disc about the zero with round notches in its rim and a bore.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A disc about the zero, cut off straight above.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A drop: a disc about the zero and a point above.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A flange of two bolts along X: a disc about the zero with an ear on each side.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A heart of two half circles over a rounded tip, the zero in its notch.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A hole to hang a part on a screw: a circle about the zero for its head, a slot above for its shank.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A hook to hang things on: a plate with two holes above, the hook's round inside about the zero.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A label about the zero: round corners, cut off on the left, with a hole for a string.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A parallelogram, its left lower corner at the zero.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A piece of a ring about the zero, from X counter-clockwise.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A plate about the zero for a stepper motor of NEMA size 8, 11, 14, 17, 23 or 34.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A plate about the zero with an eye and a hole at each of three corners.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A plate to hang a load: a base below, an eye about the zero above.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A polygon of equal sides about the zero, one side below; the size is across the flats.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A rectangle about the zero with its corners cut off at 45°.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A rectangle about the zero, its corners sharp or round.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A rectangular plate about the zero with a hole near each corner.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A right-angled stiffening plate, its right angle at the zero, cut off there to clear a weld.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A ring, or a washer, about the zero.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A round flange about the zero with a bore and a circle of bolt holes.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A round hole with flat sides above and below, about the zero.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A round hole with one flat side above, for shafts with a flat; about the circle's middle.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A shield, the zero in the middle of its upper edge: straight sides, round below.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A slice of a disc about the zero, from X counter-clockwise.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A slot in the edge of a plate for a bolt's head: open below, the zero at its mouth's middle.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A slot with round ends along an arc about the zero, from X counter-clockwise.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A square plate about the zero with a bore and a hole near each corner.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A star about the zero, one point above.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A straight slot with round ends along X, about the zero; the length is over all.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A trapezoid, the zero in the middle of its base.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A triangle with two equal sides, the zero in the middle of its base.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A wheel about the zero with saw teeth and a bore.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>ATAN needs a second value</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Across the flat</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Across the flats</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>An angle of two legs, its outer corner at the zero, a hole near the end of each leg.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>An arrow along X, its tip at the zero.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arc slot</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Bluetooth could not be started</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Bore; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7799,6 +7979,22 @@
         </message>
         <message>
             <source>CNCStepper journal</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Chamfer along each side</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Chamfered rectangle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corner radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cut off at the right angle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7818,6 +8014,54 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Diameter cut away</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Diameter of its middle line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Diameter of the bolt circle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Diameter of the disc</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Diameter of the holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Diameter of the inner corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Diameter of the notches</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Diameter of the points</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Diameter through the holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Distance of both</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Distance of the holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Double D-hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Drag knife</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7826,11 +8070,55 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Ends of the legs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Eye plate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>First eye</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>First hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>First hole at</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Flanges and plates</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>FreeCAD has no tool bit for a {tool_shape}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>FreeCAD's Python lacks {lacking}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From the base to the eye's middle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From the bore's bottom to the keyway's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From the circle's middle to the slot's end</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From the edges to the holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From the middle to the point</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7922,6 +8210,30 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Height below the notch</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Height of the head</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Height of the plate above the middle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Height of the teeth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Hole for the head</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Holes; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Hot wire</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7950,6 +8262,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Inner diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Inside of the hook</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Isosceles triangle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>J and R make too many passes</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7966,7 +8290,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Keyway bore</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>L may not be negative</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Length of the head</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Length of the neck</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7983,6 +8319,10 @@
         </message>
         <message>
             <source>LinuxCNC with QtPlasmaC</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Locking wheel</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8018,6 +8358,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Margin around the motor</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Marlin has no end word (M30 deletes a file): leave it out</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8027,6 +8371,18 @@
         </message>
         <message>
             <source>Marlin would read G91 or G90: leave it out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Mounting plate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>NEMA motor plate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>NEMA size</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8066,7 +8422,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Outer diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Oval flange</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>P of G04 is seconds on some controls and milliseconds on others</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Parts and signs</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8106,7 +8474,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Radius of the inner corner</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Radius of the inner corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Ratchet wheel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Regular polygon</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Reset to continue</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Ring sector</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Round shapes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8114,7 +8506,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Second eye</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Second hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>SetThreadExecutionState was refused</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Slots and holes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8122,7 +8526,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Square flange</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>T selects an extruder: pause with M0 where the tool is to be changed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The section of a beam, about the zero.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Thickness of the flanges</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Thickness of the web</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8134,7 +8554,67 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Triangular plate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Twice from the middle to a side</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Two eyes and the bar that joins them along X; the first eye's hole is at the zero.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Two flanges that an offset web joins, its left lower corner at the zero; a hole in each flange.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Two legs up from a base, the zero in the middle of the base's lower edge; a hole in each leg.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Water jet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width of each flange</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width of the bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width of the bars</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width of the ears</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width of the head</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width of the key</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width of the legs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width of the mouth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width of the shaft</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width of the slot</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8234,6 +8714,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a corner radius of {radius:g} mm is too large for a side</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a curve needs at least two points and a bulge for each segment</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8323,6 +8807,10 @@
         </message>
         <message>
             <source>a hole lies in no outline</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a hole would reach beyond its outline</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8550,6 +9038,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a pattern has at most {0} characters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a pin in the configuration is wrong</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8590,11 +9082,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a program of the mini-lathe begins at the work zero and cannot be entered in its middle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a program on the controller stopped at an error</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>a program with subroutines, loops or branches is not rewritten</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a quarter of the width</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8639,6 +9139,10 @@
         </message>
         <message>
             <source>a request without the session's token</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a rule has one of operation, marks_for and ignore = true</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8703,6 +9207,10 @@
         </message>
         <message>
             <source>a symbolic link of another user in a folder that everybody may write to is not followed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a template has no key '{key}'</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8862,6 +9370,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>add closed = true to the rule, or mend the drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>add control points</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8907,6 +9419,10 @@
         </message>
         <message>
             <source>all before line {first_line} is cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>all of it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9250,6 +9766,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>blur the picture, scale it down, or choose another threshold</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>both radii must be positive</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9266,7 +9786,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>chains have fewer lines and arcs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>change F in the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>change one of its dimensions</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>change one of them</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9479,6 +10011,10 @@
         </message>
         <message>
             <source>choose another side</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose another threshold, or invert it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9715,6 +10251,10 @@
         </message>
         <message>
             <source>correct the diameters or pitch_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct the drawing's unit, or take out what is drawn many times</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9962,6 +10502,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>drawings with the suffix '{suffix}' cannot be written</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>drive a laser by a controller with grbl's laser mode</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10002,11 +10546,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>end the name in .json</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>end the name in one of {known}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>end the tool change and resume, or reset it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>end the tool change, then resume</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>ends were moved together</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10155,6 +10711,10 @@
         </message>
         <message>
             <source>gap {gap_mm:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>gaps were closed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10446,7 +11006,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>half a notch</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>half of both diameters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>half of the kerf, {half_mm:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>half the diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>half the difference of the diameters</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10618,6 +11194,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it has chains on {known}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it has no face {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10651,6 +11231,10 @@
         </message>
         <message>
             <source>it has too many tables of pairs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it has {known}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10810,6 +11394,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>its outline would cross itself</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>its owner</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10951,6 +11539,10 @@
         </message>
         <message>
             <source>leave one ellipse in it, drawn as an ellipse and not as a B-spline</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>leave part = "holes" out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11278,6 +11870,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>make it smaller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>make it smaller, or islands remain</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11367,6 +11963,10 @@
         </message>
         <message>
             <source>margin {margin_mm:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>marks_for names '{title}', which is no rule with a sheet_cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11750,6 +12350,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no rule of the template takes a chain of the drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no rule of the template takes chains of the drawing: {counts}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no screw and rotor has more</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11823,6 +12431,10 @@
         </message>
         <message>
             <source>not a JSON file: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>not a PNG or JPEG picture: {why}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12046,7 +12658,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>one circle of the shape lies within another</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>one more client beside {known_limit}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>one of 8, 11, 14, 17, 23, 34, but it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12083,6 +12703,10 @@
         </message>
         <message>
             <source>only {written} of {data} bytes were taken</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>open chains</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12183,6 +12807,14 @@
         </message>
         <message>
             <source>places of the machine became those of the work, right for this work zero only</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>places where a chain crosses itself</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>places where closed chains cross each other</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12490,6 +13122,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>save it again as PNG</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>save it as DXF again, as R2000 or newer</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12523,6 +13159,10 @@
         </message>
         <message>
             <source>scale all axes alike, or write feeds a minute (G94)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>scale it down: 10 pixels a mm are enough for any cutter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12694,6 +13334,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>set them farther apart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>set up a program of that name on the machine</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12739,6 +13383,10 @@
         </message>
         <message>
             <source>shorten the start-up line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>smooth_mm belongs to points</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12870,6 +13518,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>stretches drawn twice</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>stretches drawn twice were taken out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>subroutines and loops were written out</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12906,6 +13562,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>switch the lathe off and on, set its zero by hand, and send the whole program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>switch the lathe on in manual mode before it moves; its position is reckoned, nothing reports it</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12935,6 +13595,10 @@
         </message>
         <message>
             <source>tabs need either count or spacing_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take a larger stock, a smaller margin or placement = "box"</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13014,11 +13678,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>teeth and bore</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>test a torch, a laser, a jet or a wire</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>test with the square, which changes none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>that of the inner corners</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13031,6 +13703,10 @@
         </message>
         <message>
             <source>the NAME of material {number} names no material and thickness</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the NEMA size</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13114,7 +13790,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the bars' width</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the base's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the beam is never on where it is to cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the bore</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13494,6 +14182,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the cycle '{cycle}' takes no shapes of a drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the cycle takes too many passes</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13503,6 +14195,10 @@
         </message>
         <message>
             <source>the depth goes below the stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the depth over the key</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13530,11 +14226,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the diameter of its middle line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the diameter of the points</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the diameter of the tool is not known</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the digits of {dialect} cannot hold this feed: F would be {written_mm_min:.4g} mm/min</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the dimensions of the shape '{kind}' do not go together: {why}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the disc</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13582,6 +14298,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the drawing reaches beyond the stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the drawing {file} has no chains for the shape '{name}': {words}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the drawing {file}: {words}: {count}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the drawing {form_file} is damaged, a part of it may be missing: {damage}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13591,6 +14319,10 @@
         </message>
         <message>
             <source>the drawings lie at heights from Z{least_heights:.4g} to Z{most_heights:.4g} mm; all depths count from the top of the stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the ears</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13611,6 +14343,10 @@
         </message>
         <message>
             <source>the emergency stop was pressed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the ends of the legs</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13766,6 +14502,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the flanges' width</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the folder belongs to another user</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13810,6 +14550,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the head's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the head's width</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the heights cannot be read: {reason}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13827,6 +14579,14 @@
         </message>
         <message>
             <source>the holder of the {tool} tool goes into stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the hole for the head</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the inner one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13851,6 +14611,10 @@
         </message>
         <message>
             <source>the job is about to go on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the job is too long for a file that people read</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13970,6 +14734,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the key's width</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the largest disc of the {tool} tool stands more than a pitch above its tip: it cuts no thread</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13998,6 +14766,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the legs' width</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the length of the tool before is in force after the change</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14015,6 +14791,10 @@
         </message>
         <message>
             <source>the letters move {axis}, which this machine does not have</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the library has no shape '{kind}'</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14258,6 +15038,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the mouth's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the move after the end of a compensation must be a line</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14299,6 +15083,10 @@
         </message>
         <message>
             <source>the other end has closed it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the outer diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14351,6 +15139,22 @@
         </message>
         <message>
             <source>the pattern cannot be read: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the picture does not say its size: {dpi:g} dpi are taken; give its width</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the picture has no dark areas</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the picture has too many contours</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the picture has too many pixels</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14479,6 +15283,10 @@
         </message>
         <message>
             <source>the process that plays the pulses has ended; steps may be lost</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the process that plays the pulses stood still: it was stopped, or the computer gave it no time; everything is off, and steps may be lost</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14734,6 +15542,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the rule '{name}' clears areas, but takes open chains of the drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the rule gives the shapes: leave {named} out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the safety door is open</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14826,7 +15642,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the shaft's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the shank of the {tool} tool rubs along the wall over its flutes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the shape '{kind}' has no dimension {key}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14835,6 +15659,14 @@
         </message>
         <message>
             <source>the shift of G92 went into the coordinates</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the shorter side</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the slot's width</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14883,6 +15715,10 @@
         </message>
         <message>
             <source>the state of the stored settings cannot be read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the step of the notches, in degrees,</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15142,6 +15978,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the web's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the web's thickness</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the width</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the width across the flats</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the wire begins to cut inside the sheet</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15227,6 +16079,10 @@
         </message>
         <message>
             <source>the {tool} tool rubs: a tooth takes too thin a chip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>their distance</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15558,6 +16414,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this shape has no holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this system has no Unix sockets</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15571,6 +16431,22 @@
         </message>
         <message>
             <source>threads can be cut only in the plane ZX</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>three times the bar's width</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>threshold {threshold}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>tiny chains</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>tiny chains were taken out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15595,6 +16471,10 @@
         </message>
         <message>
             <source>too many lines and arcs in its files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>too many lines lie on each other</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15686,11 +16566,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>twice the holes' distance from it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>two arcs of the profile have one centre</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>two chamfers</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>two commands of one line both want axis words</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>two flanges</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>two holes would meet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>two legs</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15703,6 +16603,10 @@
         </message>
         <message>
             <source>two rows are for {thickness:g} mm of {material}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>two rules have the same title</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15922,6 +16826,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use one of: {kinds}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use one of: {known}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16066,6 +16974,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>what is cut off</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>what is known of the machine's position cannot be kept: {error}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16083,6 +16995,10 @@
         </message>
         <message>
             <source>what stands here is no word that can be edited</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>what the circle takes of it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16135,6 +17051,10 @@
         </message>
         <message>
             <source>while G80 is in force {dialect} takes no axis words, nor those of {user}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>width and height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16362,6 +17282,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write a rule for them, or one with ignore = true</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write a straight line</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16467,6 +17391,10 @@
         </message>
         <message>
             <source>write plain moves, each in a line of its own, in coordinates that are not turned</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write rules: [[rule]]</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16594,7 +17522,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} by the template {1}, {2}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} by {1} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} by {1} to {2} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} in islands {1}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16603,6 +17543,10 @@
         </message>
         <message>
             <source>{0} mm/min</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} segments fewer</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16918,6 +17862,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{kind} on layer '{layer}' at X{x:.3f} Y{y:.3f}, {size}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{kind} on layer '{layer}' at X{x:.3f} Y{y:.3f}{length}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{lacks} became lines, at most {chord_mm:g} mm away</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17095,6 +18047,10 @@
         </message>
         <message>
             <source>{most_strokes} moves in one block</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{most} pixels</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17454,6 +18410,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{untaken} chains</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{user} and {user2} would both use the axis words</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17467,6 +18427,10 @@
         </message>
         <message>
             <source>{what} cannot be sent to a controller of this computer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{what} must be larger than {than}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17487,6 +18451,10 @@
         </message>
         <message>
             <source>{width_mm:g} mm wide</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{width} by {height}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

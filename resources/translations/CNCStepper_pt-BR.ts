@@ -7658,6 +7658,10 @@
             <translation>% só pode ficar na primeira e na última linha</translation>
         </message>
         <message>
+            <source>'cncstepper drawing' prints its layers and colours</source>
+            <translation>'cncstepper drawing' mostra as camadas e cores dele</translation>
+        </message>
+        <message>
             <source>'{axes}' names no axes</source>
             <translation>'{axes}' não indica eixos</translation>
         </message>
@@ -7770,6 +7774,10 @@
             <translation>0 sem fenda de entrada</translation>
         </message>
         <message>
+            <source>0.87 times the width</source>
+            <translation>0,87 vezes a largura</translation>
+        </message>
+        <message>
             <source>= is missing after the parameter</source>
             <translation>falta = depois do parâmetro</translation>
         </message>
@@ -7786,12 +7794,184 @@
             <translation>@ e ^ ficam no lugar de X e Y</translation>
         </message>
         <message>
+            <source>A bar above and a stem below, the zero in the middle of the bar's upper edge; three holes.</source>
+            <translation>Uma barra em cima e uma haste embaixo, o zero no meio da borda superior da barra; três furos.</translation>
+        </message>
+        <message>
+            <source>A bore about the zero with a keyway above (DIN 6885: bore and key's depth over all).</source>
+            <translation>Um furo em torno do zero com rasgo de chaveta em cima (DIN 6885: furo e profundidade total da chaveta).</translation>
+        </message>
+        <message>
+            <source>A circle about the zero.</source>
+            <translation>Um círculo em torno do zero.</translation>
+        </message>
+        <message>
+            <source>A cross of two bars about the zero.</source>
+            <translation>Uma cruz de duas barras em torno do zero.</translation>
+        </message>
+        <message>
+            <source>A disc about the zero less another one beside it, like a moon.</source>
+            <translation>Um disco em torno do zero menos outro ao lado, como uma lua.</translation>
+        </message>
+        <message>
+            <source>A disc about the zero with round notches in its rim and a bore.</source>
+            <translation>Um disco em torno do zero com entalhes redondos na borda e um furo.</translation>
+        </message>
+        <message>
+            <source>A disc about the zero, cut off straight above.</source>
+            <translation>Um disco em torno do zero, cortado reto em cima.</translation>
+        </message>
+        <message>
+            <source>A drop: a disc about the zero and a point above.</source>
+            <translation>Uma gota: um disco em torno do zero e uma ponta em cima.</translation>
+        </message>
+        <message>
+            <source>A flange of two bolts along X: a disc about the zero with an ear on each side.</source>
+            <translation>Um flange de dois parafusos ao longo de X: um disco em torno do zero com uma orelha de cada lado.</translation>
+        </message>
+        <message>
+            <source>A heart of two half circles over a rounded tip, the zero in its notch.</source>
+            <translation>Um coração de dois semicírculos sobre uma ponta, o zero no entalhe.</translation>
+        </message>
+        <message>
+            <source>A hole to hang a part on a screw: a circle about the zero for its head, a slot above for its shank.</source>
+            <translation>Um furo para pendurar a peça em um parafuso: um círculo em torno do zero para a cabeça, um rasgo em cima para o corpo.</translation>
+        </message>
+        <message>
+            <source>A hook to hang things on: a plate with two holes above, the hook's round inside about the zero.</source>
+            <translation>Um gancho para pendurar coisas: uma chapa com dois furos em cima, o interior do gancho em torno do zero.</translation>
+        </message>
+        <message>
+            <source>A label about the zero: round corners, cut off on the left, with a hole for a string.</source>
+            <translation>Uma etiqueta em torno do zero: cantos redondos, cortada à esquerda, com um furo para o cordão.</translation>
+        </message>
+        <message>
+            <source>A parallelogram, its left lower corner at the zero.</source>
+            <translation>Um paralelogramo, o canto inferior esquerdo no zero.</translation>
+        </message>
+        <message>
+            <source>A piece of a ring about the zero, from X counter-clockwise.</source>
+            <translation>Um pedaço de anel em torno do zero, a partir de X no sentido anti-horário.</translation>
+        </message>
+        <message>
+            <source>A plate about the zero for a stepper motor of NEMA size 8, 11, 14, 17, 23 or 34.</source>
+            <translation>Uma chapa em torno do zero para um motor de passo de tamanho NEMA 8, 11, 14, 17, 23 ou 34.</translation>
+        </message>
+        <message>
+            <source>A plate about the zero with an eye and a hole at each of three corners.</source>
+            <translation>Uma chapa em torno do zero com um olhal e um furo em cada um de três cantos.</translation>
+        </message>
+        <message>
+            <source>A plate to hang a load: a base below, an eye about the zero above.</source>
+            <translation>Uma chapa para pendurar uma carga: uma base embaixo, um olhal em torno do zero em cima.</translation>
+        </message>
+        <message>
+            <source>A polygon of equal sides about the zero, one side below; the size is across the flats.</source>
+            <translation>Um polígono de lados iguais em torno do zero, um lado embaixo; o tamanho é entre faces.</translation>
+        </message>
+        <message>
+            <source>A rectangle about the zero with its corners cut off at 45°.</source>
+            <translation>Um retângulo em torno do zero com os cantos cortados a 45°.</translation>
+        </message>
+        <message>
+            <source>A rectangle about the zero, its corners sharp or round.</source>
+            <translation>Um retângulo em torno do zero, de cantos vivos ou redondos.</translation>
+        </message>
+        <message>
+            <source>A rectangular plate about the zero with a hole near each corner.</source>
+            <translation>Uma chapa retangular em torno do zero com um furo perto de cada canto.</translation>
+        </message>
+        <message>
+            <source>A right-angled stiffening plate, its right angle at the zero, cut off there to clear a weld.</source>
+            <translation>Uma chapa de reforço em ângulo reto, o ângulo reto no zero, cortada ali para dar lugar à solda.</translation>
+        </message>
+        <message>
+            <source>A ring, or a washer, about the zero.</source>
+            <translation>Um anel, ou uma arruela, em torno do zero.</translation>
+        </message>
+        <message>
+            <source>A round flange about the zero with a bore and a circle of bolt holes.</source>
+            <translation>Um flange redondo em torno do zero com um furo central e um círculo de furos de parafusos.</translation>
+        </message>
+        <message>
+            <source>A round hole with flat sides above and below, about the zero.</source>
+            <translation>Um furo redondo com faces planas em cima e embaixo, em torno do zero.</translation>
+        </message>
+        <message>
+            <source>A round hole with one flat side above, for shafts with a flat; about the circle's middle.</source>
+            <translation>Um furo redondo com uma face plana em cima, para eixos com face plana; em torno do centro do círculo.</translation>
+        </message>
+        <message>
+            <source>A shield, the zero in the middle of its upper edge: straight sides, round below.</source>
+            <translation>Um escudo, o zero no meio da borda superior: lados retos, redondo embaixo.</translation>
+        </message>
+        <message>
+            <source>A slice of a disc about the zero, from X counter-clockwise.</source>
+            <translation>Uma fatia de disco em torno do zero, a partir de X no sentido anti-horário.</translation>
+        </message>
+        <message>
+            <source>A slot in the edge of a plate for a bolt's head: open below, the zero at its mouth's middle.</source>
+            <translation>Um rasgo na borda de uma chapa para a cabeça de um parafuso: aberto embaixo, o zero no meio da boca.</translation>
+        </message>
+        <message>
+            <source>A slot with round ends along an arc about the zero, from X counter-clockwise.</source>
+            <translation>Um rasgo de pontas redondas ao longo de um arco em torno do zero, a partir de X no sentido anti-horário.</translation>
+        </message>
+        <message>
+            <source>A square plate about the zero with a bore and a hole near each corner.</source>
+            <translation>Uma chapa quadrada em torno do zero com um furo central e um furo perto de cada canto.</translation>
+        </message>
+        <message>
+            <source>A star about the zero, one point above.</source>
+            <translation>Uma estrela em torno do zero, uma ponta em cima.</translation>
+        </message>
+        <message>
+            <source>A straight slot with round ends along X, about the zero; the length is over all.</source>
+            <translation>Um rasgo reto de pontas redondas ao longo de X, em torno do zero; o comprimento é o total.</translation>
+        </message>
+        <message>
+            <source>A trapezoid, the zero in the middle of its base.</source>
+            <translation>Um trapézio, o zero no meio da base.</translation>
+        </message>
+        <message>
+            <source>A triangle with two equal sides, the zero in the middle of its base.</source>
+            <translation>Um triângulo de dois lados iguais, o zero no meio da base.</translation>
+        </message>
+        <message>
+            <source>A wheel about the zero with saw teeth and a bore.</source>
+            <translation>Uma roda em torno do zero com dentes de serra e um furo.</translation>
+        </message>
+        <message>
             <source>ATAN needs a second value</source>
             <translation>ATAN precisa de um segundo valor</translation>
         </message>
         <message>
+            <source>Across the flat</source>
+            <translation>Até a face plana</translation>
+        </message>
+        <message>
+            <source>Across the flats</source>
+            <translation>Entre faces planas</translation>
+        </message>
+        <message>
+            <source>An angle of two legs, its outer corner at the zero, a hole near the end of each leg.</source>
+            <translation>Uma cantoneira de duas abas, o canto externo no zero, um furo perto da ponta de cada aba.</translation>
+        </message>
+        <message>
+            <source>An arrow along X, its tip at the zero.</source>
+            <translation>Uma seta ao longo de X, a ponta no zero.</translation>
+        </message>
+        <message>
+            <source>Arc slot</source>
+            <translation>Rasgo em arco</translation>
+        </message>
+        <message>
             <source>Bluetooth could not be started</source>
             <translation>o Bluetooth não pôde ser iniciado</translation>
+        </message>
+        <message>
+            <source>Bore; 0: none</source>
+            <translation>Furo central; 0: nenhum</translation>
         </message>
         <message>
             <source>CNCStepper certificate</source>
@@ -7800,6 +7980,22 @@
         <message>
             <source>CNCStepper journal</source>
             <translation>CNCStepper journal</translation>
+        </message>
+        <message>
+            <source>Chamfer along each side</source>
+            <translation>Chanfro ao longo de cada lado</translation>
+        </message>
+        <message>
+            <source>Chamfered rectangle</source>
+            <translation>Retângulo chanfrado</translation>
+        </message>
+        <message>
+            <source>Corner radius</source>
+            <translation>Raio de canto</translation>
+        </message>
+        <message>
+            <source>Cut off at the right angle</source>
+            <translation>Corte no ângulo reto</translation>
         </message>
         <message>
             <source>D of {code} is the number of a tool</source>
@@ -7818,6 +8014,54 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Diameter cut away</source>
+            <translation>Diâmetro retirado</translation>
+        </message>
+        <message>
+            <source>Diameter of its middle line</source>
+            <translation>Diâmetro da linha média</translation>
+        </message>
+        <message>
+            <source>Diameter of the bolt circle</source>
+            <translation>Diâmetro do círculo de furos</translation>
+        </message>
+        <message>
+            <source>Diameter of the disc</source>
+            <translation>Diâmetro do disco</translation>
+        </message>
+        <message>
+            <source>Diameter of the holes</source>
+            <translation>Diâmetro dos furos</translation>
+        </message>
+        <message>
+            <source>Diameter of the inner corners</source>
+            <translation>Diâmetro dos cantos internos</translation>
+        </message>
+        <message>
+            <source>Diameter of the notches</source>
+            <translation>Diâmetro dos entalhes</translation>
+        </message>
+        <message>
+            <source>Diameter of the points</source>
+            <translation>Diâmetro das pontas</translation>
+        </message>
+        <message>
+            <source>Diameter through the holes</source>
+            <translation>Diâmetro pelos furos</translation>
+        </message>
+        <message>
+            <source>Distance of both</source>
+            <translation>Distância entre os dois</translation>
+        </message>
+        <message>
+            <source>Distance of the holes</source>
+            <translation>Distância entre os furos</translation>
+        </message>
+        <message>
+            <source>Double D-hole</source>
+            <translation>Furo em duplo D</translation>
+        </message>
+        <message>
             <source>Drag knife</source>
             <translation>Faca de arrasto</translation>
         </message>
@@ -7826,12 +8070,56 @@
             <translation>EXISTS pergunta por um parâmetro</translation>
         </message>
         <message>
+            <source>Ends of the legs</source>
+            <translation>Pontas das abas</translation>
+        </message>
+        <message>
+            <source>Eye plate</source>
+            <translation>Chapa com olhal</translation>
+        </message>
+        <message>
+            <source>First eye</source>
+            <translation>Primeiro olhal</translation>
+        </message>
+        <message>
+            <source>First hole</source>
+            <translation>Primeiro furo</translation>
+        </message>
+        <message>
+            <source>First hole at</source>
+            <translation>Primeiro furo em</translation>
+        </message>
+        <message>
+            <source>Flanges and plates</source>
+            <translation>Flanges e chapas</translation>
+        </message>
+        <message>
             <source>FreeCAD has no tool bit for a {tool_shape}</source>
             <translation>o FreeCAD não tem ferramenta para {tool_shape}</translation>
         </message>
         <message>
             <source>FreeCAD's Python lacks {lacking}</source>
             <translation>Falta no Python do FreeCAD: {lacking}</translation>
+        </message>
+        <message>
+            <source>From the base to the eye's middle</source>
+            <translation>Da base ao centro do olhal</translation>
+        </message>
+        <message>
+            <source>From the bore's bottom to the keyway's</source>
+            <translation>Do fundo do furo ao fundo do rasgo</translation>
+        </message>
+        <message>
+            <source>From the circle's middle to the slot's end</source>
+            <translation>Do centro do círculo à ponta do rasgo</translation>
+        </message>
+        <message>
+            <source>From the edges to the holes</source>
+            <translation>Das bordas aos furos</translation>
+        </message>
+        <message>
+            <source>From the middle to the point</source>
+            <translation>Do centro à ponta</translation>
         </message>
         <message>
             <source>G10 L{kind} changes nothing</source>
@@ -7922,6 +8210,30 @@
             <translation>G80 não deixa movimento para as palavras de eixo</translation>
         </message>
         <message>
+            <source>Height below the notch</source>
+            <translation>Altura abaixo do entalhe</translation>
+        </message>
+        <message>
+            <source>Height of the head</source>
+            <translation>Altura da cabeça</translation>
+        </message>
+        <message>
+            <source>Height of the plate above the middle</source>
+            <translation>Altura da chapa acima do centro</translation>
+        </message>
+        <message>
+            <source>Height of the teeth</source>
+            <translation>Altura dos dentes</translation>
+        </message>
+        <message>
+            <source>Hole for the head</source>
+            <translation>Furo para a cabeça</translation>
+        </message>
+        <message>
+            <source>Holes; 0: none</source>
+            <translation>Furos; 0: nenhum</translation>
+        </message>
+        <message>
             <source>Hot wire</source>
             <translation>Fio quente</translation>
         </message>
@@ -7950,6 +8262,18 @@
             <translation>a ISO 6983 não tem essa palavra: omita-a</translation>
         </message>
         <message>
+            <source>Inner diameter</source>
+            <translation>Diâmetro interno</translation>
+        </message>
+        <message>
+            <source>Inside of the hook</source>
+            <translation>Interior do gancho</translation>
+        </message>
+        <message>
+            <source>Isosceles triangle</source>
+            <translation>Triângulo isósceles</translation>
+        </message>
+        <message>
             <source>J and R make too many passes</source>
             <translation>J e R resultam em passes demais</translation>
         </message>
@@ -7966,8 +8290,20 @@
             <translation>Teste da largura do corte: S = {0} mm, largura usada {1} mm. {2}</translation>
         </message>
         <message>
+            <source>Keyway bore</source>
+            <translation>Furo com chaveta</translation>
+        </message>
+        <message>
             <source>L may not be negative</source>
             <translation>L não pode ser negativo</translation>
+        </message>
+        <message>
+            <source>Length of the head</source>
+            <translation>Comprimento da cabeça</translation>
+        </message>
+        <message>
+            <source>Length of the neck</source>
+            <translation>Comprimento do pescoço</translation>
         </message>
         <message>
             <source>Liberation Mono</source>
@@ -7984,6 +8320,10 @@
         <message>
             <source>LinuxCNC with QtPlasmaC</source>
             <translation>LinuxCNC com QtPlasmaC</translation>
+        </message>
+        <message>
+            <source>Locking wheel</source>
+            <translation>Roda de trava</translation>
         </message>
         <message>
             <source>M3 starts one tool</source>
@@ -8018,6 +8358,10 @@
             <translation>Perfil de máquina, feito pelo CNCStepper</translation>
         </message>
         <message>
+            <source>Margin around the motor</source>
+            <translation>Margem em torno do motor</translation>
+        </message>
+        <message>
             <source>Marlin has no end word (M30 deletes a file): leave it out</source>
             <translation>o Marlin não tem palavra de fim (M30 apaga um arquivo): omita-a</translation>
         </message>
@@ -8028,6 +8372,18 @@
         <message>
             <source>Marlin would read G91 or G90: leave it out</source>
             <translation>o Marlin leria G91 ou G90: omita-a</translation>
+        </message>
+        <message>
+            <source>Mounting plate</source>
+            <translation>Chapa de montagem</translation>
+        </message>
+        <message>
+            <source>NEMA motor plate</source>
+            <translation>Chapa para motor NEMA</translation>
+        </message>
+        <message>
+            <source>NEMA size</source>
+            <translation>Tamanho NEMA</translation>
         </message>
         <message>
             <source>NOT cut on any stock: the machine's limits are checked, but nobody sees whether a rapid meets material; give --job, or --stock and --tool</source>
@@ -8066,8 +8422,20 @@
             <translation>O1234 é chamado por M98 P1234</translation>
         </message>
         <message>
+            <source>Outer diameter</source>
+            <translation>Diâmetro externo</translation>
+        </message>
+        <message>
+            <source>Oval flange</source>
+            <translation>Flange oval</translation>
+        </message>
+        <message>
             <source>P of G04 is seconds on some controls and milliseconds on others</source>
             <translation>o P de G04 são segundos em alguns comandos e milissegundos em outros</translation>
+        </message>
+        <message>
+            <source>Parts and signs</source>
+            <translation>Peças e placas</translation>
         </message>
         <message>
             <source>Q asks for too many pecks</source>
@@ -8106,24 +8474,76 @@
             <translation>R fica abaixo de {normal}</translation>
         </message>
         <message>
+            <source>Radius of the inner corner</source>
+            <translation>Raio do canto interno</translation>
+        </message>
+        <message>
+            <source>Radius of the inner corners</source>
+            <translation>Raio dos cantos internos</translation>
+        </message>
+        <message>
+            <source>Ratchet wheel</source>
+            <translation>Roda de catraca</translation>
+        </message>
+        <message>
+            <source>Regular polygon</source>
+            <translation>Polígono regular</translation>
+        </message>
+        <message>
             <source>Reset to continue</source>
             <translation>Reset to continue</translation>
+        </message>
+        <message>
+            <source>Ring sector</source>
+            <translation>Setor de anel</translation>
+        </message>
+        <message>
+            <source>Round shapes</source>
+            <translation>Formas redondas</translation>
         </message>
         <message>
             <source>SIGTERM lets its process stop the machine safely</source>
             <translation>SIGTERM faz o processo parar a máquina com segurança</translation>
         </message>
         <message>
+            <source>Second eye</source>
+            <translation>Segundo olhal</translation>
+        </message>
+        <message>
+            <source>Second hole</source>
+            <translation>Segundo furo</translation>
+        </message>
+        <message>
             <source>SetThreadExecutionState was refused</source>
             <translation>SetThreadExecutionState foi recusado</translation>
+        </message>
+        <message>
+            <source>Slots and holes</source>
+            <translation>Rasgos e furos</translation>
         </message>
         <message>
             <source>Speed test {0} of {1}: {2} mm/min, {3} %</source>
             <translation>Teste de velocidade {0} de {1}: {2} mm/min, {3} %</translation>
         </message>
         <message>
+            <source>Square flange</source>
+            <translation>Flange quadrado</translation>
+        </message>
+        <message>
             <source>T selects an extruder: pause with M0 where the tool is to be changed</source>
             <translation>T seleciona um extrusor: faça uma pausa com M0 onde a ferramenta deve ser trocada</translation>
+        </message>
+        <message>
+            <source>The section of a beam, about the zero.</source>
+            <translation>A seção de uma viga, em torno do zero.</translation>
+        </message>
+        <message>
+            <source>Thickness of the flanges</source>
+            <translation>Espessura das mesas</translation>
+        </message>
+        <message>
+            <source>Thickness of the web</source>
+            <translation>Espessura da alma</translation>
         </message>
         <message>
             <source>Times New Roman</source>
@@ -8134,8 +8554,68 @@
             <translation>Ensaio {0} pulsos/s atraso médio {1} us pior {2} us</translation>
         </message>
         <message>
+            <source>Triangular plate</source>
+            <translation>Chapa triangular</translation>
+        </message>
+        <message>
+            <source>Twice from the middle to a side</source>
+            <translation>Duas vezes do centro a um lado</translation>
+        </message>
+        <message>
+            <source>Two eyes and the bar that joins them along X; the first eye's hole is at the zero.</source>
+            <translation>Dois olhais e a barra que os une ao longo de X; o furo do primeiro olhal está no zero.</translation>
+        </message>
+        <message>
+            <source>Two flanges that an offset web joins, its left lower corner at the zero; a hole in each flange.</source>
+            <translation>Duas abas unidas por uma alma deslocada, o canto inferior esquerdo no zero; um furo em cada aba.</translation>
+        </message>
+        <message>
+            <source>Two legs up from a base, the zero in the middle of the base's lower edge; a hole in each leg.</source>
+            <translation>Duas abas acima de uma base, o zero no meio da borda inferior da base; um furo em cada aba.</translation>
+        </message>
+        <message>
             <source>Water jet</source>
             <translation>Jato de água</translation>
+        </message>
+        <message>
+            <source>Width of each flange</source>
+            <translation>Largura de cada aba</translation>
+        </message>
+        <message>
+            <source>Width of the bar</source>
+            <translation>Largura da barra</translation>
+        </message>
+        <message>
+            <source>Width of the bars</source>
+            <translation>Largura das barras</translation>
+        </message>
+        <message>
+            <source>Width of the ears</source>
+            <translation>Largura das orelhas</translation>
+        </message>
+        <message>
+            <source>Width of the head</source>
+            <translation>Largura da cabeça</translation>
+        </message>
+        <message>
+            <source>Width of the key</source>
+            <translation>Largura da chaveta</translation>
+        </message>
+        <message>
+            <source>Width of the legs</source>
+            <translation>Largura das abas</translation>
+        </message>
+        <message>
+            <source>Width of the mouth</source>
+            <translation>Largura da boca</translation>
+        </message>
+        <message>
+            <source>Width of the shaft</source>
+            <translation>Largura da haste</translation>
+        </message>
+        <message>
+            <source>Width of the slot</source>
+            <translation>Largura do rasgo</translation>
         </message>
         <message>
             <source>[ is missing after {keyword}</source>
@@ -8234,6 +8714,10 @@
             <translation>um canto do perfil é pequeno demais para o seu arredondamento ou chanfro</translation>
         </message>
         <message>
+            <source>a corner radius of {radius:g} mm is too large for a side</source>
+            <translation>um raio de canto de {radius:g} mm é grande demais para um lado</translation>
+        </message>
+        <message>
             <source>a curve needs at least two points and a bulge for each segment</source>
             <translation>uma curva precisa de ao menos dois pontos e de um bulge por segmento</translation>
         </message>
@@ -8324,6 +8808,10 @@
         <message>
             <source>a hole lies in no outline</source>
             <translation>um furo não fica dentro de nenhum contorno</translation>
+        </message>
+        <message>
+            <source>a hole would reach beyond its outline</source>
+            <translation>um furo passaria do contorno</translation>
         </message>
         <message>
             <source>a hundred turns are enough</source>
@@ -8550,6 +9038,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a pattern has at most {0} characters</source>
+            <translation>um padrão tem no máximo {0} caracteres</translation>
+        </message>
+        <message>
             <source>a pin in the configuration is wrong</source>
             <translation>um pino da configuração está errado</translation>
         </message>
@@ -8590,12 +9082,20 @@
             <translation>um programa para {language} não pode ser retomado no meio</translation>
         </message>
         <message>
+            <source>a program of the mini-lathe begins at the work zero and cannot be entered in its middle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a program on the controller stopped at an error</source>
             <translation>um programa no controlador parou em um erro</translation>
         </message>
         <message>
             <source>a program with subroutines, loops or branches is not rewritten</source>
             <translation>um programa com sub-rotinas, laços ou desvios não é reescrito</translation>
+        </message>
+        <message>
+            <source>a quarter of the width</source>
+            <translation>um quarto da largura</translation>
         </message>
         <message>
             <source>a rapid crosses the sheet, which a wire cannot</source>
@@ -8640,6 +9140,10 @@
         <message>
             <source>a request without the session's token</source>
             <translation>um pedido sem a chave da sessão</translation>
+        </message>
+        <message>
+            <source>a rule has one of operation, marks_for and ignore = true</source>
+            <translation>uma regra tem um só de operation, marks_for e ignore = true</translation>
         </message>
         <message>
             <source>a scale must be above 0</source>
@@ -8704,6 +9208,10 @@
         <message>
             <source>a symbolic link of another user in a folder that everybody may write to is not followed</source>
             <translation>um link simbólico de outro usuário, em uma pasta na qual todos podem gravar, não é seguido</translation>
+        </message>
+        <message>
+            <source>a template has no key '{key}'</source>
+            <translation>um modelo não tem a chave '{key}'</translation>
         </message>
         <message>
             <source>a tolerance must be above 0</source>
@@ -8862,6 +9370,10 @@
             <translation>acrescente G0 ou G1</translation>
         </message>
         <message>
+            <source>add closed = true to the rule, or mend the drawing</source>
+            <translation>acrescente closed = true à regra, ou conserte o desenho</translation>
+        </message>
+        <message>
             <source>add control points</source>
             <translation>acrescente pontos de controle</translation>
         </message>
@@ -8908,6 +9420,10 @@
         <message>
             <source>all before line {first_line} is cut</source>
             <translation>tudo antes da linha {first_line} está cortado</translation>
+        </message>
+        <message>
+            <source>all of it</source>
+            <translation>tudo</translation>
         </message>
         <message>
             <source>all {total} lines are cut, the machine is idle</source>
@@ -9250,6 +9766,10 @@
             <translation>além destes um passo dura mais de um minuto ou tempo nenhum</translation>
         </message>
         <message>
+            <source>blur the picture, scale it down, or choose another threshold</source>
+            <translation>desfoque a imagem, reduza-a ou escolha outro limiar</translation>
+        </message>
+        <message>
             <source>both radii must be positive</source>
             <translation>os dois semieixos devem ser positivos</translation>
         </message>
@@ -9266,8 +9786,20 @@
             <translation>ciclos fixos não podem ser usados</translation>
         </message>
         <message>
+            <source>chains have fewer lines and arcs</source>
+            <translation>cadeias têm menos linhas e arcos</translation>
+        </message>
+        <message>
             <source>change F in the program</source>
             <translation>altere F no programa</translation>
+        </message>
+        <message>
+            <source>change one of its dimensions</source>
+            <translation>mude uma das dimensões</translation>
+        </message>
+        <message>
+            <source>change one of them</source>
+            <translation>mude um deles</translation>
         </message>
         <message>
             <source>change the distance or the tolerance a little</source>
@@ -9480,6 +10012,10 @@
         <message>
             <source>choose another side</source>
             <translation>escolha outro lado</translation>
+        </message>
+        <message>
+            <source>choose another threshold, or invert it</source>
+            <translation>escolha outro limiar, ou inverta a imagem</translation>
         </message>
         <message>
             <source>choose its job</source>
@@ -9716,6 +10252,10 @@
         <message>
             <source>correct the diameters or pitch_mm</source>
             <translation>corrija os diâmetros ou pitch_mm</translation>
+        </message>
+        <message>
+            <source>correct the drawing's unit, or take out what is drawn many times</source>
+            <translation>corrija a unidade do desenho, ou retire o que está desenhado muitas vezes</translation>
         </message>
         <message>
             <source>correct the drawing's unit, or take out what is drawn twice</source>
@@ -9959,7 +10499,11 @@
         </message>
         <message>
             <source>drawings with the suffix '{suffix}' cannot be read</source>
-            <translation type="unfinished"></translation>
+            <translation>desenhos com o sufixo '{suffix}' não podem ser lidos</translation>
+        </message>
+        <message>
+            <source>drawings with the suffix '{suffix}' cannot be written</source>
+            <translation>desenhos com o sufixo '{suffix}' não podem ser escritos</translation>
         </message>
         <message>
             <source>drive a laser by a controller with grbl's laser mode</source>
@@ -10002,12 +10546,24 @@
             <translation>encerre essa sessão como {user}, ou remova o arquivo como {user} se nenhuma estiver mais em execução</translation>
         </message>
         <message>
+            <source>end the name in .json</source>
+            <translation>termine o nome em .json</translation>
+        </message>
+        <message>
+            <source>end the name in one of {known}</source>
+            <translation>termine o nome em um de {known}</translation>
+        </message>
+        <message>
             <source>end the tool change and resume, or reset it</source>
             <translation>termine a troca de ferramenta e continue, ou reinicie-a</translation>
         </message>
         <message>
             <source>end the tool change, then resume</source>
             <translation>termine a troca de ferramenta e continue</translation>
+        </message>
+        <message>
+            <source>ends were moved together</source>
+            <translation>pontas foram unidas</translation>
         </message>
         <message>
             <source>enter by a helix or ramp, or in the middle of a hole drilled before</source>
@@ -10156,6 +10712,10 @@
         <message>
             <source>gap {gap_mm:g} mm</source>
             <translation>lacuna de {gap_mm:g} mm</translation>
+        </message>
+        <message>
+            <source>gaps were closed</source>
+            <translation>vãos foram fechados</translation>
         </message>
         <message>
             <source>give /dev/parport0, socket://host:port, a serial device, or record:FILE</source>
@@ -10446,8 +11006,24 @@
             <translation>o grblHAL só aceita centros de arco a partir do ponto inicial (G91.1)</translation>
         </message>
         <message>
+            <source>half a notch</source>
+            <translation>meio entalhe</translation>
+        </message>
+        <message>
+            <source>half of both diameters</source>
+            <translation>a metade dos dois diâmetros</translation>
+        </message>
+        <message>
             <source>half of the kerf, {half_mm:g} mm</source>
             <translation>metade da largura do corte, {half_mm:g} mm</translation>
+        </message>
+        <message>
+            <source>half the diameter</source>
+            <translation>a metade do diâmetro</translation>
+        </message>
+        <message>
+            <source>half the difference of the diameters</source>
+            <translation>a metade da diferença dos diâmetros</translation>
         </message>
         <message>
             <source>heights belong to a stock of the form 'height_field', and to no other</source>
@@ -10618,6 +11194,10 @@
             <translation>continua sozinho</translation>
         </message>
         <message>
+            <source>it has chains on {known}</source>
+            <translation>ele tem cadeias em {known}</translation>
+        </message>
+        <message>
             <source>it has no face {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10652,6 +11232,10 @@
         <message>
             <source>it has too many tables of pairs</source>
             <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it has {known}</source>
+            <translation>ela tem {known}</translation>
         </message>
         <message>
             <source>it has {styles}</source>
@@ -10810,6 +11394,10 @@
             <translation>as operações dele são: {known}</translation>
         </message>
         <message>
+            <source>its outline would cross itself</source>
+            <translation>o contorno cruzaria a si mesmo</translation>
+        </message>
+        <message>
             <source>its owner</source>
             <translation>seu proprietário</translation>
         </message>
@@ -10952,6 +11540,10 @@
         <message>
             <source>leave one ellipse in it, drawn as an ellipse and not as a B-spline</source>
             <translation>deixe nele uma elipse, desenhada como elipse e não como B-spline</translation>
+        </message>
+        <message>
+            <source>leave part = "holes" out</source>
+            <translation>deixe part = "holes" fora</translation>
         </message>
         <message>
             <source>leave so much, ask for fewer tabs, or cut with a narrower kerf: no smaller pierce_mm does</source>
@@ -11278,6 +11870,10 @@
             <translation>encurte-o</translation>
         </message>
         <message>
+            <source>make it smaller</source>
+            <translation>diminua-o</translation>
+        </message>
+        <message>
             <source>make it smaller, or islands remain</source>
             <translation>diminua-a, ou sobram ilhas</translation>
         </message>
@@ -11368,6 +11964,10 @@
         <message>
             <source>margin {margin_mm:g} mm</source>
             <translation>margem de {margin_mm:g} mm</translation>
+        </message>
+        <message>
+            <source>marks_for names '{title}', which is no rule with a sheet_cut</source>
+            <translation>marks_for nomeia '{title}', que não é uma regra com sheet_cut</translation>
         </message>
         <message>
             <source>material is left where it should be removed{islands}</source>
@@ -11750,6 +12350,14 @@
             <translation>nenhum arquivo comum</translation>
         </message>
         <message>
+            <source>no rule of the template takes a chain of the drawing</source>
+            <translation>nenhuma regra do modelo pega uma cadeia do desenho</translation>
+        </message>
+        <message>
+            <source>no rule of the template takes chains of the drawing: {counts}</source>
+            <translation>nenhuma regra do modelo pega cadeias do desenho: {counts}</translation>
+        </message>
+        <message>
             <source>no screw and rotor has more</source>
             <translation>nenhum fuso com rotor tem mais</translation>
         </message>
@@ -11824,6 +12432,10 @@
         <message>
             <source>not a JSON file: {error}</source>
             <translation>não é um arquivo JSON: {error}</translation>
+        </message>
+        <message>
+            <source>not a PNG or JPEG picture: {why}</source>
+            <translation>não é uma imagem PNG ou JPEG: {why}</translation>
         </message>
         <message>
             <source>not a TOML file: {error}</source>
@@ -12046,8 +12658,16 @@
             <translation>no caminho</translation>
         </message>
         <message>
+            <source>one circle of the shape lies within another</source>
+            <translation>um círculo da forma está dentro de outro</translation>
+        </message>
+        <message>
             <source>one more client beside {known_limit}</source>
             <translation>mais um cliente além de {known_limit}</translation>
+        </message>
+        <message>
+            <source>one of 8, 11, 14, 17, 23, 34, but it</source>
+            <translation>um de 8, 11, 14, 17, 23, 34, mas</translation>
         </message>
         <message>
             <source>one of its points is no number in bounds</source>
@@ -12084,6 +12704,10 @@
         <message>
             <source>only {written} of {data} bytes were taken</source>
             <translation>só {written} de {data} bytes foram aceitos</translation>
+        </message>
+        <message>
+            <source>open chains</source>
+            <translation>cadeias abertas</translation>
         </message>
         <message>
             <source>open line {line} cuts into a part at X{x:.3f} Y{y:.3f}</source>
@@ -12184,6 +12808,14 @@
         <message>
             <source>places of the machine became those of the work, right for this work zero only</source>
             <translation>lugares da máquina viraram lugares da peça, certos só para este zero-peça</translation>
+        </message>
+        <message>
+            <source>places where a chain crosses itself</source>
+            <translation>lugares onde uma cadeia cruza a si mesma</translation>
+        </message>
+        <message>
+            <source>places where closed chains cross each other</source>
+            <translation>lugares onde cadeias fechadas se cruzam</translation>
         </message>
         <message>
             <source>planes are an option of the build: leave it out, arcs are in XY</source>
@@ -12490,6 +13122,10 @@
             <translation>rode 'make setup' na pasta da bancada, ou instale-os por Ferramentas &gt; Gerenciador de extensões, ou instale-os para Python {version_info}.{version_info2} em uma pasta própria (pip install --target PASTA) e indique-a na variável de ambiente CNCSTEPPER_PACKAGES</translation>
         </message>
         <message>
+            <source>save it again as PNG</source>
+            <translation>salve-a de novo como PNG</translation>
+        </message>
+        <message>
             <source>save it as DXF again, as R2000 or newer</source>
             <translation>salve-o de novo como DXF, R2000 ou mais recente</translation>
         </message>
@@ -12503,7 +13139,7 @@
         </message>
         <message>
             <source>save it as one of {known}</source>
-            <translation type="unfinished"></translation>
+            <translation>salve-o como um de {known}</translation>
         </message>
         <message>
             <source>save the file as UTF-8 text</source>
@@ -12524,6 +13160,10 @@
         <message>
             <source>scale all axes alike, or write feeds a minute (G94)</source>
             <translation>use a mesma escala em todos os eixos ou escreva avanços por minuto (G94)</translation>
+        </message>
+        <message>
+            <source>scale it down: 10 pixels a mm are enough for any cutter</source>
+            <translation>reduza-a: 10 pixels por mm bastam para qualquer ferramenta</translation>
         </message>
         <message>
             <source>scripts that are written from the right are not set</source>
@@ -12694,6 +13334,10 @@
             <translation>ajuste-as à mão e tente de novo</translation>
         </message>
         <message>
+            <source>set them farther apart</source>
+            <translation>afaste-os</translation>
+        </message>
+        <message>
             <source>set up a program of that name on the machine</source>
             <translation>instale na máquina um programa com esse nome</translation>
         </message>
@@ -12740,6 +13384,10 @@
         <message>
             <source>shorten the start-up line</source>
             <translation>encurte a linha de partida</translation>
+        </message>
+        <message>
+            <source>smooth_mm belongs to points</source>
+            <translation>smooth_mm pertence a points</translation>
         </message>
         <message>
             <source>soft limits need homing</source>
@@ -12870,6 +13518,14 @@
             <translation>parado antes de enviar a primeira linha</translation>
         </message>
         <message>
+            <source>stretches drawn twice</source>
+            <translation>trechos desenhados duas vezes</translation>
+        </message>
+        <message>
+            <source>stretches drawn twice were taken out</source>
+            <translation>trechos desenhados duas vezes foram retirados</translation>
+        </message>
+        <message>
             <source>subroutines and loops were written out</source>
             <translation>sub-rotinas e laços foram escritos por extenso</translation>
         </message>
@@ -12906,6 +13562,10 @@
             <translation>desligue e ligue o torno, conecte de novo e defina o zero</translation>
         </message>
         <message>
+            <source>switch the lathe off and on, set its zero by hand, and send the whole program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>switch the lathe on in manual mode before it moves; its position is reckoned, nothing reports it</source>
             <translation>ligue o torno em modo manual antes que ele se mova; a posição é calculada, nada a informa</translation>
         </message>
@@ -12936,6 +13596,10 @@
         <message>
             <source>tabs need either count or spacing_mm</source>
             <translation>pontes precisam de count ou de spacing_mm</translation>
+        </message>
+        <message>
+            <source>take a larger stock, a smaller margin or placement = "box"</source>
+            <translation>use um material maior, uma margem menor ou placement = "box"</translation>
         </message>
         <message>
             <source>take a larger tolerance</source>
@@ -13014,12 +13678,20 @@
             <translation>o rosqueamento virou movimentos simples: o avanço pode ser ajustado e nada o prende ao spindle</translation>
         </message>
         <message>
+            <source>teeth and bore</source>
+            <translation>dentes e furo</translation>
+        </message>
+        <message>
             <source>test a torch, a laser, a jet or a wire</source>
             <translation>teste uma tocha, um laser, um jato ou um fio</translation>
         </message>
         <message>
             <source>test with the square, which changes none</source>
             <translation>teste com o quadrado, que não muda nenhum</translation>
+        </message>
+        <message>
+            <source>that of the inner corners</source>
+            <translation>o dos cantos internos</translation>
         </message>
         <message>
             <source>the $ command is not known</source>
@@ -13032,6 +13704,10 @@
         <message>
             <source>the NAME of material {number} names no material and thickness</source>
             <translation>o NAME do material {number} não indica material e espessura</translation>
+        </message>
+        <message>
+            <source>the NEMA size</source>
+            <translation>o tamanho NEMA</translation>
         </message>
         <message>
             <source>the O-word cannot be read</source>
@@ -13114,8 +13790,20 @@
             <translation>os eixos são X (radial) e Z (axial)</translation>
         </message>
         <message>
+            <source>the bars' width</source>
+            <translation>a largura das barras</translation>
+        </message>
+        <message>
+            <source>the base's</source>
+            <translation>a da base</translation>
+        </message>
+        <message>
             <source>the beam is never on where it is to cut</source>
             <translation>o feixe nunca está ligado onde deveria cortar</translation>
+        </message>
+        <message>
+            <source>the bore</source>
+            <translation>o furo</translation>
         </message>
         <message>
             <source>the bore leaves the tool no room for a helix</source>
@@ -13494,6 +14182,10 @@
             <translation>o corte precisa de mais memória do que há</translation>
         </message>
         <message>
+            <source>the cycle '{cycle}' takes no shapes of a drawing</source>
+            <translation>o ciclo '{cycle}' não toma formas de um desenho</translation>
+        </message>
+        <message>
             <source>the cycle takes too many passes</source>
             <translation>o ciclo usa passes demais</translation>
         </message>
@@ -13504,6 +14196,10 @@
         <message>
             <source>the depth goes below the stock</source>
             <translation>a profundidade passa abaixo do bloco</translation>
+        </message>
+        <message>
+            <source>the depth over the key</source>
+            <translation>a profundidade sobre a chaveta</translation>
         </message>
         <message>
             <source>the desk cannot be started: {error}</source>
@@ -13530,12 +14226,32 @@
             <translation>o dispositivo não aceita nada há {limit:g} s; pode haver perda de passos</translation>
         </message>
         <message>
+            <source>the diameter</source>
+            <translation>o diâmetro</translation>
+        </message>
+        <message>
+            <source>the diameter of its middle line</source>
+            <translation>o diâmetro da linha média</translation>
+        </message>
+        <message>
+            <source>the diameter of the points</source>
+            <translation>o diâmetro das pontas</translation>
+        </message>
+        <message>
             <source>the diameter of the tool is not known</source>
             <translation>o diâmetro da ferramenta não é conhecido</translation>
         </message>
         <message>
             <source>the digits of {dialect} cannot hold this feed: F would be {written_mm_min:.4g} mm/min</source>
             <translation>os dígitos de {dialect} não comportam este avanço: F seria {written_mm_min:.4g} mm/min</translation>
+        </message>
+        <message>
+            <source>the dimensions of the shape '{kind}' do not go together: {why}</source>
+            <translation>as dimensões da forma '{kind}' não combinam: {why}</translation>
+        </message>
+        <message>
+            <source>the disc</source>
+            <translation>o disco</translation>
         </message>
         <message>
             <source>the drawing '{deleted_drawing}' that it followed was deleted</source>
@@ -13582,6 +14298,18 @@
             <translation>o desenho não contém curvas</translation>
         </message>
         <message>
+            <source>the drawing reaches beyond the stock</source>
+            <translation>o desenho passa do material</translation>
+        </message>
+        <message>
+            <source>the drawing {file} has no chains for the shape '{name}': {words}</source>
+            <translation>o desenho {file} não tem cadeias para a forma '{name}': {words}</translation>
+        </message>
+        <message>
+            <source>the drawing {file}: {words}: {count}</source>
+            <translation>o desenho {file}: {words}: {count}</translation>
+        </message>
+        <message>
             <source>the drawing {form_file} is damaged, a part of it may be missing: {damage}</source>
             <translation>o desenho {form_file} está danificado, pode faltar parte dele: {damage}</translation>
         </message>
@@ -13592,6 +14320,10 @@
         <message>
             <source>the drawings lie at heights from Z{least_heights:.4g} to Z{most_heights:.4g} mm; all depths count from the top of the stock</source>
             <translation>os desenhos estão em alturas de Z{least_heights:.4g} a Z{most_heights:.4g} mm; todas as profundidades contam a partir do topo do bloco</translation>
+        </message>
+        <message>
+            <source>the ears</source>
+            <translation>as orelhas</translation>
         </message>
         <message>
             <source>the edited program has no job</source>
@@ -13612,6 +14344,10 @@
         <message>
             <source>the emergency stop was pressed</source>
             <translation>a parada de emergência foi acionada</translation>
+        </message>
+        <message>
+            <source>the ends of the legs</source>
+            <translation>as pontas das abas</translation>
         </message>
         <message>
             <source>the entry arc of the compensation is not larger than the tool's radius</source>
@@ -13766,6 +14502,10 @@
             <translation>o arquivo foi alterado enquanto era lido</translation>
         </message>
         <message>
+            <source>the flanges' width</source>
+            <translation>a largura das abas</translation>
+        </message>
+        <message>
             <source>the folder belongs to another user</source>
             <translation>a pasta pertence a outro usuário</translation>
         </message>
@@ -13810,6 +14550,18 @@
             <translation>o cabeçote passa sobre uma peça solta que pode estar levantada</translation>
         </message>
         <message>
+            <source>the head's</source>
+            <translation>o da cabeça</translation>
+        </message>
+        <message>
+            <source>the head's width</source>
+            <translation>a largura da cabeça</translation>
+        </message>
+        <message>
+            <source>the height</source>
+            <translation>a altura</translation>
+        </message>
+        <message>
             <source>the heights cannot be read: {reason}</source>
             <translation>as alturas não podem ser lidas: {reason}</translation>
         </message>
@@ -13828,6 +14580,14 @@
         <message>
             <source>the holder of the {tool} tool goes into stock</source>
             <translation>o porta-ferramenta da ferramenta {tool} entra no material</translation>
+        </message>
+        <message>
+            <source>the hole for the head</source>
+            <translation>o furo para a cabeça</translation>
+        </message>
+        <message>
+            <source>the inner one</source>
+            <translation>o interno</translation>
         </message>
         <message>
             <source>the job cannot be read: {error}</source>
@@ -13852,6 +14612,10 @@
         <message>
             <source>the job is about to go on</source>
             <translation>o trabalho está prestes a continuar</translation>
+        </message>
+        <message>
+            <source>the job is too long for a file that people read</source>
+            <translation>o trabalho é longo demais para um arquivo que pessoas leem</translation>
         </message>
         <message>
             <source>the job names no material, so the chart gives no tool</source>
@@ -13970,6 +14734,10 @@
             <translation>falta a chave {name}</translation>
         </message>
         <message>
+            <source>the key's width</source>
+            <translation>a largura da chaveta</translation>
+        </message>
+        <message>
             <source>the largest disc of the {tool} tool stands more than a pitch above its tip: it cuts no thread</source>
             <translation>o maior disco da ferramenta {tool} fica mais de um passo acima da ponta: ela não corta rosca</translation>
         </message>
@@ -13998,6 +14766,14 @@
             <translation>as entradas e saídas não cabem em lugar nenhum da sobra; o obstáculo mais próximo é {name} em X{x:.3f} Y{y:.3f}</translation>
         </message>
         <message>
+            <source>the legs' width</source>
+            <translation>a largura das abas</translation>
+        </message>
+        <message>
+            <source>the length</source>
+            <translation>o comprimento</translation>
+        </message>
+        <message>
             <source>the length of the tool before is in force after the change</source>
             <translation>o comprimento da ferramenta anterior está em vigor depois da troca</translation>
         </message>
@@ -14016,6 +14792,10 @@
         <message>
             <source>the letters move {axis}, which this machine does not have</source>
             <translation>as letras movem {axis}, que esta máquina não tem</translation>
+        </message>
+        <message>
+            <source>the library has no shape '{kind}'</source>
+            <translation>a biblioteca não tem a forma '{kind}'</translation>
         </message>
         <message>
             <source>the library has too many tools</source>
@@ -14258,6 +15038,10 @@
             <translation>o motor de {name} pode perder passos: a {speed:.4g} mm/s ({rpm_at:.0f} rpm) e {acceleration:.4g} mm/s² falta-lhe torque</translation>
         </message>
         <message>
+            <source>the mouth's</source>
+            <translation>a da boca</translation>
+        </message>
+        <message>
             <source>the move after the end of a compensation must be a line</source>
             <translation>o movimento depois do fim de uma compensação deve ser uma reta</translation>
         </message>
@@ -14300,6 +15084,10 @@
         <message>
             <source>the other end has closed it</source>
             <translation>a outra ponta a fechou</translation>
+        </message>
+        <message>
+            <source>the outer diameter</source>
+            <translation>o diâmetro externo</translation>
         </message>
         <message>
             <source>the outlines enclose nothing</source>
@@ -14352,6 +15140,22 @@
         <message>
             <source>the pattern cannot be read: {error}</source>
             <translation>o padrão de busca não pode ser lido: {error}</translation>
+        </message>
+        <message>
+            <source>the picture does not say its size: {dpi:g} dpi are taken; give its width</source>
+            <translation>a imagem não diz o seu tamanho: tomam-se {dpi:g} dpi; dê a largura</translation>
+        </message>
+        <message>
+            <source>the picture has no dark areas</source>
+            <translation>a imagem não tem áreas escuras</translation>
+        </message>
+        <message>
+            <source>the picture has too many contours</source>
+            <translation>a imagem tem contornos demais</translation>
+        </message>
+        <message>
+            <source>the picture has too many pixels</source>
+            <translation>a imagem tem pixels demais</translation>
         </message>
         <message>
             <source>the piece that is cut came free at line {line}: it has fallen or moved</source>
@@ -14480,6 +15284,10 @@
         <message>
             <source>the process that plays the pulses has ended; steps may be lost</source>
             <translation>o processo que envia os pulsos terminou; passos podem ter sido perdidos</translation>
+        </message>
+        <message>
+            <source>the process that plays the pulses stood still: it was stopped, or the computer gave it no time; everything is off, and steps may be lost</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the process that proves the program ended without an answer</source>
@@ -14734,6 +15542,14 @@
             <translation>as linhas de alturas têm comprimentos diferentes</translation>
         </message>
         <message>
+            <source>the rule '{name}' clears areas, but takes open chains of the drawing</source>
+            <translation>a regra '{name}' limpa áreas, mas pega cadeias abertas do desenho</translation>
+        </message>
+        <message>
+            <source>the rule gives the shapes: leave {named} out</source>
+            <translation>a regra dá as formas: deixe {named} fora</translation>
+        </message>
+        <message>
             <source>the safety door is open</source>
             <translation>a porta de segurança está aberta</translation>
         </message>
@@ -14826,8 +15642,16 @@
             <translation>este leitor não conhece o arquivo de configuração da máquina</translation>
         </message>
         <message>
+            <source>the shaft's</source>
+            <translation>a da haste</translation>
+        </message>
+        <message>
             <source>the shank of the {tool} tool rubs along the wall over its flutes</source>
             <translation>a haste da ferramenta {tool} atrita na parede acima da parte cortante</translation>
+        </message>
+        <message>
+            <source>the shape '{kind}' has no dimension {key}</source>
+            <translation>a forma '{kind}' não tem a dimensão {key}</translation>
         </message>
         <message>
             <source>the shape '{name}' needs one of {ways}; {told}</source>
@@ -14836,6 +15660,14 @@
         <message>
             <source>the shift of G92 went into the coordinates</source>
             <translation>o deslocamento de G92 entrou nas coordenadas</translation>
+        </message>
+        <message>
+            <source>the shorter side</source>
+            <translation>o lado menor</translation>
+        </message>
+        <message>
+            <source>the slot's width</source>
+            <translation>a largura do rasgo</translation>
         </message>
         <message>
             <source>the spindle cannot turn at this speed</source>
@@ -14884,6 +15716,10 @@
         <message>
             <source>the state of the stored settings cannot be read</source>
             <translation>o estado das configurações gravadas não pode ser lido</translation>
+        </message>
+        <message>
+            <source>the step of the notches, in degrees,</source>
+            <translation>o passo dos entalhes, em graus,</translation>
         </message>
         <message>
             <source>the step pulse is shorter than 2 microseconds</source>
@@ -15142,6 +15978,22 @@
             <translation>o trajeto seria curvado de outro modo</translation>
         </message>
         <message>
+            <source>the web's</source>
+            <translation>a da alma</translation>
+        </message>
+        <message>
+            <source>the web's thickness</source>
+            <translation>a espessura da alma</translation>
+        </message>
+        <message>
+            <source>the width</source>
+            <translation>a largura</translation>
+        </message>
+        <message>
+            <source>the width across the flats</source>
+            <translation>a largura entre faces</translation>
+        </message>
+        <message>
             <source>the wire begins to cut inside the sheet</source>
             <translation>o fio começa a cortar dentro da chapa</translation>
         </message>
@@ -15228,6 +16080,10 @@
         <message>
             <source>the {tool} tool rubs: a tooth takes too thin a chip</source>
             <translation>a ferramenta {tool} atrita em vez de cortar: um dente tira um cavaco fino demais</translation>
+        </message>
+        <message>
+            <source>their distance</source>
+            <translation>a distância entre eles</translation>
         </message>
         <message>
             <source>then runs {own} lines of the program as they are; all before them is taken as cut</source>
@@ -15558,6 +16414,10 @@
             <translation>esta configuração não pode mudar com o controlador em funcionamento</translation>
         </message>
         <message>
+            <source>this shape has no holes</source>
+            <translation>esta forma não tem furos</translation>
+        </message>
+        <message>
             <source>this system has no Unix sockets</source>
             <translation>este sistema não tem sockets Unix</translation>
         </message>
@@ -15572,6 +16432,22 @@
         <message>
             <source>threads can be cut only in the plane ZX</source>
             <translation>roscas só podem ser cortadas no plano ZX</translation>
+        </message>
+        <message>
+            <source>three times the bar's width</source>
+            <translation>três vezes a largura da barra</translation>
+        </message>
+        <message>
+            <source>threshold {threshold}</source>
+            <translation>limiar {threshold}</translation>
+        </message>
+        <message>
+            <source>tiny chains</source>
+            <translation>cadeias minúsculas</translation>
+        </message>
+        <message>
+            <source>tiny chains were taken out</source>
+            <translation>cadeias minúsculas foram retiradas</translation>
         </message>
         <message>
             <source>tip_diameter_mm must be below diameter_mm</source>
@@ -15596,6 +16472,10 @@
         <message>
             <source>too many lines and arcs in its files</source>
             <translation>linhas e arcos demais nos seus arquivos</translation>
+        </message>
+        <message>
+            <source>too many lines lie on each other</source>
+            <translation>linhas demais estão umas sobre as outras</translation>
         </message>
         <message>
             <source>too many points</source>
@@ -15686,12 +16566,32 @@
             <translation>girando no sentido anti-horário (M4)</translation>
         </message>
         <message>
+            <source>twice the holes' distance from it</source>
+            <translation>duas vezes a distância dos furos até ele</translation>
+        </message>
+        <message>
             <source>two arcs of the profile have one centre</source>
             <translation>dois arcos do perfil têm o mesmo centro</translation>
         </message>
         <message>
+            <source>two chamfers</source>
+            <translation>dois chanfros</translation>
+        </message>
+        <message>
             <source>two commands of one line both want axis words</source>
             <translation>dois comandos de uma linha querem palavras de eixo</translation>
+        </message>
+        <message>
+            <source>two flanges</source>
+            <translation>duas mesas</translation>
+        </message>
+        <message>
+            <source>two holes would meet</source>
+            <translation>dois furos se encontrariam</translation>
+        </message>
+        <message>
+            <source>two legs</source>
+            <translation>duas abas</translation>
         </message>
         <message>
             <source>two lines of the profile are parallel</source>
@@ -15704,6 +16604,10 @@
         <message>
             <source>two rows are for {thickness:g} mm of {material}</source>
             <translation>duas linhas são para {thickness:g} mm de {material}</translation>
+        </message>
+        <message>
+            <source>two rules have the same title</source>
+            <translation>duas regras têm o mesmo título</translation>
         </message>
         <message>
             <source>two self-squaring axes cannot be homed at the same time</source>
@@ -15922,6 +16826,10 @@
             <translation>use um destes: {keywords}</translation>
         </message>
         <message>
+            <source>use one of: {kinds}</source>
+            <translation>use um de: {kinds}</translation>
+        </message>
+        <message>
             <source>use one of: {known}</source>
             <translation>use um destes: {known}</translation>
         </message>
@@ -16066,6 +16974,10 @@
             <translation>o que acontece entre os movimentos não seria o mesmo</translation>
         </message>
         <message>
+            <source>what is cut off</source>
+            <translation>o que é cortado</translation>
+        </message>
+        <message>
             <source>what is known of the machine's position cannot be kept: {error}</source>
             <translation>o que se sabe da posição da máquina não pode ser guardado: {error}</translation>
         </message>
@@ -16084,6 +16996,10 @@
         <message>
             <source>what stands here is no word that can be edited</source>
             <translation>o que está aqui não é uma palavra que possa ser editada</translation>
+        </message>
+        <message>
+            <source>what the circle takes of it</source>
+            <translation>o que o círculo toma dela</translation>
         </message>
         <message>
             <source>what the material that QtPlasmaC has chosen says is not in the text</source>
@@ -16136,6 +17052,10 @@
         <message>
             <source>while G80 is in force {dialect} takes no axis words, nor those of {user}</source>
             <translation>enquanto G80 vale, {dialect} não aceita palavras de eixo, nem as de {user}</translation>
+        </message>
+        <message>
+            <source>width and height</source>
+            <translation>largura e altura</translation>
         </message>
         <message>
             <source>with tool {tool} in the spindle</source>
@@ -16362,6 +17282,10 @@
             <translation>escreva um rápido até o seu início</translation>
         </message>
         <message>
+            <source>write a rule for them, or one with ignore = true</source>
+            <translation>escreva uma regra para elas, ou uma com ignore = true</translation>
+        </message>
+        <message>
             <source>write a straight line</source>
             <translation>escreva uma reta simples</translation>
         </message>
@@ -16468,6 +17392,10 @@
         <message>
             <source>write plain moves, each in a line of its own, in coordinates that are not turned</source>
             <translation>escreva movimentos simples, cada um em sua linha, em coordenadas não giradas</translation>
+        </message>
+        <message>
+            <source>write rules: [[rule]]</source>
+            <translation>escreva regras: [[rule]]</translation>
         </message>
         <message>
             <source>write shape:diameter_mm, for example flat:6 or ball:2</source>
@@ -16594,8 +17522,20 @@
             <translation>{0} e {1} mm</translation>
         </message>
         <message>
+            <source>{0} by the template {1}, {2}</source>
+            <translation>{0} pelo modelo {1}, {2}</translation>
+        </message>
+        <message>
+            <source>{0} by {1} mm</source>
+            <translation>{0} por {1} mm</translation>
+        </message>
+        <message>
             <source>{0} by {1} to {2} mm</source>
             <translation>{0} de {1} a {2} mm</translation>
+        </message>
+        <message>
+            <source>{0} in islands {1}</source>
+            <translation>{0} em ilhas {1}</translation>
         </message>
         <message>
             <source>{0} mm each where the axes are square</source>
@@ -16604,6 +17544,10 @@
         <message>
             <source>{0} mm/min</source>
             <translation>{0} mm/min</translation>
+        </message>
+        <message>
+            <source>{0} segments fewer</source>
+            <translation>{0} segmentos a menos</translation>
         </message>
         <message>
             <source>{0} to {1} mm</source>
@@ -16918,6 +17862,14 @@
             <translation>{key}= aparece duas vezes no comentário de um material</translation>
         </message>
         <message>
+            <source>{kind} on layer '{layer}' at X{x:.3f} Y{y:.3f}, {size}</source>
+            <translation>{kind} na camada '{layer}' em X{x:.3f} Y{y:.3f}, {size}</translation>
+        </message>
+        <message>
+            <source>{kind} on layer '{layer}' at X{x:.3f} Y{y:.3f}{length}</source>
+            <translation>{kind} na camada '{layer}' em X{x:.3f} Y{y:.3f}{length}</translation>
+        </message>
+        <message>
             <source>{lacks} became lines, at most {chord_mm:g} mm away</source>
             <translation>{lacks} viraram retas, afastadas no máximo {chord_mm:g} mm</translation>
         </message>
@@ -17096,6 +18048,10 @@
         <message>
             <source>{most_strokes} moves in one block</source>
             <translation>{most_strokes} movimentos em um bloco</translation>
+        </message>
+        <message>
+            <source>{most} pixels</source>
+            <translation>{most} pixels</translation>
         </message>
         <message>
             <source>{named} cannot change tools by '{tool_change}'</source>
@@ -17454,6 +18410,10 @@
             <translation>{unreachable_mm:.3f} mm de material ficam em cada ponta do eixo maior, onde a elipse é mais fechada que a ferramenta; uma ferramenta de no máximo {short_mm:.3g} mm de diâmetro alcança</translation>
         </message>
         <message>
+            <source>{untaken} chains</source>
+            <translation>{untaken} cadeias</translation>
+        </message>
+        <message>
             <source>{user} and {user2} would both use the axis words</source>
             <translation>{user} e {user2} usariam os dois as palavras de eixo</translation>
         </message>
@@ -17468,6 +18428,10 @@
         <message>
             <source>{what} cannot be sent to a controller of this computer</source>
             <translation>{what} não pode ser enviado a um controlador deste computador</translation>
+        </message>
+        <message>
+            <source>{what} must be larger than {than}</source>
+            <translation>{what}: deve ser maior que {than}</translation>
         </message>
         <message>
             <source>{what} while the tool is compensated</source>
@@ -17488,6 +18452,10 @@
         <message>
             <source>{width_mm:g} mm wide</source>
             <translation>{width_mm:g} mm de largura</translation>
+        </message>
+        <message>
+            <source>{width} by {height}</source>
+            <translation>{width} por {height}</translation>
         </message>
         <message>
             <source>{word} by the button on {button}</source>

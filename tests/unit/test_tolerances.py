@@ -12,8 +12,8 @@ from CNCStepper import tolerances
 from helpers.imports import PACKAGE, modules
 
 TABLE = PACKAGE / "tolerances.py"
-SAMENESS = {"SAME", "COINCIDENT", "TWINS", "TOUCH", "TOUCHING", "NODE"}  # words of such a constant's name
-UNITS = {"MM", "RAD", "DEG"}
+SAMENESS = {"SAME", "SIMILAR", "EQUAL", "COINCIDENT", "TOUCH", "TOUCHING", "NODE", "NOTHING"}  # words of their names
+LARGEST = 1.0  # larger constants are counts, picture points or milliseconds
 
 
 def declared(source: str) -> list[str]:
@@ -22,16 +22,15 @@ def declared(source: str) -> list[str]:
         target.id
         for statement in ast.parse(source).body
         if isinstance(statement, ast.Assign | ast.AnnAssign) and isinstance(statement.value, ast.Constant)
-        if isinstance(statement.value.value, int | float)
+        if isinstance(statement.value.value, int | float) and statement.value.value <= LARGEST
         for target in (statement.targets if isinstance(statement, ast.Assign) else [statement.target])
         if isinstance(target, ast.Name) and is_tolerance(target.id)
     ]
 
 
 def is_tolerance(name: str) -> bool:
-    """Whether a name is that of a tolerance of being the same place, length or angle."""
-    words = name.strip("_").split("_")
-    return bool(SAMENESS & set(words)) and (words[-1] in UNITS | {"ANGLE"} or words == ["SAME"])
+    """Whether a name is that of a tolerance of being the same place, length, angle or number."""
+    return bool(SAMENESS & set(name.strip("_").split("_")))
 
 
 def test_no_module_declares_when_places_are_the_same() -> None:
@@ -42,19 +41,19 @@ def test_no_module_declares_when_places_are_the_same() -> None:
 
 
 @pytest.mark.parametrize(
-    "line", ["SAME_MM = 1e-6", "_SAME_PLACE_MM: float = 0.01", "TOUCH_MM = 1", "SAME = 1e-9", "SAME_ANGLE = 0.1"]
+    "line", ["SAME_MM = 1e-6", "_SAME_PLACE_MM: float = 0.01", "TOUCH_MM = 1", "SAME = 1e-9", "SAME_FEED = 0.1"]
 )
 def test_a_planted_tolerance_is_found(line: str) -> None:
     assert len(declared(line)) == 1
 
 
-@pytest.mark.parametrize("line", ["SAME_MS = 5", "SAME_FEED = 0.1", "LIMIT_MM = 2.0", "from m import SAME_MM"])
+@pytest.mark.parametrize("line", ["SAME_MS = 5", "SAME_PX = 1.5", "LIMIT_MM = 2.0", "from m import SAME_MM"])
 def test_other_constants_are_none(line: str) -> None:
     assert not declared(line)
 
 
 def test_each_row_has_its_value_and_its_meaning_once() -> None:
-    rows = re.findall(r"^([A-Z_]+) = ([0-9.e-]+)(?:  # (.+))?$", TABLE.read_text("utf-8"), re.MULTILINE)
+    rows = re.findall(r"^([A-Z_0-9]+) = ([0-9.e-]+)(?:  # (.+))?$", TABLE.read_text("utf-8"), re.MULTILINE)
     names = {name for name in vars(tolerances) if name.isupper()}
     assert [name for name, _, _ in rows] == list(dict.fromkeys(name for name, _, _ in rows))
     assert {name for name, _, _ in rows} == names

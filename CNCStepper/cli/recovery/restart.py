@@ -22,6 +22,8 @@ from CNCStepper.cli.common.path_types import OutputPath
 from CNCStepper.cli.common.program_options import ProgramOptions, program_options
 from CNCStepper.cli.common.progress import Progress
 from CNCStepper.cli.common.verb import Verb
+from CNCStepper.cli.job.send import LETTERS
+from CNCStepper.errors import JobError
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tools.tool import Tool
 
@@ -161,14 +163,21 @@ def command(
     Without --port nothing is sent: you see what it would do, and with -o you get the program. Without a place you get
     the list of the contours. --machine, or --job with its machine, is needed; with --job, or with --stock and --tool,
     the restart is cut on the stock that the moves before it have left, and refused where a rapid meets material. What
-    is cut on no stock is sent only with --without-stock. `cncstepper resume` gives the whole command for a job that did
-    not end.
+    is cut on no stock is sent only with --without-stock. A program in a language that the machine's controller does not
+    read is restarted as it is sent, in grbl's. Programs of the mini-lathe, and pulse letters, cannot be restarted in
+    their middle. `cncstepper resume` gives the whole command for a job that did not end.
 
     Exit 0 when it is clean (and, with --port, done), else 1.
     """
     from CNCStepper.control.service.port_owner import check_free, warn_of_closed
     from CNCStepper.recovery.restart.prove_restart import certificate_of_restart
 
+    if program.suffix.lower() == LETTERS:
+        raise JobError(
+            "restart-letters",
+            "pulse letters name no places, so that no entry can be written for them",
+            advice="hold and go back along the pulses with 'cncstepper back', or send the letters that are left",
+        )
     given.check_stock()
     against = _Against.of(given)
     _check_stock(against, sending)
@@ -203,11 +212,12 @@ def _check_stock(against: _Against, sending: Sending) -> None:
 def _list(text: str, program: Path, against: _Against) -> None:
     """Print the places by which a restart can be named."""
     from CNCStepper.recovery.restart.description import contour_table
-    from CNCStepper.recovery.restart.interrupted_program import read_program as read
+    from CNCStepper.recovery.restart.interrupted_program import read_on_machine
 
     start = against.job.started(against.start, against.machine) if against.job else against.start
+    interrupted = read_on_machine(text, against.machine, against.dialect, start, str(program))
     click.echo("contour   line   operation             begins at                        length")
-    for number, line, operation, place, length_mm in contour_table(read(text, against.dialect, start, str(program))):
+    for number, line, operation, place, length_mm in contour_table(interrupted):
         click.echo(f"{number:7} {line:6}   {operation:20}  {place:32} {length_mm:.1f} mm")
     click.echo("name one with --contour, or give --line, --operation or --at")
 
@@ -243,11 +253,18 @@ def _write(proven: ProvenRestart, certificate: Certificate, sending: Sending) ->
     """Write program and certificate where they are wanted; the certificate names the program."""
     if sending.out:
         save(sending.out, proven.restart.text.encode("utf-8"))
-        click.echo(f"{sending.out}: written")
+        click.echo(f"{sending.out}: written{_language_note(proven)}")
     if sending.certificate:
         sending.certificate.parent.mkdir(parents=True, exist_ok=True)
         certificate.write(sending.certificate)
         click.echo(f"{sending.certificate}: written")
+
+
+def _language_note(proven: ProvenRestart) -> str:
+    """Return in which language a restart is, where that is not the language of its program."""
+    program = proven.restart.program
+    name = program.dialect.name.partition(":")[0]
+    return f", in the language that is sent: --dialect {name}" if program.is_translated else ""
 
 
 def _send(certificate: Certificate, sending: Sending) -> None:

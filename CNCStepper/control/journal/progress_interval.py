@@ -86,7 +86,7 @@ def _path_from(story: JobReplay, lines: Sequence[str]) -> PlannedPath:
     zero = story.zero or story.header
     offsets_mm, modes = zero["offsets_mm"], zero["modes"]
     start = start_from(offsets_mm, modes, tuple(story.header["mpos_mm"]))
-    if story.zero:  # a job goes on with a new zero at the same place of the work
+    if story.zero:  # after a new zero, a job continues at the same place of the work
         start = replace(start, position_mm=_moved(start, story.header["offsets_mm"].get(start.work_system)))
     language = language_of(story.header.get("controller", "grbl"))
     path = PlannedPath(lines, start, held_modes(offsets_mm, modes), dialect=language)

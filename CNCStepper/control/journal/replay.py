@@ -32,7 +32,7 @@ Pairs = Sequence[Sequence[int]]
 
 @dataclass(frozen=True)
 class FirstProgram:
-    """The program that a restart goes on with; file: its whole path, or its name where it is no file."""
+    """The program that a restart continues; file: its whole path, or its name where it is no file."""
 
     file: str
     sha256: str
@@ -189,6 +189,6 @@ def text_sent(story: JobReplay, texts: Iterable[str] = ()) -> str | None:
         return found
     try:
         text = decoded(file.read_bytes())[0]
-    except OSError:  # gone, or not to be read by whoever asks
+    except OSError:  # removed, or not readable by this user
         return None
     return text if not sha256 or digest_of_text(text) == sha256 else None

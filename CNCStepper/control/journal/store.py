@@ -58,7 +58,7 @@ def _is_of(header: Mapping[str, Any], port: str, identity: PortIdentity) -> bool
 def replays(folder: Path | None = None) -> Iterator[JobReplay]:
     """Yield the replay of each journal, the latest first; unreadable ones are left out."""
     for path in journals(folder):
-        with suppress(CNCStepperError):  # `resume JOURNAL` says what is wrong with it
+        with suppress(CNCStepperError):  # `resume JOURNAL` reports its error
             yield read_replay(path)
 
 
@@ -76,7 +76,7 @@ def prune(folder: Path, now_s: float | None = None) -> None:
 
 
 def _is_needed(path: Path, now_s: float) -> bool:
-    if is_locked(path):  # its job runs, whatever the clock says
+    if is_locked(path):  # its job runs; the clock may be wrong
         return True
     if abs(now_s - path.stat().st_mtime) > RECENT_S:
         return False

@@ -28,7 +28,7 @@ def check_ended(story: JobReplay) -> None:
 
 
 def begun_as(story: JobReplay) -> Iterator[tuple[str, str]]:
-    """Yield what the job was begun with: a short name, and the words."""
+    """Yield the inputs of the job, each as a short name and a text."""
     header, first = story.header, story.first_program
     file, total = header["file"], story.total
     yield (
@@ -92,7 +92,7 @@ def why_no_line(story: JobReplay) -> str:
 
 
 def _lines(story: JobReplay) -> Iterator[tuple[str, str]]:
-    """Yield what is certain of the program's lines, and what is not."""
+    """Yield which of the program's lines are certainly cut, and which are not."""
     if not story.first_line:
         yield "certain", "every line is cut"
         return
@@ -153,7 +153,7 @@ def _beside(moment: str, reached: ProgressInterval | None) -> str:
 
 
 def _zero(story: JobReplay) -> str:
-    """Return that the work zero was set anew within the job, and where it is."""
+    """Return a text on a work zero that was set during the job, and its position."""
     before, now = story.header["offsets_mm"], story.zero["offsets_mm"]
     changed = [f"{name} {_place(now[name])}" for name in now if now[name] and now[name] != before.get(name)]
     places = ", ".join(changed) or "place not known"

@@ -98,7 +98,7 @@ class JournalFile:
         descriptor = os.open(path, os.O_RDWR | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0), 0o600)
         self._file = open(descriptor, "r+b", buffering=0)  # noqa: SIM115 - closed by `close`
         self._count = 0
-        self._end = 0  # of what is on the disk
+        self._end = 0  # of the records on the disk
         try:
             take_lock_with_retries(self._file)
             sync_folder(path.parent)
@@ -113,7 +113,7 @@ class JournalFile:
         try:
             self._write(line)
         except OSError:
-            with suppress(OSError):  # if not now, the next record is written over what is there
+            with suppress(OSError):  # if this fails, the next record overwrites it
                 self._file.truncate(self._end)
             raise
         self._end += len(line)
@@ -193,10 +193,10 @@ class Journal:
         self._capacity = Capacity()
         self._file: JournalFile | None = None
         self._writing: Future[None] | None = None
-        self._asked = 0  # permitted once what is being written is on the disk
+        self._asked = 0  # permitted once the record that is being written is on the disk
         self._written: Group | None = None
         self._offsets_mm: dict[str, Any] = {}
-        self._zero: dict[str, Any] = {}  # what a record says of a zero that is not the header's
+        self._zero: dict[str, Any] = {}  # a zero that differs from the header's, as a record has it
         self._trouble = ""
         self._due_s = 0.0
         self._finished = 0
@@ -284,7 +284,7 @@ class Journal:
             self._executor.shutdown()
         return told
 
-    # --- what is due ---------------------------------------------------------------------------
+    # --- due records ---------------------------------------------------------------------------
 
     def _is_due(self, sent: int) -> bool:
         now_s = self._clock()

@@ -29,7 +29,7 @@ from CNCStepper.control.protocol.grbl.status_reports import Feedback, NamedSetti
 from CNCStepper.errors import MachineRefusal, Text
 
 HOME, UNLOCK, QUESTION, JOG, SETTING, PROGRAM = "home", "unlock", "question", "jog", "setting", "program"
-MOVING_KINDS = (JOG, PROGRAM)  # done only when the machine stands again
+MOVING_KINDS = (JOG, PROGRAM)  # done only when the machine is at rest again
 STEPS_PER_MM = range(100, 110)
 _QUESTION = re.compile(r"\$|\$\$|\$#|\$G|\$I\+?|\$N|\$SS?|\$[A-Z]*/[\w/]+")
 _SETTING = re.compile(r"\$([0-9]{1,4})=(?=.{1,16}$)([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+))")
@@ -82,7 +82,7 @@ AT_REST = ("Idle", "Alarm", "Check")
 
 
 class Console:
-    """One line at a time; `tell` gets "console" (the controller's words) and "answer" ("ok", or why not)."""
+    """Sends one line at a time; `tell` receives "console" (the controller's text) and "answer" ("ok" or the error)."""
 
     def __init__(self, driver: Grbl, tell: Callable[[str, str], None]):
         self._driver = driver
@@ -136,7 +136,7 @@ class Console:
     def on_message(self, report: Received, unasked: bool = False) -> None:
         """Emit the messages that belong to the current line, and detect when the machine is at rest again.
 
-        unasked: the report answers no line at all; then it is told as well.
+        unasked: the report answers no line; it is passed to `tell` too.
         """
         if not self.active and not unasked:
             return

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The machine's own buttons: what their pins show becomes commands, on the thread that looks at the pins.
+"""The machine's hardware buttons: levels of input pins become commands, on the thread that polls the pins.
 
 Pn: in a status ──► hear ──┐
                            ├──► Debouncer ──► edge ──► told, and asked of the sender or the service
@@ -11,7 +11,7 @@ looked at   0   0 | 1   0   1   1   1 | 1   1
 steady      0   0   0   0   0   0   1   1   1      after debounce_s without a change
 edge                                ^ True
 
-What a button of the machine asks for: the same commands that a window and a terminal ask.
+The command of a hardware button, one of those that a window and a terminal send.
 
 act            pressed                                   let go
 start          resume; of an idle service its last job      -
@@ -44,9 +44,9 @@ from CNCStepper.errors import JobError, LinkError, Text
 
 
 class Debouncer:
-    """Follows one contact; the first steady level is only learnt, so that what is pressed at the begin does nothing.
+    """Debounces one contact; the first steady level gives no edge, so a button held at the start does nothing.
 
-    debounce_s: how long a level must last before it is believed, at two looks at least; 0 believes every look.
+    debounce_s: how long a level must last to count, at two polls at least; at 0 every poll counts.
     """
 
     def __init__(self, debounce_s: float):
@@ -56,7 +56,7 @@ class Debouncer:
         self._since_s = 0.0
 
     def look(self, level: bool, now_s: float) -> bool | None:
-        """Take what the contact shows now; return its new level where it has just changed, else None."""
+        """Take the contact's level now; return the new level at a change, else None."""
         if level != self._seen:
             self._seen, self._since_s = level, now_s
             if self._debounce_s > 0:
@@ -111,7 +111,7 @@ class Button:
         return Text("pin {pin} of {port}", pin=self.pin, port=self.port) if self.port else f"pin {self.pin}"
 
     def command(self, pressed: bool) -> Command | None:
-        """Return what it asks for when it was just pressed, or let go; None for nothing."""
+        """Return the command of a press or a release; None where it has none."""
         if self.act == "switch":
             line = self.line if pressed else self.release_line
             return Command("switch", {"line": line}) if line else None
@@ -303,7 +303,7 @@ class Buttons:
         self._ask((button.act == "start" and self._start()) or command)
 
     def _lost(self, error: LinkError) -> None:
-        """Hold: whoever works the machine by buttons can stop it by none of them now."""
+        """Hold the machine, because none of its buttons can stop it now."""
         self._tell("warning", Text("the buttons are not heard any more, so the machine is held: {error}", error=error))
         self._ask(Command("hold"))
 

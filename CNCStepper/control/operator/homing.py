@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Homes a machine that was just met, before its job: what a board forgets when its port is opened it finds anew.
+"""Homes a machine after connecting, before its job: a board that restarts when its port is opened loses its position.
 
 grbl's link has no checksum: `$H` may arrive as `$X`, which unlocks, as `$I`, or as an empty line. All of these are
 answered `ok`, and nothing was homed; but at once, while a homing backs off its switches twice at least.
@@ -25,12 +25,12 @@ def home(driver: Grbl, timing: Timing) -> None:
     """Let the machine find its own zero and wait for it; whatever ends that otherwise stops the axes.
 
     Raises MachineRefusal where the machine is busy, cannot home, or has not found its switches, LinkError when it is
-    silent, or says to have homed before it can have.
+    silent, or reports the end of homing too early.
     """
     if driver.status and driver.status.state != "Alarm":
         check_state(driver.status)
     discard_half_line(driver, timing)
-    driver.status = None  # whoever stops it here does not know where it stands
+    driver.status = None  # homing that is stopped here leaves the position unknown
     is_home = False
     try:
         begin_s = driver.clock()

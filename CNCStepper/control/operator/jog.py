@@ -66,7 +66,7 @@ class JogMove:
 
 @dataclass
 class ContinuousJog:
-    """A jog that goes on while its button is pressed; press: which pressing of a button this is."""
+    """A jog that lasts while its button is pressed; press: the number of this press."""
 
     press: str
     way: JogMove
@@ -91,7 +91,7 @@ def check_in_time(command: Command, now_s: float) -> None:
 class Jogger:
     """Jogs one machine; `turn` is called at least every `wait_s`.
 
-    refuse: hears why a jog was given up. tell: hears "warning". states: in which the controller takes a jog.
+    refuse: called with the reason when a jog is given up. tell: called with "warning". states: that allow a jog.
     """
 
     def __init__(
@@ -107,7 +107,7 @@ class Jogger:
         self._tell = tell
         self._steps: deque[JogLine] = deque()
         self._held: ContinuousJog | None = None
-        self._over = ""  # the press that came to its end before its button was let go
+        self._over = ""  # the press that ended before its button was released
         self._under_way = False  # a line without its answer
         self._cancelled_s = inf  # when 0x85 was written last, while its effect is awaited
 
@@ -129,7 +129,7 @@ class Jogger:
         self._steps.append(way)
 
     def keep(self, press: str, way: JogMove) -> None:
-        """Begin to jog in this direction, or go on; to be called again within LAPSE_S."""
+        """Start or continue to jog in this direction; call again within LAPSE_S."""
         if press == self._over:
             return
         try:
@@ -238,7 +238,7 @@ class Jogger:
         self._under_way = True
 
     def _look_after_cancel(self, now_s: float) -> None:
-        """Cancel again what the controller took up after it was cancelled."""
+        """Cancel again a jog that the controller started after the cancel."""
         if self._under_way or self._driver.status_asked_s <= self._cancelled_s or not self._driver.status:
             return
         if self._driver.status.state == "Jog":

@@ -49,7 +49,7 @@ def check_room(machine: Machine, mpos_mm: Position | None, axis: str, low_mm: fl
 def arrivals(axis: str, length_mm: float, play_mm: float, feed_mm_min: float) -> tuple[list[str], list[str], list[str]]:
     """Return the lines to the start of a measured length, along it, and back to where it all began.
 
-    The start is reached in the sense of the length, so that the play of the axis is taken up before it is measured.
+    The start is approached in the direction of the length, so that the axis has no backlash left when it is measured.
     """
     lead_mm = (play_mm + LEAD_MM) * (1 if length_mm > 0 else -1)
     start = [way(axis, -lead_mm, feed_mm_min), way(axis, lead_mm, feed_mm_min)]
@@ -119,7 +119,7 @@ def switching(machine: Machine, device: Device, on: bool, outputs: str = "") -> 
 
 
 def is_on(device: str, outputs: str | None) -> bool | None:
-    """Return whether a status says that a device is on; None where it does not say."""
+    """Return whether a status reports a device as on; None where it does not report it."""
     letter = {**COOLANTS, **SPINDLES}.get(device, ("", ""))[1]
     return None if outputs is None or not letter else letter in outputs
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Whether a machine, as it was just met, is what its job was proven for: settings, work zero, modes, line lengths.
+"""Compares a connected machine with its job's proof: settings, work zero, modes, line lengths.
 
 Checks that the controller reads the lines of a job as the proof did: they are sent unchanged.
 
@@ -77,7 +77,7 @@ def check_dialect(dialect: str, firmware: Firmware) -> None:
 
 
 def check_sendable(dialect: str, controller: str) -> None:
-    """Refuse what the controller of a machine profile does not read, or no controller to which lines are sent.
+    """Refuse a job for a controller that cannot read its lines, or that takes no lines.
 
     controller: as the profile names it; "" where there is none. Raises MachineRefusal.
     """
@@ -92,7 +92,7 @@ def check_sendable(dialect: str, controller: str) -> None:
 
 
 def _without_settings(dialect: str) -> str:
-    """Return the language itself: what a machine lacks is a setting of its dialect."""
+    """Return the language itself: a feature that a machine lacks is a setting of its dialect."""
     return dialect.partition(":")[0]
 
 
@@ -117,7 +117,7 @@ FRESH = {
     "G90": ("G90", "G91"),
     "G94": ("G93", "G94", "G95"),
 }
-SWITCHED = {  # what may be on -> what a program says of it, and what is wanted where it says nothing
+SWITCHED = {  # output -> the program's codes for it, and the state to be had without them
     "M3": (("M3", "M4", "M5"), "M5"),
     "M4": (("M3", "M4", "M5"), "M5"),
     "M7": (("M7", "M9"), "M9"),
@@ -163,7 +163,7 @@ def cuts_at_implied_speed(lines: Iterable[str]) -> bool:
 
 
 def mode_differences(modes: str, offsets_mm: Mapping[str, Sequence[float] | None], lines: Sequence[str]) -> list[str]:
-    """Return in words what the controller holds and the program takes for granted to be otherwise.
+    """Return a text on modes of the controller that differ from those that the program assumes.
 
     modes: the words of `$G`. offsets_mm: by name, as `$#` has them. What is not reported is left out.
     """
@@ -184,7 +184,7 @@ def mode_differences(modes: str, offsets_mm: Mapping[str, Sequence[float] | None
 
 
 def _left_on(held: Sequence[str], lines: Sequence[str]) -> list[tuple[str, str]]:
-    """Return what is on that the program does not speak of before it cuts, and what is wanted instead."""
+    """Return outputs that are on and that the program does not set before it cuts, and the state to be had."""
     on = [word for word in held if word in SWITCHED]
     said = codes_before_cut(lines) if on else set()
     found = [(word, SWITCHED[word][1]) for word in on if not said.intersection(SWITCHED[word][0])]
@@ -209,7 +209,7 @@ HEIGHT_STEP_MM = 0.1  # in which another height is proposed
 def check_restart_height(job: SendJob, driver: Grbl, found: ControllerInfo, tell: Callable[[str, str], None]) -> None:
     """Refuse a restart whose first move would go down from the tool's height; raises MachineRefusal.
 
-    Where the machine homes itself first, its way down from there is told only: nobody has moved the tool since.
+    Where the machine homes first, the descent from there is only reported, since nobody has moved the tool.
     """
     above_mm = _above_mm(job, driver, found)
     if above_mm <= ABOVE_MM:
@@ -243,7 +243,7 @@ def check_restart_height(job: SendJob, driver: Grbl, found: ControllerInfo, tell
 
 
 def _above_mm(job: SendJob, driver: Grbl, found: ControllerInfo) -> float:
-    """Return how far above that height the machine stands; minus infinity where it is not known."""
+    """Return how far above that height the tool is; minus infinity where that is not known."""
     zero_mm = offsets_of(driver, found).get(job.lift["system"]) if job.lift else None
     if zero_mm is None or driver.mpos_mm is None:
         return -math.inf
@@ -270,7 +270,7 @@ def check_counts_from_here(driver: Grbl) -> None:
 
 
 def check_zero_here(lines: Iterable[str], driver: Grbl, found: ControllerInfo) -> None:
-    """Refuse a program whose work zero was not where the machine stood at the restart; raises MachineRefusal."""
+    """Refuse a program whose work zero was not at the position of the machine's restart; raises MachineRefusal."""
     in_force = next((word for word in found.modes.split() if word in WORK_SYSTEMS), "G54")
     systems = {in_force, *_systems(lines)}
     for name in sorted(systems | {"G92", "TLO"}):

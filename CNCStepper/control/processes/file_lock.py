@@ -37,7 +37,7 @@ def take_lock(file: Any, shared: bool = False) -> None:
 
 
 def take_lock_with_retries(file: Any) -> None:
-    """Lock a file of one's own, which at most a reader has locked for a moment; raises OSError when it stays so."""
+    """Lock a file of this process, which a reader may lock briefly; raises OSError when the lock stays."""
     for _ in range(LOCK_TRIES - 1):
         try:
             take_lock(file)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The file by which a process is found: locked by that process for as long as it lives, mended where it is damaged.
+"""The file by which a process is found: locked by that process for its lifetime, repaired where it is damaged.
 
 Whether the process lives is what the lock says, and nothing else: neither a time stamp, which a suspended laptop or a
 changed clock makes old, nor a process number, which another process may have got since. Of a file that this user may
@@ -23,11 +23,11 @@ from CNCStepper.control.session.local_socket import is_abandoned, socket_paths
 LOOK_EVERY_S = 1.0
 REMOVE_LIMIT_S = 1.0  # while clients look at the file: Windows lets none remove what another has open
 _TRY_EVERY_S = 0.02
-_CLOSED_TRIES = 10 if os.name == "nt" else 1  # a scanner of Windows has a file for itself for a moment
+_CLOSED_TRIES = 10 if os.name == "nt" else 1  # a virus scanner of Windows locks a file briefly
 
 
 def is_alive(path: Path) -> bool:
-    """Return whether the process whose own file this is lives; True for a closed file of which nothing says that."""
+    """Return whether the process that owns this file lives; True for a closed file without evidence."""
     try:
         return is_locked(path)
     except FileNotFoundError:
@@ -58,7 +58,7 @@ def owner(path: Path) -> str:
         return path.owner()
     except KeyError:  # a user of another computer, as on a network's disk
         return f"user {path.stat().st_uid}"
-    except (OSError, NotImplementedError):  # gone meanwhile; Windows names nobody
+    except (OSError, NotImplementedError):  # removed meanwhile; Windows names no process
         return "its owner"
 
 
@@ -101,7 +101,7 @@ class ProcessFile:
             self._make()
 
     def keep(self) -> None:
-        """Make the file anew where somebody has changed, replaced or removed it; looks once in LOOK_EVERY_S."""
+        """Write the file again where another program changed, replaced or removed it; checks once in LOOK_EVERY_S."""
         with self._lock:
             if self._file is None or time.monotonic() - self._looked_s < LOOK_EVERY_S:
                 return
@@ -110,7 +110,7 @@ class ProcessFile:
                 self._mend(self._file)
 
     def remove(self) -> None:
-        """Remove it: the process says itself that it has ended. Never fails: without its lock the file says so too."""
+        """Remove it at the end of the process. Never fails: a file without a lock also means an ended process."""
         with self._lock:
             if self._file is None:
                 return

@@ -29,7 +29,7 @@ CHECK_LIMIT_S = 20.0
 PACKAGE_ROOT = Path(CNCStepper.__file__).absolute().parents[1]
 SENDER = ("serial",)
 PROOF = ("numpy", "shapely", "pydantic", "platformdirs")
-# It prints its own path: a launcher such as Windows' `py` is left out of what is started later.
+# It prints its own path: later starts bypass a launcher such as Windows' `py`.
 CHECK = (
     "import sys\n"
     f"assert sys.version_info >= {OLDEST}, 'Python ' + sys.version.split()[0] + ' is too old'\n"
@@ -45,7 +45,7 @@ CHECK = (
 
 @functools.cache
 def find_python(needs: tuple[str, ...] = SENDER, version: str = "") -> str:
-    """Return the path of a Python that can import all of `needs`; it is looked for once and takes up to seconds.
+    """Return the path of a Python that can import all of `needs`; the first search takes up to seconds.
 
     version: which it must be, as "3.11"; "": any.
     Raises MissingPackage that names every Python tried and what it lacks.
@@ -75,7 +75,7 @@ def find_python_in_background(needs: tuple[str, ...] = SENDER, version: str = ""
 
 
 def command(python: str, module: str, *arguments: str) -> list[str]:
-    """Return the words that start a module of ours in that Python; its variables are those of `environment`."""
+    """Return the arguments that start a module of this package in that Python; `environment` has its variables."""
     return [python, "-P", "-X", "utf8", "-m", "CNCStepper.control.processes.bootstrap", module, *arguments]
 
 

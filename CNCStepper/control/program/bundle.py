@@ -4,7 +4,7 @@
     proof.json      the head: plain data, without the lines
     wire.txt        the wire lines, each with its newline
     line_map.npy    the file's line of each, int32
-    messages.txt    what the operator is told, and message_map.npy, before which lines: `program_columns.py`
+    messages.txt    messages to the operator, and message_map.npy, their lines: `program_columns.py`
 
 Members are stored, not compressed. What is no such file is refused, and no member is read whole but the head.
 """
@@ -81,7 +81,7 @@ def is_bundle(path: Path) -> bool:
 
 
 def read_bundle(path: Path, private: bool = False) -> Bundle:
-    """Return what a bundle holds; raises OSError, and ValueError for what is none.
+    """Return the content of a bundle; raises OSError, and ValueError for a file that is none.
 
     private: a copy that nobody else writes, so that its columns are read without asking whether it was changed.
     """

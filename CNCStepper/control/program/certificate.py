@@ -134,7 +134,7 @@ class Certificate:
             write_bundle(file, members | {LINE_MAP: array_bytes(self.file_lines)} | message_members(self.messages))
 
     def head(self) -> dict[str, Any]:
-        """Return all but what is sent, with the fingerprint of all."""
+        """Return all but the lines that are sent, with the fingerprint of all."""
         return {**self.content, "sha256": self.sha256}
 
     def _checked(self) -> Certificate:
@@ -205,7 +205,7 @@ class Certificate:
             raise _refusal("certificate", "the certificate lacks what a sender needs", str(error)) from error
 
     def _identity(self) -> dict[str, str]:
-        """Return by what a journal knows the program, the machine and this proof, and the language of the lines."""
+        """Return the identity of program, machine and proof for a journal, and the language of the lines."""
         return {
             "dialect": str(self.content.get("wire", {}).get("dialect", "")),
             "program_dialect": str(self.content.get("program", {}).get("dialect", "")),

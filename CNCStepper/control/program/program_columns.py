@@ -35,7 +35,7 @@ MESSAGES, MESSAGE_MAP = "messages.txt", "message_map.npy"
 
 
 class Messages(Mapping[int, str]):
-    """Messages to the operator by the index of the wire line before which they are told, read when they are asked for.
+    """Messages to the operator by the index of the wire line before which they are shown, read on demand.
 
     texts: strings of JSON. Raises ValueError where the columns do not fit each other.
     """
@@ -45,11 +45,11 @@ class Messages(Mapping[int, str]):
             raise ValueError("its messages do not fit their lines")
         self.indices, self.texts = indices, texts
         self._firsts = list(_block_begins(indices))
-        self._gap = (0, 0.0)  # no message is told at a line between these
+        self._gap = (0, 0.0)  # no line between these has a message
 
     def __getitem__(self, index: int) -> str:
         low, high = self._gap
-        if low < index < high:  # as of nearly every line that a sender asks about
+        if low < index < high:  # as for nearly every line
             raise KeyError(index)
         place = self._place(index)
         if place < len(self.indices) and self.indices[place] == index:
@@ -67,7 +67,7 @@ class Messages(Mapping[int, str]):
         return len(self.indices)
 
     def _place(self, index: int) -> int:
-        """Return where the first message of a line, or of one behind it, stands in the columns."""
+        """Return the index of the first message of a line or of a later one."""
         block = max(bisect_right(self._firsts, index) - 1, 0)
         return bisect_left(self.indices, index, block * BLOCK, min((block + 1) * BLOCK, len(self.indices)))
 
@@ -90,7 +90,7 @@ def message_members(messages: Mapping[int, str]) -> dict[str, Iterable[bytes]]:
 
 
 def message_bytes(messages: Mapping[int, str]) -> Iterator[bytes]:
-    """Yield what the fingerprint of messages is made of."""
+    """Yield the bytes of which the messages' fingerprint is made."""
     for pieces in message_members(messages).values():
         yield from pieces
 
@@ -116,7 +116,7 @@ class ColumnWriter:
         self._count += len(lines)
 
     def close(self) -> None:
-        """Write out what is still held."""
+        """Write the buffered rows."""
         for file in self._files:
             file.close()
 
@@ -144,7 +144,7 @@ def _block_begins(indices: Sequence[int]) -> Iterator[int]:
 
 
 def _text(column: str) -> str:
-    """Return a message; one that was damaged is shown as it stands."""
+    """Return a message; a damaged one is shown as it is."""
     try:
         return str(json.loads(column))
     except (ValueError, RecursionError):

@@ -97,10 +97,10 @@ class SendJob:
         return self.place(count - 1).line if count else 0
 
     def known_line(self, count: int) -> int:
-        """Return what `last_line` does, and 0 where the line map cannot be read: a state is told all the same."""
+        """Return the result of `last_line`, and 0 where the line map cannot be read: a status always has a line."""
         try:
             return self.last_line(count)
-        except JobError:  # whoever sends from it ends the job with the reason
+        except JobError:  # the sender ends the job with the reason
             return 0
 
     def check(self) -> None:

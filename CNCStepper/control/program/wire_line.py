@@ -63,7 +63,7 @@ def check_length(text: str, firmware: Firmware, window_bytes: int, place: Place 
 
 
 def is_move(text: str) -> bool:
-    """Return whether a line is surely a plain move, which need not be waited for: told at once, for nearly all are."""
+    """Return whether a line is certainly a plain move, which is not waited for; fast, because nearly all lines are."""
     return _MOVE.fullmatch(text) is not None
 
 

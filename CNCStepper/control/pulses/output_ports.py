@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The ports that a player of pulses writes to: by their names, what they take, and how late a write may come there.
+"""The output ports of a pulse player: names, accepted data, and the latest permitted write.
 
     /dev/parport0        the registers, through Linux's ppdev; status pins are read
     record:FILE          CSV of every write: t_s,data,control, of a board t_s,byte
@@ -58,7 +58,7 @@ class OutputPort(Protocol):
         """Return how many bytes the system has taken and not sent."""
 
     def rest(self) -> None:
-        """Do what can wait for a moment without pulses."""
+        """Do deferred work while no pulses are due."""
 
     def close(self) -> None:
         """Give the port back."""
@@ -225,7 +225,7 @@ class SocketOutput(_StreamOutput):
         return 0
 
     def close(self) -> None:
-        """Close it behind what is written."""
+        """Close it after the bytes that are written."""
         with suppress(OSError):
             self._socket.shutdown(socket.SHUT_WR)
         self._socket.close()
@@ -270,7 +270,7 @@ class SerialOutput(_StreamOutput):
             raise self._lost(error) from error
 
     def close(self) -> None:
-        """Close it behind what is written, unless the device takes nothing."""
+        """Close it after the bytes that are written, unless the device takes nothing."""
         end_s = time.monotonic() + WRITE_LIMIT_S
         with suppress(OSError):
             while self._port.out_waiting and time.monotonic() < end_s:

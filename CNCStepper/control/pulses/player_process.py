@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What goes with the player's process: what its machine writes, what it says, and what is done in its stead.
+"""The player's process for its parent: its start, its output lines, and its clean-up after a kill.
 
 Where it was killed, its parent leaves the port idle; the places in a board's sequences are kept from job to job.
 """
@@ -23,11 +23,34 @@ from CNCStepper.control.pulses.pulse_ring import BEGIN_NS, PLACES
 from CNCStepper.control.session.files import session_folder
 from CNCStepper.control.session.status import error_from_json
 from CNCStepper.control.transport.port_identity import identify
-from CNCStepper.errors import LinkError
+from CNCStepper.errors import LinkError, Text
 from CNCStepper.machine.controller_family import family_of
 from CNCStepper.machine.profile import Machine
 from CNCStepper.motion.signals.parallel_port import RegisterWriter, idle_registers
 from CNCStepper.motion.signals.port_bytes import BoardWriter
+
+MOST_LOOK_S = 0.1
+
+
+class StallWatch:
+    """Tells a process that gets no time any more (stopped, or starved) by its counter of looks.
+
+    limit_s: for so long it may stand. Only the time between two close looks of ours counts: where both processes
+    stood, as in a computer that slept, it goes on counting first.
+    """
+
+    def __init__(self, limit_s: float):
+        self.limit_s = limit_s
+        self._beat, self._looked_s, self._still_s = -1, 0.0, 0.0
+
+    def still_s(self, beat: int, now_s: float) -> float:
+        """Return for how long the counter has been the same."""
+        if beat != self._beat:
+            self._beat, self._still_s = beat, 0.0
+        else:
+            self._still_s += min(now_s - self._looked_s, MOST_LOOK_S)
+        self._looked_s = now_s
+        return self._still_s
 
 
 def is_board(machine: Machine) -> bool:
@@ -36,7 +59,7 @@ def is_board(machine: Machine) -> bool:
 
 
 def leave_port_idle(port: str, machine: Machine, places: Path | None, words: np.ndarray) -> None:
-    """Write what a worker that was killed could not: registers without an active line, or a board's places."""
+    """Do the clean-up of a killed worker: write registers without an active line, or a board's positions."""
     if is_board(machine):
         if places:
             kept = words[PLACES : PLACES + len(machine.signals.motors) + 1].tolist()
@@ -66,14 +89,14 @@ def places_file(port: str) -> Path | None:
 
 
 def line_of(worker: subprocess.Popen) -> bytes:
-    """Return the next line that it says, b"" where it has ended."""
+    """Return the next line of its output, b"" at its end."""
     assert worker.stdout
     line: bytes = worker.stdout.readline()
     return line
 
 
 def answer(line: bytes, wanted: str) -> dict[str, Any]:
-    """Return what the worker says; raises its error, or LinkError where it ended without a word."""
+    """Return the worker's answer; raises its error, or LinkError where it ended without one."""
     said = json.loads(line) if line.endswith(b"\n") else {}
     if "error" in said:
         raise error_from_json(said["error"])
@@ -81,6 +104,18 @@ def answer(line: bytes, wanted: str) -> dict[str, Any]:
         raise gone()
     content: dict[str, Any] = said[wanted]
     return content
+
+
+def stands(still_s: float, limit_s: float) -> LinkError:
+    """Return the error of a process that was stopped, or that gets no time."""
+    return LinkError(
+        "pulse-worker",
+        "the process that plays the pulses stood still: it was stopped, or the computer gave it no time; "
+        "everything is off, and steps may be lost",
+        value=Text("{still_s:.1f} s", still_s=still_s),
+        limit=Text("{limit_s:g} s", limit_s=limit_s),
+        advice=HOME,
+    )
 
 
 def gone() -> LinkError:

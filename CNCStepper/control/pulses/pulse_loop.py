@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The work of the process that plays pulses: it looks at the commands, plans a moment ahead, writes it, and again.
+"""The loop of the process that plays pulses: read commands, plan the next time slice, write it, repeat.
 
     look ──► plan SLICE_NS ahead (motion/signals/pulse_player.py) ──► registers or bytes ──► write each when it is due
       ▲                                                                                          │
@@ -24,6 +24,7 @@ from CNCStepper.control.pulses.pulse_ring import (
     ACKNOWLEDGED,
     AT_HOLD,
     BACK,
+    BEAT,
     BRAKING,
     CLOSE,
     COMMAND,
@@ -135,7 +136,7 @@ class PulseLoop:
             self._pacer.write(self._writer.off(self._pacer.now_ns()))
 
     def goes_on(self) -> bool:
-        """Look, and play the next moment; return whether the loop goes on, else it is at rest and was told to end."""
+        """Read commands and play the next time slice; return False at the end, at rest."""
         if self._look() and self._is_at_rest():
             return False
         moved = self._slice()
@@ -147,7 +148,7 @@ class PulseLoop:
     # --- commands ------------------------------------------------------------------------------
 
     def _look(self) -> bool:
-        """Take up what the other process wants; return whether this one is to end."""
+        """Execute the commands of the other process; return whether this one is to end."""
         words, serial = self._words, int(self._words[SERIAL])
         if serial != self._heard:
             self._take_command(int(words[COMMAND]), int(words[GOAL]))
@@ -193,7 +194,7 @@ class PulseLoop:
     # --- pulses --------------------------------------------------------------------------------
 
     def _slice(self) -> bool:
-        """Plan and write the next moment; return whether there were pulses in it."""
+        """Plan and write the next time slice; return whether it has pulses."""
         words, now = self._words, self._pacer.now_ns()
         is_at_rest = self._is_at_rest()
         if is_at_rest or self._is_jammed(now):
@@ -244,7 +245,7 @@ class PulseLoop:
     def _check_starved(self, stall: int) -> None:
         """Raise LinkError where pulses are wanting while the axes move, longer than a motor can wait.
 
-        No motor follows a recording: it goes on from rest.
+        No motor follows a recording: it continues from rest.
         """
         late = self._pacer.now_ns() - self._reals[DUE_NS] - self._writer.lead_ns
         limit = max(2 * stall, min(self._port.patience_ns, MOST_STARVED_NS))
@@ -284,6 +285,7 @@ class PulseLoop:
             words[PLACES : PLACES + len(places)] = places
         words[STATE] = state
         words[ACKNOWLEDGED] = self._heard
+        words[BEAT] += 1
 
     def _rest(self) -> None:
         """Sleep until it is time to look again."""
@@ -306,6 +308,7 @@ class PulseLoop:
         self._new_jitter()
         while words[PLACE] < words[HEAD] and not self.is_left:
             self._switch_relays()  # a reset must not wait for the trial's end
+            self._words[BEAT] += 1
             now = self._pacer.now_ns()
             writes = self._play_to(rows, words, reals, begin, now + SLICE_NS)
             self._pacer.write(writes)

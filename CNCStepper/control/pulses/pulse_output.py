@@ -42,12 +42,14 @@ from CNCStepper.control.pulses.pacing import (
     stall_ns,
 )
 from CNCStepper.control.pulses.player_process import (
+    StallWatch,
     answer,
     gone,
     is_board,
     leave_port_idle,
     line_of,
     places_file,
+    stands,
     writer_of,
 )
 from CNCStepper.control.pulses.ports import high_pins, is_parallel_port
@@ -56,6 +58,7 @@ from CNCStepper.control.pulses.pulse_ring import (
     AHEAD,
     AT_HOLD,
     BACK,
+    BEAT,
     CLOSE,
     COMMAND,
     FAILED,
@@ -105,6 +108,7 @@ LEAST_SHARE = 0.1
 LEAST_ACCELERATION, MOST_ACCELERATION = 1e-3, 1e9  # mm/s²: sums of them stay exact enough
 REST_STEPS = 3.0  # a path that went so many steps of all axes before a pulse has stood on the way
 AT_REST_S = 0.025  # a path that is so near its stop may end
+REAL_STILL_S, STILL_S = 1.5, 3.0  # a player whose motors follow waits a second for its device; others may starve
 LONGER = 1.5  # of the time that a trial may take where no motor follows
 ANSWER_LIMIT_S, END_LIMIT_S = 300.0, 10.0  # kernels may have to be compiled; a way to a stop may be long
 LOOK_S = 0.002
@@ -126,6 +130,7 @@ class PulseOutput:
         self._tick = 0
         self._peak = PeakRate()
         self._step_mm = hypot(*(1.0 / axis.steps_per_mm for axis in machine.axes))
+        self._stall_watch = StallWatch(REAL_STILL_S if self._port_is_real else STILL_S)
         self._error: Exception | None = None
         self._is_closed = False
 
@@ -169,7 +174,7 @@ class PulseOutput:
 
     @property
     def queued_s(self) -> float:
-        """The planned time of what is appended and not played yet."""
+        """The planned time of the rows that are appended and not played yet."""
         head, time_ns = int(self._words[HEAD]), self._rows.time_ns
         place = min(int(self._words[PLACE]), head)
         if place == head:
@@ -247,11 +252,11 @@ class PulseOutput:
         self._declared[axis] = steps - int(self._words[POSITION + axis])
 
     def hold(self) -> None:
-        """Brake along the path, within the planned acceleration; also ends a way back."""
+        """Brake along the path, within the planned acceleration; also ends a retract."""
         self._command(HOLD)
 
     def resume(self) -> None:
-        """Go forwards again from wherever it is; a way back brakes first."""
+        """Move forwards again from the present place; a retract brakes first."""
         self._command(RESUME)
 
     def share(self, feed: float, rapid: float) -> None:
@@ -274,7 +279,7 @@ class PulseOutput:
         return min(int(self._words[PLACE] - self._words[OLDEST]), KEPT)
 
     def drop(self) -> None:
-        """At rest ("idle" or "held"): forget what is appended and not played.
+        """At rest ("idle" or "held"): discard the rows that are appended and not played.
 
         It stays "held" until `resume`, which finds nothing queued then. Raises ValueError where it is not at rest.
         """
@@ -323,10 +328,16 @@ class PulseOutput:
         return jitter_of(*self._lateness())
 
     def check(self) -> None:
-        """Raise what ended the player: LinkError "pulses-late", "port-lost" or "pulse-worker"."""
+        """Raise what ended the player: LinkError "pulses-late", "port-lost" or "pulse-worker".
+
+        A player that stands still is ended here. To be called every 0.1 s or more often.
+        """
         if self._error:
             raise self._error
-        if self._is_closed or (self._words[STATE] != FAILED and self._worker.poll() is None):
+        if self._is_closed:
+            return
+        if self._words[STATE] != FAILED and self._worker.poll() is None:
+            self._check_beat()
             return
         try:
             answer(line_of(self._worker), "done")
@@ -357,6 +368,16 @@ class PulseOutput:
         words = self._words
         words[COMMAND], words[GOAL] = what, goal
         words[SERIAL] += 1
+
+    def _check_beat(self) -> None:
+        watch = self._stall_watch
+        still_s = watch.still_s(int(self._words[BEAT]), time.monotonic())
+        if still_s > watch.limit_s:
+            self._error = stands(still_s, watch.limit_s)
+            self._worker.kill()
+            self._worker.wait()
+            self._leave_port_idle()
+            raise self._error
 
     def _write(self, step: Any, back: Any, speed: Any, waits: Any, changes: Any, flags: Any) -> None:
         """Write rows behind the head, which the player does not read before the head is behind them."""
@@ -408,7 +429,7 @@ class PulseOutput:
             "places_file": str(self._places) if self._places else "",
         }
         assert self._worker.stdin
-        with suppress(OSError):  # it may have ended already: its answer says why
+        with suppress(OSError):  # it may have ended already: its answer has the reason
             self._worker.stdin.write(json.dumps(wanted).encode("ascii") + b"\n")
             self._worker.stdin.flush()
 

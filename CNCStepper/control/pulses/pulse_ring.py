@@ -29,6 +29,7 @@ ROWS = KEPT + AHEAD
 SERIAL, COMMAND, GOAL, RELAYS = range(8, 12)
 # words of the player
 ACKNOWLEDGED, STATE, INPUTS, WRITES, LATE_NS, WORST_NS, BEGIN_NS = range(40, 47)
+BEAT = 47  # rises at each look of the player
 PLACES = 48  # of the board's motors, and behind them the selected one
 # reals of the appending process, of the player
 PEAK_PER_S, TRIAL_PER_S, TRIAL_S = range(8, 11)

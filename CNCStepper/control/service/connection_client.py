@@ -51,7 +51,7 @@ def check_no_job(port: str, folder: Path | None = None) -> None:
         try:
             with SessionClient.attach(session) as client:
                 status = client.status() if client.outcome is None else None
-        except LinkError as error:  # it was killed, and its journal tells of it, or it does not answer
+        except LinkError as error:  # it was killed, as its journal shows, or it does not answer
             check_over(session, port, error)
             return
         if status:
@@ -82,7 +82,7 @@ def port_held_by_job(file: Path, port: str, status: SenderStatus) -> MachineRefu
 
 
 WORKER = "CNCStepper.workers.connection_service"
-YIELD_S = 0.005  # the thread of the window goes on first
+YIELD_S = 0.005  # the window's thread runs first
 
 Launched = tuple[Path, subprocess.Popen | None]
 
@@ -102,7 +102,7 @@ def launch(port: str, baud: int, folder: Path | None, machine: str = "") -> Futu
         except CNCStepperError as error:
             answer.set_exception(error)
             return
-        except Exception as error:  # the disk is full, the folder is gone: the window is to say so
+        except Exception as error:  # the disk is full or the folder is missing: the window reports it
             answer.set_exception(
                 LinkError("desk-start", Text("the desk cannot be started: {error}", error=error), advice="try again")
             )
@@ -133,7 +133,7 @@ def _check_machine(file: Path, port: str, machine: str, driven: str) -> None:
     """
     try:
         there = str((read_private(file) or {}).get("machine", ""))
-    except (OSError, ValueError):  # its process writes it again; whoever attaches waits for that
+    except (OSError, ValueError):  # its process writes it again; a client that attaches waits for that
         return
     if driven != there:
         raise MachineRefusal(
@@ -156,11 +156,11 @@ JOG_FEED_MM_MIN = 1000.0
 
 
 class ConnectionClient:
-    """A client of one connection service; clients come and go, a running job goes on.
+    """A client of one connection service; a running job does not depend on its clients.
 
     phase: "starting", "connecting", "connected" or "gone": then `error` says why, None when it was left.
     status: the last one heard. outcome: of the last job, None while one runs. Not for several threads.
-    keep_s: for how long the connection stays open when this client is gone; None leaves that to the other clients.
+    keep_s: how long the connection stays open after this client leaves; None leaves that to the other clients.
     """
 
     def __init__(
@@ -178,7 +178,7 @@ class ConnectionClient:
         self.outcome: Outcome | None = None
         self.error: CNCStepperError | None = None
         self._launched = launched
-        self._begin_s = time.monotonic()  # of the way to a connection
+        self._begin_s = time.monotonic()  # of connecting
         self._process: subprocess.Popen | None = None
         self._socket: LineSocket | None = None
         self._token = ""
@@ -206,7 +206,7 @@ class ConnectionClient:
 
     @classmethod
     def attach(cls, session_file: Path) -> ConnectionClient:
-        """Attach to a service of `running_services`; the phase is "gone" when it has ended."""
+        """Attach to a service of `running_services`; its phase is "gone" after the service's end."""
         client = cls("", session_file=session_file)
         client._read_address(session_file)
         return client
@@ -245,7 +245,7 @@ class ConnectionClient:
         self.ask("run", file=str(job_file), zero_confirmed=zero_confirmed, allow_differences=allow_differences)
 
     def send(self, job_file: Path, zero_confirmed: bool, allow_differences: bool) -> None:
-        """Let a job run as a sender of its own would: homed first where it says so, from a restart if confirmed."""
+        """Run a job as a separate sender would: homed first where the job requires it, from a restart if confirmed."""
         self.outcome = None
         self.ask("send", file=str(job_file), zero_confirmed=zero_confirmed, allow_differences=allow_differences)
 
@@ -254,7 +254,7 @@ class ConnectionClient:
         self.ask("hold")
 
     def resume(self, stand: int | None = None) -> None:
-        """Ask to go on after a hold, a pause of the program or a closed door.
+        """Request to resume after a hold, a pause of the program or a closed door.
 
         stand: the number in `SenderStatus` of the one that is meant; None: whichever there is.
         """
@@ -273,7 +273,7 @@ class ConnectionClient:
     def jog_on(self, x: float = 0.0, y: float = 0.0, z: float = 0.0, feed_mm_min: float = JOG_FEED_MM_MIN) -> None:
         """Jog in a direction for as long as a button is pressed: call it every JOG_RENEW_S, `jog_cancel` at release.
 
-        The machine stops by itself when the calls stay away, and then wants the button to be pressed anew.
+        The machine stops by itself when the calls stop; then the button must be pressed again.
         """
         self.ask("jog_on", x_mm=x, y_mm=y, z_mm=z, feed_mm_min=feed_mm_min, press=self._press)
 
@@ -309,7 +309,7 @@ class ConnectionClient:
         self.detach()
 
     def detach(self) -> None:
-        """Detach; the service goes on, and ends by itself when no client returns."""
+        """Detach; the service keeps running, and ends by itself when no client returns."""
         if self._socket:
             self._socket.close()
             self._socket = None
@@ -357,7 +357,7 @@ class ConnectionClient:
         if is_closed(path):
             self._end(closed(path))
             return
-        if self._has_ended(path):  # and whoever listens now where it did is another one
+        if self._has_ended(path):  # another process may listen at its address now
             self._end(self._cause(path))
             return
         address = self._read_address(path)
@@ -394,7 +394,7 @@ class ConnectionClient:
         return events
 
     def _take(self, event: dict[str, Any]) -> bool:
-        """Take one event over; return whether the window wants to hear of it."""
+        """Process one event; return whether the window shows it."""
         kind = event["event"]
         if not self._caught_up:
             event["past"] = True

@@ -58,7 +58,7 @@ class ConnectionService:
     """One connection; `run` blocks until it ends, `ask`, `stop` and `status` may be called from any thread.
 
     machine: the profile, by name or file, of a machine without a controller of its own. opener: None opens the port.
-    tell, refuse, ended: hear what happens, as of a `JobRun`, and how a job ended. alone_s: how long nobody has
+    tell, refuse, ended: callbacks for events, as of a `JobRun`, and a job's end. alone_s: how long nobody has
     been there; a service that is alone and has nothing to do ends. journals: the folder for those of its jobs; None
     keeps none. kept: what was held of the position before, and is from now on; None begins with nothing. during_job:
     entered for the time of each job. job_file: for a copy of the last job.
@@ -115,7 +115,7 @@ class ConnectionService:
         self._zero: dict[str, Any] = {}  # work system and offsets, as `SenderStatus` has them
         self._ending = False
         self._may_stop = True  # until it comes to rest
-        self._phase: str = Phase.CONNECTING  # last told
+        self._phase: str = Phase.CONNECTING  # last reported
 
     def ask(self, command: Command) -> None:
         """Ask for one of `commands`."""
@@ -127,7 +127,7 @@ class ConnectionService:
         self._inbox.put(Command("end"))
 
     def status(self) -> SenderStatus:
-        """Return this moment."""
+        """Return the present status."""
         stand = self._stands.number  # before the words of that stand
         run, idle, trust = self._run, self._idle, self._trust
         if idle is None or not self._connected:
@@ -154,7 +154,7 @@ class ConnectionService:
             link.close()
 
     def _is_lost(self) -> bool:
-        """Return whether the position is lost now; before the machine was met nothing may move it."""
+        """Return whether the position is lost now; nothing may move a machine before its state was read."""
         if self._idle is None or not self._connected:
             return True
         return is_lost(self._trust if self._run and self._trust else self._idle.trust)
@@ -195,11 +195,11 @@ class ConnectionService:
         self._notify_phase(idle.phase)
 
     def _save_trust(self, idle: IdleController) -> None:
-        """Keep what is held of the position; homing that does not come to its end costs it."""
+        """Save the position trust; homing that does not end loses the position."""
         self._kept.save_or_warn(LOST if idle.phase == "homing" else idle.trust, self._tell)
 
     def _learn(self, driver: Grbl, idle: IdleController) -> None:
-        """Read what the controller is as soon as it stands; one that moves is not asked."""
+        """Read the controller's settings once it is at rest; a moving one is not asked."""
         if idle.may_be_asked:
             found = connect.learn(driver, self._timing)
             self._take_zero(found.offsets, found.modes)
@@ -215,7 +215,7 @@ class ConnectionService:
             self._zero, self._zero_is_old = {}, False
 
     def _take_zero(self, offsets: dict[str, Vector], modes: str) -> None:
-        """Keep where the work zero is; what sets it anew makes this old."""
+        """Save the work zero; a new zero replaces it."""
         assert self._driver
         driver = self._driver
         self._zero = {
@@ -267,14 +267,14 @@ class ConnectionService:
     # --- a job ---------------------------------------------------------------------------------
 
     def _start(self) -> Command | None:
-        """Return what a start button asks for while nothing runs: the last job again, if it was cut to its end."""
+        """Return the job of a start button while nothing runs: the last job, if it was cut to its end."""
         may_run = self._last_done and self._run is None and self._idle and self._idle.phase == "idle"
         return Command("again") if may_run else None
 
     def _run_file(
         self, idle: IdleController, file: str, zero_confirmed: bool, allow_differences: bool, is_sent: bool
     ) -> None:
-        """Let the job of a file run; however it ends, its outcome is told. is_sent: from a command line."""
+        """Run the job of a file and report its outcome. is_sent: from a command line."""
         self._tell("job", file)
         own = {"port": self.port, "baud": self._baud}
         consents = {"zero_confirmed": zero_confirmed, "allow_differences": allow_differences}
@@ -326,7 +326,7 @@ class ConnectionService:
         finally:
             self._run, self._phase = None, ""
             self._zero_is_old = True  # a program may set it
-        if not run.has_begun:  # nothing was sent: what the machine said meanwhile it said by itself
+        if not run.has_begun:  # nothing was sent: the machine's text came unrequested
             if outcome.error and outcome.error.code in MAY_HAVE_RESTARTED:
                 idle.lose_position()
             outcome = replace(outcome, position_known=outcome.position_known and idle.trust.position_known is not False)
@@ -336,7 +336,7 @@ class ConnectionService:
         self._ended(outcome)
 
     def _ready(self) -> connect.ControllerInfo:
-        """Return what the machine is, read anew: somebody may have changed it since it was met."""
+        """Return the machine's settings, read again: they may have changed since the connection."""
         assert self._driver and self._run and self._idle
         self._buttons.wire(buttons_of(self._run.job.inputs))
         self._run.driver = self._driver
@@ -352,7 +352,7 @@ class ConnectionService:
         return replace(found, greeted=restarted)
 
     def _counts_restart(self, driver: Grbl, trust: PositionTrust) -> bool:
-        """Return whether a restarted machine is trusted for this job: it stands where its zero was confirmed."""
+        """Return whether a restarted machine is trusted for this job: it is where its zero was confirmed."""
         if not is_lost(trust) or is_lost(trust, restart_counts=True):
             return False
         if self._greeted:

@@ -20,7 +20,7 @@ LOOK_LIMIT_S = 3.0  # whether a job runs in a service
 
 
 class ConnectionSession:
-    """A blocking client of a connection service, like `SessionClient`; the service goes on when it closes."""
+    """A blocking client of a connection service, like `SessionClient`; the service outlives it."""
 
     def __init__(self, client: ConnectionClient, limit_s: float = ANSWER_LIMIT_S):
         self._client = client
@@ -89,7 +89,7 @@ class ConnectionSession:
                 raise silent(self._client.session_file or Path())
 
     def close(self) -> None:
-        """Detach; the service goes on."""
+        """Detach; the service keeps running."""
         self._client.detach()
 
     def __enter__(self) -> Self:

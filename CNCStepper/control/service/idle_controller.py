@@ -56,7 +56,7 @@ CRITICAL = "Reset to continue"
 class IdleController:
     """One machine between jobs; runs on the service's thread, except for `status`.
 
-    trust: what is held of the position; to be set again after a reset that has not cost it.
+    trust: the position trust; set it again after a reset that kept the position.
     """
 
     def __init__(self, driver: Grbl, timing: Timing, tell: Tell, refuse: Refuse):
@@ -112,7 +112,7 @@ class IdleController:
         return not self._wants_reset and not under_way and self.phase in (Phase.IDLE, Phase.ALARM)
 
     def status(self) -> SenderStatus:
-        """Return this moment."""
+        """Return the present status."""
         phase = self.phase
         state = self._driver.status.state if self._driver.status else ""
         message = (self._alarm or LOCKED[state]) if phase == "alarm" and state in LOCKED else ""
@@ -121,7 +121,7 @@ class IdleController:
         return replace(snapshot, position_known=trust.position_known, homed=trust.homed)
 
     def turn(self) -> None:
-        """Send what is due, ask, and listen once."""
+        """Send what is due, poll the status, and read once."""
         if self._homing_since_s is None:
             self._watch.check(self._driver, self.phase == "idle", self._console.dwell_s)
         elif self._driver.clock() - self._homing_since_s > self._timing.homing_s:
@@ -245,7 +245,7 @@ class IdleController:
         self.trust = trust_after_sleep(trust) if asleep else trust  # a reset at rest does not cost it
 
     def _type(self, text: str) -> None:
-        """Do what a typed line asks: home and unlock as the service does them, the others as they stand."""
+        """Execute a typed line: home and unlock by the service's own functions, other lines verbatim."""
         kind = kind_of(text)
         self.check_at_rest()
         if kind == HOME_LINE:
@@ -295,7 +295,7 @@ class IdleController:
             self._end_homing()
 
     def _end_homing(self) -> None:
-        """Trust a machine that says to be homed, where it has taken its time for that; else stop what it may do."""
+        """Trust a machine that reports homing done after a plausible time; else stop it."""
         if self._homing_since_s is None:  # it failed: the alarm came in one piece with its `ok`
             return
         try:

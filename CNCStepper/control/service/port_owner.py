@@ -21,7 +21,7 @@ from CNCStepper.errors import LinkError, MachineRefusal, Text
 def check_free(port: str, folder: Path | None = None) -> None:
     """Raise MachineRefusal when a job of this user holds the port, or a connection service that may be at its host.
 
-    A service at this very port that runs no job is the way to it.
+    A service at this port that runs no job is no owner: a job goes through it.
     """
     check_no_job(port, folder)
     if service := service_near(port, folder):

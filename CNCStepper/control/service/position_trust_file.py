@@ -122,7 +122,7 @@ class PositionTrustFile:
         return content is None or _identity_of(content) is None or self._is_own(place, content)
 
     def _said(self) -> PositionTrust:
-        """Return what the files say together: where they do not agree, what no zero of before mends."""
+        """Return the trust of all files together: where they differ, the one that no earlier zero restores."""
         said = {_trust(content) if self._is_own(file, content) else LOST for file, content in self._against()}
         return NOTHING_AGAINST if not said else said.pop() if len(said) == 1 else LOST
 
@@ -142,14 +142,14 @@ class PositionTrustFile:
         return self._is_still(other)
 
     def _is_still(self, other: PortIdentity) -> bool:
-        """Return whether a port that a file tells of is this one; addresses of then may be another host's by now."""
+        """Return whether a file's port is this one; its addresses may belong to another host now."""
         assert self._identity
         if other.tcp_port is None:
             return self._identity.is_same(other)
         return self._identity.has_host_of(other) or self._identity.is_same(self._now(other))
 
     def _now(self, other: PortIdentity) -> PortIdentity:
-        """Return what a port's name means now; looked up once, and where it could be this one."""
+        """Return the identity of a port's name now; looked up once, and only where it could be this one."""
         assert self._identity
         if other.tcp_port != self._identity.tcp_port:
             return other
@@ -168,7 +168,7 @@ class PositionTrustFile:
         return self._may_be_now(other) and not (other.board and self._runs(other))
 
     def _may_be_now(self, other: PortIdentity) -> bool:
-        """Return whether a port that a file tells of may be this one, by its addresses of then or of now."""
+        """Return whether a file's port may be this one, by its stored or its present addresses."""
         assert self._identity
         now = self._now(other)
         if now.unsure:
@@ -194,7 +194,7 @@ def _places(path: Path) -> Iterator[Path]:
 
 
 def _read(path: Path) -> Mapping[str, Any] | None:
-    """Return what a file says; {} for one that cannot be read, None where there is none."""
+    """Return a file's content; {} for one that cannot be read, None where there is none."""
     try:
         content = read_private(path)
     except (OSError, ValueError, RecursionError):
@@ -203,7 +203,7 @@ def _read(path: Path) -> Mapping[str, Any] | None:
 
 
 def _trust(content: Mapping[str, Any]) -> PositionTrust:
-    """Return what a file says; one that cannot be read says by being there that the position was lost."""
+    """Return a file's trust; a file that cannot be read means a lost position."""
     try:
         return LOST._replace(counts_from_here=content["counts_from_here"] is True, zeroed=frozenset(content["zeroed"]))
     except (KeyError, TypeError):

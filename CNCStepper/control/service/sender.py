@@ -77,7 +77,7 @@ class Sender:
         self.ask(Command("hold"))
 
     def resume(self) -> None:
-        """Ask to go on after a hold, a pause of the program or a closed door."""
+        """Request to resume after a hold, a pause of the program or a closed door."""
         self.ask(Command("resume"))
 
     def stop(self) -> None:
@@ -89,7 +89,7 @@ class Sender:
         self._inbox.put(command)
 
     def status(self) -> SenderStatus:
-        """Return this moment."""
+        """Return the present status."""
         return self._run.status()
 
     def run(self) -> Outcome:
@@ -123,7 +123,7 @@ class Sender:
         return replace(found, greeted=self._trust.position_known is False)
 
     def _is_lost(self) -> bool:
-        """Return whether the position is lost; before the machine was met nothing may move it."""
+        """Return whether the position is lost; nothing may move a machine before its state was read."""
         return self._connecting or is_lost(self._trust, restart_counts=True)
 
     def _homed(self, driver: Grbl) -> connect.ControllerInfo:
@@ -142,7 +142,7 @@ class Sender:
         return connect.handshake(driver, self._timing)
 
     def _save_trust(self, outcome: Outcome) -> None:
-        """Keep what is held of the position now; a job that was not begun may have met an alarm or a restart."""
+        """Save the position trust; a job that did not begin may have seen an alarm or a restart."""
         trust = self._trust
         if self._connecting and self._run.driver:
             trust = trust_at_connect(trust, self._run.driver, self._greeted)

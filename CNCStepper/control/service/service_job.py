@@ -20,7 +20,7 @@ from CNCStepper.errors import LinkError
 class ServiceJob(ConnectionSession):
     """One job in the service of its port, with the part of a `SessionClient` that a terminal uses.
 
-    When it closes, the job goes on, and the service stays for the quiet time. Not for several threads.
+    When it closes, the job keeps running, and the service stays for the quiet time. Not for several threads.
     """
 
     def __init__(self, client: ConnectionClient, folder: tempfile.TemporaryDirectory[str]):
@@ -47,7 +47,7 @@ class ServiceJob(ConnectionSession):
         except LinkError:
             if self.outcome is None:
                 raise
-            return []  # it told before how the job ended
+            return []  # it has reported the job's end before
         for event in events:
             if event["event"] == "refused" and event.get("command") == "send" and event["error"]:
                 raise event["error"]
@@ -66,7 +66,7 @@ class ServiceJob(ConnectionSession):
         return self._client.phase != "gone"
 
     def close(self) -> None:
-        """Leave; a job that runs goes on."""
+        """Detach; a job keeps running."""
         self._client.leave()
         self._folder.cleanup()
 

@@ -33,7 +33,7 @@ LOOK_EVERY_S = 0.02
 
 
 class SessionClient:
-    """One client; it may close and another attach at any time, the cut goes on.
+    """One client; clients may detach and attach at any time while the job runs.
 
     outcome: None while the session runs. session_file: what `attach` takes. Not for several threads.
     """
@@ -73,7 +73,7 @@ class SessionClient:
         return client
 
     def status(self) -> SenderStatus:
-        """Return this moment of the session; after its end, the last one."""
+        """Return the session's present status; after its end, the last one."""
         self._status = None
         self._send("status")
         end_s = time.monotonic() + ANSWER_LIMIT_S
@@ -96,7 +96,7 @@ class SessionClient:
         self._send("stop")
 
     def ask(self, command: str, **values: Any) -> None:
-        """Ask for any command of the session; what is refused comes as an event "refused" with its error."""
+        """Send any command to the session; a refusal comes as an event "refused" with its error."""
         self._send(command, **values)
 
     def poll(self, wait_s: float = 0.0) -> list[dict[str, Any]]:
@@ -136,7 +136,7 @@ class SessionClient:
         return self.outcome
 
     def close(self) -> None:
-        """Detach; what was asked before still arrives, and the session goes on."""
+        """Detach; earlier commands still arrive, and the session keeps running."""
         self._early = []
         if self._connection:
             self._connection.settimeout(CLOSE_LIMIT_S)
@@ -167,7 +167,7 @@ class SessionClient:
         end_s = time.monotonic() + ANSWER_LIMIT_S
         why = ""
         while self.outcome is None and self._connection is None:
-            is_over = not is_alive(self.session_file)  # looked at first: the outcome is written before the end
+            is_over = not is_alive(self.session_file)  # checked first: the outcome is written before the end
             if is_closed(self.session_file):
                 raise closed(self.session_file)
             if self._has_outcome(is_over):
@@ -192,7 +192,7 @@ class SessionClient:
         return Address.of(content)
 
     def _welcome(self, address: Address) -> None:
-        """Connect and show the token; raises OSError where nothing is heard of the session then."""
+        """Connect and show the token; raises OSError where the session does not answer."""
         self._token, self._tail = address.token, bytearray()
         self._connection = connection = address.connect(WELCOME_LIMIT_S)
         connection.settimeout(ANSWER_LIMIT_S)

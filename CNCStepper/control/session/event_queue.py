@@ -41,7 +41,7 @@ def line_of(event: Mapping[str, Any]) -> bytes:
 class Backlog:
     """A queue of events; what is added to a full one displaces the oldest of its kind. For one thread.
 
-    left_out: how many were displaced and not told of yet.
+    left_out: how many were displaced and not reported yet.
     """
 
     def __init__(self) -> None:

@@ -27,7 +27,7 @@ from CNCStepper.control.transport.port_identity import PortIdentity, identify, r
 from CNCStepper.errors import JobError, LinkError, MissingPackage, Text
 
 KEPT = 20  # sessions whose outcome and log are kept
-RECENT_S = 600.0  # what is younger is kept in any case: somebody may be about to read it
+RECENT_S = 600.0  # younger files are kept in any case: a client may be about to read them
 SESSION, SERVICE, OUTCOME, LOG, WIRE = ".session", ".desk", ".outcome", ".log", ".wire"
 LARGEST_BYTES = 10_000_000  # of a file of `write_private` that is read whole
 MEND_LIMIT_S = 3 * LOOK_EVERY_S  # within which a living process has mended its file
@@ -150,7 +150,7 @@ def sync_folder(folder: Path) -> None:
 
 
 def read_private(path: Path) -> dict[str, Any] | None:
-    """Return the JSON of `write_private`, or None when there is no such file; never waits for what is no file.
+    """Return the JSON of `write_private`, or None without such a file; never waits at a pipe or device.
 
     Raises ValueError, with words, for what `write_private` has not written, OSError when it cannot be read.
     """
@@ -197,7 +197,7 @@ def _is_at(machine_port: str, content: Mapping[str, Any], is_meant: _Compare) ->
 
 
 def _address_in(path: Path) -> Mapping[str, Any]:
-    """Return what the file of a running session or service says, nothing where it has ended meanwhile.
+    """Return the content of the file of a running session or service, None where it has ended.
 
     Raises LinkError where its process lives and does not mend its file.
     """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The phases of a session and of a connection without a job, and the sets of them that senders and clients ask for."""
+"""The phases of a session and of a connection without a job, and the sets of them that senders and clients use."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class Phase(StrEnum):
 
 FEEDING: frozenset[str] = frozenset({Phase.RUNNING, Phase.FINISHING})  # lines may go out
 STANDING: frozenset[str] = frozenset({Phase.HELD, Phase.PAUSED, Phase.DOOR})  # the controller itself holds the program
-WAITING: frozenset[str] = STANDING | {Phase.RETREATED}  # somebody is asked to go on
+WAITING: frozenset[str] = STANDING | {Phase.RETREATED}  # a person must resume
 LEG_BEGINS: frozenset[str] = frozenset({Phase.HELD, Phase.PAUSED, Phase.RETREATED})  # a leg along the cut may begin
 JOB_RUNS: frozenset[str] = FEEDING | WAITING | {Phase.HOLDING, Phase.STOPPING}
 CONNECTED: frozenset[str] = JOB_RUNS | {Phase.IDLE, Phase.ALARM, Phase.JOGGING, Phase.HOMING, Phase.BUSY}

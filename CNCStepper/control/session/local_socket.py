@@ -87,7 +87,7 @@ class Address:
 
 
 class Listener:
-    """A socket that listens for the clients of one session; `address` is what its file says of it."""
+    """A socket that listens for the clients of one session; `address` is for the session's file."""
 
     def __init__(self, session_file: Path):
         self.socket, self._path = _listening(session_file)
@@ -102,7 +102,7 @@ class Listener:
                 raise ConnectionRefusedError("another user's")
             connection.setblocking(False)
             connection.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, UNREAD_BYTES)
-        except OSError:  # or it has gone again
+        except OSError:  # or it has closed again
             connection.close()
             raise
         return connection
@@ -133,7 +133,7 @@ def is_own_peer(connection: socket.socket) -> bool:
 
 
 def close_in_order(connection: socket.socket) -> None:
-    """Close a connection so that what was sent before still arrives, waiting for the other end as its timeout says."""
+    """Close a connection so that bytes sent before still arrive; waits for the other end up to its timeout."""
     with suppress(OSError):  # nothing left to read, or no connection
         connection.shutdown(socket.SHUT_WR)
         while connection.recv(UNREAD_BYTES):  # unread bytes would make a reset of it, which discards the rest
@@ -236,7 +236,7 @@ class LineSocket:
         self._write()
 
     def receive(self) -> list[dict[str, Any]]:
-        """Return the lines that have come; raises ValueError for what is no line of JSON."""
+        """Return the lines received; raises ValueError for a line that is no JSON."""
         self._write()
         if self.closed or not self._made:
             return []
@@ -284,7 +284,7 @@ class LineSocket:
             self.close()
 
     def _is_made(self) -> bool:
-        """Return whether the connection stands; a refused one is closed."""
+        """Return whether the connection is open; a refused one is closed."""
         if not self._made:
             _, writable, failed = select.select([], [self._socket], [self._socket], 0)
             if failed or (writable and self._socket.getsockopt(socket.SOL_SOCKET, socket.SO_ERROR)):

@@ -4,13 +4,13 @@
 One JSON object a line, both ways:
 
     -> {"token": ..., "command": "attach" | "status" | "leave" | one of `Served.commands`, its values...}
-       "attach" with "keep_s": for how long this client wants the connection to stay open once it is gone
+       "attach" with "keep_s": how long the connection stays open after this client leaves
     <- {"event": "status", "status": {...}}      {"event": "accepted", "command": ...}
        {"event": "message" | "warning" | "phase" | "job", "text": ...}
        {"event": "refused", "text": ..., "command": ..., "error": {...}}
        {"event": "outcome", "outcome": {...}}
 
-An attached client hears everything from the session's beginning on, as far as a `Backlog` keeps it. The thread of
+An attached client receives all events since the session's start that a `Backlog` keeps. The thread of
 this server never touches the machine's port, so that a slow or dead client cannot delay the cut.
 
 Where peers that have not shown the token fill all places, the oldest of them makes room for the next. One that has
@@ -44,7 +44,7 @@ from CNCStepper.errors import CNCStepperError, Text
 STATUS_EVERY_S = 0.1
 LOOK_AT_STATUS_S = 0.02
 LINE_LIMIT_BYTES = 4096
-SEND_BYTES = 16_384  # at once, so that what waits behind it can still be replaced by what is newer
+SEND_BYTES = 16_384  # at once, so that newer events can still replace those behind it
 UNAUTHENTICATED_LIMIT = 64  # peers that have not shown the token
 KNOWN_LIMIT = 128  # peers that have
 ACCEPT_LIMIT = 64  # connections taken in one turn, so that a flood of them keeps no command waiting
@@ -55,7 +55,7 @@ LONGEST_KEEP_S = 86_400.0  # that a client can ask for
 
 
 class Served(Protocol):
-    """What a server serves: commands that it knows, and a status; both from any thread, at once."""
+    """The interface that a server serves: its commands and its status; thread-safe, without waiting."""
 
     commands: tuple[str, ...]
 
@@ -66,7 +66,7 @@ class Served(Protocol):
         """End all work safely."""
 
     def status(self) -> SenderStatus:
-        """Return this moment."""
+        """Return the present status."""
 
 
 class Peer:
@@ -92,7 +92,7 @@ class Peer:
         return bool(self.sending or self.backlog)
 
     def drop_output(self) -> None:
-        """Forget what is still to be sent to it."""
+        """Discard the bytes that are still to be sent to it."""
         self.sending, self.backlog = memoryview(b""), Backlog()
 
 
@@ -112,7 +112,7 @@ class SessionServer:
         self._peers: dict[socket.socket, Peer] = {}  # the oldest first
         self._alone_since_s = time.monotonic()  # of no use while a client is attached
         self._left = False  # by the client that was attached last, for good
-        self._keep_s = 0.0  # what the client that asked for it last wants
+        self._keep_s = 0.0  # as the last client requested it
         self._kept_until_s = -inf  # nobody is missed before
         self._selector = selectors.DefaultSelector()
         self._ended = threading.Event()
@@ -121,7 +121,7 @@ class SessionServer:
         self._thread = threading.Thread(target=self._serve, name="session", daemon=True)
 
     def address(self, machine_port: str, file: str = "") -> dict[str, object]:
-        """Return what the session file says: how to reach this process, and what it serves."""
+        """Return the content of the session file: this process's address and its service."""
         return {
             **self._listener.address,
             "token": self._token,
@@ -148,7 +148,7 @@ class SessionServer:
         self._news.put({"event": "refused", "command": command.name, **why})
 
     def notify_outcome(self, outcome: Outcome) -> None:
-        """Pass on how a job ended; never blocks. The time for which the connection is kept begins anew."""
+        """Pass on a job's outcome; never blocks. The time for which the connection is kept starts again."""
         if self._keep_s:
             self._keep_for(self._keep_s)
         self._news.put({"event": "outcome", "outcome": outcome.to_json()})
@@ -156,7 +156,7 @@ class SessionServer:
     def alone_s(self) -> float:
         """Return how long no client has been attached; infinite when the last one has left for good.
 
-        While a client that is gone wants the connection kept, it is 0.
+        While a client that has left keeps the connection open, it is 0.
         """
         if self._is_attended() or time.monotonic() < self._kept_until_s:
             return 0.0
@@ -179,7 +179,7 @@ class SessionServer:
         try:
             while not self._ended.is_set():
                 self._turn()
-        except BaseException:  # a machine that nobody can hold any more must not go on
+        except BaseException:  # a machine that no client can hold must not keep moving
             self._served.stop()
             raise
         self._close_peers()
@@ -217,7 +217,7 @@ class SessionServer:
                 connection = self._listener.accept()
             except BlockingIOError:
                 return
-            except ConnectionError:  # another user's, or gone again
+            except ConnectionError:  # another user's, or closed again
                 continue
             except OSError:  # this process has all the sockets that it may have
                 self._drop_oldest_unauthenticated()
@@ -245,7 +245,7 @@ class SessionServer:
                 return
 
     def _is_known(self, peer: Peer, token: str) -> bool:
-        """Return whether a peer has shown the token; one that has not is told so and dropped."""
+        """Return whether a peer has shown the token; another one gets a refusal and is dropped."""
         why = ""
         if not hmac.compare_digest(token.encode("utf-8", "replace"), self._token.encode("utf-8")):
             why = "a request without the session's token"
@@ -321,7 +321,7 @@ class SessionServer:
     def _spread_news(self) -> None:
         news = self._news.take()
         self._history.add_all(news)
-        self._history.left_out = 0  # whoever comes later cannot have read them
+        self._history.left_out = 0  # later clients cannot have read them
         for peer in self._peers.values():
             if peer.attached:
                 peer.backlog.add_all(news)

@@ -77,7 +77,7 @@ class SenderStatus:
 
     @classmethod
     def from_json(cls, content: dict[str, Any]) -> SenderStatus:
-        """Return the status of `to_json`, after its way through JSON; raises ValueError for what is none."""
+        """Return the status from `to_json`'s JSON; raises ValueError for another value."""
         try:
             vectors = {key: _vector(content[key]) if content[key] else None for key in TUPLES}
             offsets = content["work_offsets_mm"]
@@ -151,7 +151,7 @@ class Outcome:
 
     @classmethod
     def from_json(cls, content: dict[str, Any]) -> Outcome:
-        """Return the outcome of `to_json`; raises ValueError for what is none."""
+        """Return the outcome from `to_json`'s JSON; raises ValueError for another value."""
         content = restored(content)
         try:
             kind, text, known = content["kind"], content["text"], content["position_known"]
@@ -164,14 +164,14 @@ class Outcome:
 
 
 def error_to_json(error: CNCStepperError) -> dict[str, Any]:
-    """Return an error of ours as plain values, with the templates of its texts."""
+    """Return a CNCStepper error as plain values, with the templates of its texts."""
     place = asdict(error.place) if error.place else None
     words = {name: getattr(error, name) for name in WORDS}
     return with_texts({"type": type(error).__name__, "place": place, **words})
 
 
 def error_from_json(content: dict[str, Any]) -> CNCStepperError:
-    """Return the error of `error_to_json`, of the same class; raises ValueError for what is none."""
+    """Return the error from `error_to_json`'s values, of the same class; raises ValueError for other values."""
     try:
         content = restored(content)
         kind = getattr(errors, content["type"], None)
@@ -188,5 +188,5 @@ def error_from_json(content: dict[str, Any]) -> CNCStepperError:
 
 
 def take_refusal(event: dict[str, Any]) -> None:
-    """Make an error of ours again of what an event "refused" has of it; None where it has none."""
+    """Return the CNCStepper error of an event "refused"; None where it has none."""
     event["error"] = error_from_json(event["error"]) if event.get("error") else None

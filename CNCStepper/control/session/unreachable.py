@@ -18,7 +18,7 @@ NO_SIGNAL = "to end its process would not stop the machine"
 
 
 def silent(session_file: Path, why: str = "") -> LinkError:
-    """Return the error for a process that lives and does not answer; why: what the last try met."""
+    """Return the error for a process that lives and does not answer; why: the last try's error."""
     return LinkError(SILENT, _silence(session_file), value=printable(why), advice="; ".join(_what_to_do(session_file)))
 
 
@@ -79,7 +79,7 @@ def _silence(session_file: Path) -> str:
 
 
 def _what_to_do(session_file: Path) -> list[str]:
-    """Return what a person can do; no signal lets a process stop its machine on Windows."""
+    """Return advice; no signal lets a process stop its machine on Windows."""
     process, log = _process(session_file), session_file.with_suffix(LOG)
     if os.name == "nt":
         signal = NO_SIGNAL

@@ -56,7 +56,7 @@ class BacklashTracker:
     def way_back(
         self, here_mm: Vector, there_mm: Vector, loose: Set[int], work_zero_mm: float
     ) -> Iterator[tuple[Axes, float]]:
-        """Yield the places and speeds of the way back to where the motors stood, as `back_over_backlash`, in work mm.
+        """Yield positions and speeds of the motors' return, as `back_over_backlash`, in work mm.
 
         loose: the axes that were moved, or have to be. work_zero_mm: how high the work zero is, in machine coordinates.
         """

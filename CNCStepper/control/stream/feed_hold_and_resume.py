@@ -29,7 +29,7 @@ from CNCStepper.errors import MachineRefusal, Text
 CHANGE_TOOL = "change the tool, then resume"
 CUTS_NOTHING = ("Sleep", CHECK, "Starting", "ConfigAlarm", "Critical")
 MOVES_OTHERWISE = ("Jog", "Home")  # than the program says, unless the program homes, or somebody jogs at a stand
-DOOR_RETURNS = 3  # the substate in which a machine that goes on switches its outputs on again
+DOOR_RETURNS = 3  # the substate in which a resumed machine switches its outputs on again
 
 
 class Phases:
@@ -67,12 +67,12 @@ class Phases:
         self.set(Phase.RUNNING)
 
     def stand(self, message: str) -> None:
-        """Pause between two lines, until the phase is set anew."""
+        """Pause between two lines, until the next phase is set."""
         self.set(Phase.PAUSED, message)
         self.stands = True
 
     def hold_or_resume(self, command: str, driver: Grbl) -> None:
-        """Carry out "hold" or "resume"; raises MachineRefusal where nothing that was held can go on."""
+        """Execute "hold" or "resume"; raises MachineRefusal where nothing can be resumed."""
         if command == "hold":
             self._resume_asked = False
             if self.feeding or self.name == Phase.HOLDING:
@@ -92,7 +92,7 @@ class Phases:
             raise MachineRefusal("held-jog", "the controller takes no jog while it is held", advice=advice)
 
     def take(self, driver: Grbl, feeder: Feeder) -> None:
-        """Follow the status just received; raises MachineRefusal on a state in which no job can go on."""
+        """Follow the status just received; raises MachineRefusal for a state that ends the job."""
         status = driver.status
         assert status
         if status.state == "Alarm":
@@ -140,7 +140,7 @@ class Phases:
         self.set(Phase.DOOR, "close the safety door, then resume")
 
     def _at_tool_change(self, driver: Grbl, feeder: Feeder) -> None:
-        """Stand until somebody has changed the tool: told of that, grblHAL takes jogs and a zero, once M6 is answered.
+        """Pause until the tool is changed: after its 0xA3, grblHAL takes jogs and a zero once M6 is answered.
 
         Else it can only be resumed.
         """

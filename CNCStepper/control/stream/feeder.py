@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Which line goes out next, which were acknowledged, and which one the controller is working on."""
+"""The line that is sent next, the lines acknowledged, and the line that the controller executes."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class Feeder:
     Lines that write permanent memory, `$` commands and pauses go alone: they wait for every answer
     before them, and the lines after them wait for theirs. So nothing follows an M0 until it is over.
 
-    An M0 that stands alone is never sent: the sender stands there itself, at an idle machine that may be jogged.
+    An M0 on a line of its own is never sent: the sender itself pauses there, at an idle machine that may be jogged.
     by_line: so it does before every line. power: of the tool; one that cuts without turning has none at a stand.
 
     grblHAL answers an M6 and waits in its state Tool then: what follows waits until it was seen idle behind that.
@@ -69,7 +69,7 @@ class Feeder:
     def take(self, answered: Answered) -> None:
         """Count the answer to a line of the job.
 
-        Behind a line that was refused none counts: the controller goes on with those that it has, but without that one.
+        No line after a refused one counts: the controller executes the others without it.
         """
         self._refused = self._refused or (answered.sent.index >= 0 and answered.error != 0)
         if answered.sent.index >= 0 and not self._refused:

@@ -9,7 +9,7 @@
         `-> refused   `-> stopping --> stopped, failed    hold, Hold:0, soft reset
 
 Who owns the link, a `Sender` for one job or a `ConnectionService` that stays, brings it; one thread does it all: it
-listens, obeys, feeds and asks `?`.
+reads, executes commands, feeds lines and polls with `?`.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from CNCStepper.control.operator.hardware_buttons import quicker
 from CNCStepper.control.preflight.checks import check_found, try_rate
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.protocol.grbl import connect
-from CNCStepper.control.protocol.grbl.capabilities import check_can, missing
+from CNCStepper.control.protocol.grbl.capabilities import check_can
 from CNCStepper.control.protocol.grbl.driver import Answered, Grbl, Received
 from CNCStepper.control.protocol.grbl.motion_interlock import UNKNOWN
 from CNCStepper.control.protocol.grbl.readiness import check_zero
@@ -103,7 +103,7 @@ class JobRun:
         self._requests = PendingRequests(clock, refuse)
         self._by_line = job.by_line
         self._path: PathWatch | None = None  # before the first line
-        self._gaps: BacklashTracker | None = None  # where no play is taken up
+        self._gaps: BacklashTracker | None = None  # without backlash compensation
         self._begin_s = clock()
         self._idle_reports = 0
         self._done = 0  # lines that are surely cut
@@ -112,7 +112,7 @@ class JobRun:
         self._cannot_stop: MachineRefusal | None = None  # why what was sent runs on
 
     def status(self) -> SenderStatus:
-        """Return this moment."""
+        """Return the present status."""
         stand = self._pause_counter.number  # before the words of that stand
         before, feeder = self._path_retract.lines_before, self._feeder  # a leg brings another, of lines of its own
         return replace(
@@ -133,7 +133,7 @@ class JobRun:
 
     @property
     def has_begun(self) -> bool:
-        """Whether lines may have been sent: from then on the run itself resets the controller."""
+        """Whether lines may have been sent; then the run itself resets the controller."""
         return self._path is not None
 
     def count(self, received: list[Received]) -> None:
@@ -163,12 +163,9 @@ class JobRun:
 
     def _refuse_stop(self, command: Command) -> None:
         """Say where what was sent runs on all the same; nothing more is sent."""
-        if self.driver and self.has_begun and missing("stop", self.driver.cannot):
-            try:
-                check_can("stop", self.driver.cannot)
-            except MachineRefusal as refusal:
-                self._cannot_stop = refusal
-                self._refuse(command, refusal)
+        if self.driver and self.has_begun and (refusal := self._refusal("stop")):
+            self._cannot_stop = refusal
+            self._refuse(command, refusal)
 
     def run(self, connected: Callable[[], connect.ControllerInfo]) -> Outcome:
         """Send the job and return how it ended; refusals and failures are in the outcome, not raised.
@@ -227,7 +224,7 @@ class JobRun:
             return self._halted(self.driver, None)
         except CNCStepperError as error:
             return self._halted(self.driver, error)
-        except BaseException:  # whatever went wrong here, the machine must not go on alone
+        except BaseException:  # after any error here, the machine must not keep moving alone
             self._rest(self.driver)
             raise
         return self._outcome(
@@ -235,7 +232,7 @@ class JobRun:
         )
 
     def _turn(self, driver: Grbl) -> None:
-        """Feed, ask, listen and obey once; at most until the next `?` is due."""
+        """Feed, poll, read and execute commands once; at most until the next `?` is due."""
         for report in self._trouble:
             if isinstance(report, Greeting):
                 raise connect.restart_refusal(report)
@@ -268,7 +265,7 @@ class JobRun:
         self._phases.set("running")
 
     def _keep_journal(self, driver: Grbl, idle: bool) -> None:
-        """Write what is due; a job of which no further line can be put on the disk is held."""
+        """Write due records; a job whose next lines cannot be put on the disk is held."""
         self._warn(self._journal.keep(self._feeder.sent, self._feeder.acknowledged, idle and not driver.unanswered))
         if self._journal.holds(self._feeder.sent) and self._phases.feeding:
             self._phases.hold_or_resume("hold", driver)
@@ -365,12 +362,12 @@ class JobRun:
             self._phases.hold_or_resume(command.name, driver)
         elif command.name == "override":
             driver.realtime(override_byte(**command.values))
-        elif command.name != "jog_cancel":  # a button let go has nothing to say here
+        elif command.name != "jog_cancel":  # a released button has no command here
             self._phases.check_no_jog(command.name, driver)
             raise MachineRefusal("job-runs", "a job runs", advice="wait until it has ended, or stop it")
 
     def _go_back(self, driver: Grbl, command: Command) -> None:
-        """Tell a client where the machine stands on its path, or go along the leg that it has made of that."""
+        """Report the machine's place on its path to a client, or run the leg that the client has made."""
         self._requests.take()
         check_no_tool_change(driver)
         self._stand.check_way_back()
@@ -382,7 +379,7 @@ class JobRun:
             self._tell("place", str(file))
 
     def _go_along(self, driver: Grbl, file: Path) -> None:
-        """Let a machine that stands go along a leg; what is refused after its reset leaves it there, spindle off."""
+        """Run a leg at a machine at rest; a refusal after its reset leaves it there, spindle off."""
         leg = self._path_retract.read(file, self._phases.name)
         leg.job.check()
         self._phases.stands = False  # the greeting that comes now was asked for
@@ -413,8 +410,8 @@ class JobRun:
     # --- the end -------------------------------------------------------------------------------
 
     def _halted(self, driver: Grbl, error: CNCStepperError | None) -> Outcome:
-        """Bring the machine to rest and say why and how it stands."""
-        restarted = self._may_have_restarted(error)  # before the reset, which clears what tells
+        """Bring the machine to rest and report the reason and the state."""
+        restarted = self._may_have_restarted(error)  # before the reset, which clears the evidence
         at_rest, broken = self._rest(driver)
         known = at_rest and not restarted and not (self._path and self._path.restarted)
         error = error or broken or (self._path.excursion if self._path else None)
@@ -423,16 +420,25 @@ class JobRun:
             if error
             else Text("stopped as asked after {acknowledged} lines", acknowledged=self.status().acknowledged)
         )
-        state = self._cannot_stop or (KEPT if known else LOST)
         left_s = driver.status.left_s if driver.status else None
+        runs_on = self._cannot_stop or (self._refusal("stop") if left_s else None)
+        state = runs_on or (KEPT if known else LOST)
         if left_s:
             state = Text("{state}; it runs on for {left_s:.0f} s", state=state, left_s=left_s)
         return self._outcome(
             FAILED if error else STOPPED,
             Text("{why}. Now {state}", why=why, state=state),
-            known and not self._cannot_stop,
+            known and not runs_on,
             error,
         )
+
+    def _refusal(self, what: str) -> MachineRefusal | None:
+        """Return why the machine cannot do something, None where it can."""
+        try:
+            check_can(what, self.driver.cannot if self.driver else ())
+        except MachineRefusal as refusal:
+            return refusal
+        return None
 
     def _may_have_restarted(self, error: CNCStepperError | None) -> bool:
         """Return whether an answer is missing, perhaps since the controller restarted unheard."""
@@ -440,7 +446,7 @@ class JobRun:
         return missing and self._path is not None and self._path.may_have_restarted(self._feeder.sent)
 
     def _rest(self, driver: Grbl) -> tuple[bool, LinkError | None]:
-        """Return whether the position is kept, and the error when the link broke on the way."""
+        """Return whether the position is kept, and the error when the link broke meanwhile."""
         self._may_stop = False
         self._phases.set("stopping")
         try:
@@ -448,7 +454,7 @@ class JobRun:
                 return stop_sequence.reset(driver, self._timing, self._trouble), None
             return stop_sequence.hold_and_reset(driver, self._timing), None
         except LinkError as broken:
-            with suppress(LinkError):  # a last try to switch the outputs off, if the way there still works
+            with suppress(LinkError):  # a last try to switch the outputs off, if the link still works
                 driver.reset()
             return False, broken
 

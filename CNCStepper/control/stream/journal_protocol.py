@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a job's run asks of a journal, and the one that keeps none.
+"""The interface of a journal for a job's run, and a journal that stores nothing.
 
-The journal of a program while its machine is led along a leg: back, forward, or on along the rest.
+The journal of a program while its machine runs a leg: back, forward, or along the rest.
 """
 
 from __future__ import annotations
@@ -40,16 +40,16 @@ class ActiveJournal(Protocol):
         """Return whether the job must be held: no further line can be put on the disk."""
 
     def mark_uncertain(self, line: int) -> None:
-        """Learn that a line (from 0) or one after it was cut otherwise than the program says: none is finished."""
+        """Note that a line (from 0) or a later one was not cut as the program says: it is not finished."""
 
     def end(self, outcome: Outcome) -> list[str]:
         """Write how the job ended, and return warnings for the operator."""
 
 
 def check_not_held(journal: ActiveJournal, sent: int) -> None:
-    """Refuse to go on with a job of which no further line can be put on the disk; raises JobError.
+    """Refuse to resume a job whose next lines cannot be put on the disk; raises JobError.
 
-    The machine would move for a moment and be held again.
+    The machine would move briefly and be held again.
     """
     if journal.holds(sent):
         raise JobError(
@@ -140,7 +140,7 @@ class LegJournal:
         return self._lines_before is not None and self.program.holds(max(0, self._lines_before + sent))
 
     def mark_uncertain(self, line: int) -> None:
-        """Learn that a line of the leg, or one after it, was cut otherwise than it says."""
+        """Note that a line of the leg, or a later one, was not cut as it says."""
         if self._lines_before is not None:
             self.program.mark_uncertain(max(0, self._lines_before + line))
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The real-time bytes of grbl 1.1 that change feed, rapid, spindle speed and coolant while it moves.
 
-Each sets a flag that the controller looks at now and then, so that two equal bytes in one moment count once:
+Each sets a flag that the controller polls, so that two equal bytes between two polls count once:
 a step is one byte.
 """
 
@@ -15,7 +15,7 @@ from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.errors import MachineRefusal, Text
 
 NORMAL = (100, 100, 100)  # feed, rapid, spindle: after every reset
-TOLD_STATUSES = 30  # within which a controller tells its overrides; grbl does in every tenth or so
+TOLD_STATUSES = 30  # within which a controller reports its overrides; grbl does in about every tenth status
 BYTES: dict[str, dict[str, bytes]] = {
     "feed": {"reset": b"\x90", "10": b"\x91", "-10": b"\x92", "1": b"\x93", "-1": b"\x94"},
     "rapid": {"100": b"\x95", "50": b"\x96", "25": b"\x97", "reset": b"\x95"},
@@ -41,7 +41,7 @@ def override_byte(kind: str, step: str) -> bytes:
 def restore(driver: Grbl, percents: Sequence[int], timing: Timing) -> None:
     """Bring feed, rapid and spindle of a controller that was just reset to these percentages.
 
-    Raises MachineRefusal where it does not tell that they are these.
+    Raises MachineRefusal where the reports do not confirm them.
     """
     if tuple(percents) == NORMAL:
         return

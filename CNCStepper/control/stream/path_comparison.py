@@ -61,7 +61,7 @@ class OffsetWatch:
 
 
 def zero_changed(before_mm: Vector, offset_mm: Vector, place: Place | None) -> MachineRefusal:
-    """Return what a changed work zero means in the middle of a program."""
+    """Return the error for a work zero that changed during a program."""
     return MachineRefusal(
         "zero-changed",
         "the work zero changed while the program ran, and not by the program",
@@ -94,7 +94,7 @@ class PathWatch:
 
     restarted: at that report the controller may have restarted unheard, so that its position is unknown.
 
-    tell(kind, text): hears the warning that the path is not known any more. gaps: follow the lines sent, where there
+    tell(kind, text): called where the path becomes unknown. gaps: follow the lines sent, where there
     is play.
     """
 
@@ -184,7 +184,7 @@ class PathWatch:
             raise self._leave(place, sent)
 
     def _planned(self, found: ControllerInfo, first: int = 0) -> PlannedPath | None:
-        if found.firmware is LATHE:  # its place is counted from what is sent: it proves nothing
+        if found.firmware is LATHE:  # its position is counted from the lines sent: it proves nothing
             return None
         try:
             from CNCStepper.control.stream.planned_path import PlannedPath  # takes long: when a machine is there only
@@ -242,11 +242,11 @@ def start_from(offsets_mm: Offsets, modes: str, mpos_mm: Vector | None) -> Start
 
 
 def held_modes(offsets_mm: Offsets, modes: str) -> list[str]:
-    """Return what a machine holds besides, as lines: a tool's length, what a coordinate means, the feed, a motion."""
+    """Return the machine's further state as lines: tool length, coordinate mode, feed, motion mode."""
     length = offsets_mm.get("TLO")
     words = [word for word in modes.split() if word in MODES or (word[0] == "F" and float(word[1:]) > 0)]
     plain, arcs = "".join(word for word in words if word not in ARCS), [word for word in words if word in ARCS]
-    end_cycle = ["G80"] if DRILLS.search(modes) else []  # its depth and retract plane are not told
+    end_cycle = ["G80"] if DRILLS.search(modes) else []  # its depth and retract plane are not reported
     return [*([f"G43.1Z{length[-1]}"] if length and length[-1] else []), plain, *arcs, *end_cycle]
 
 

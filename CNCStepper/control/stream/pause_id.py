@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The id of each pause of a machine: it rejects stale resume commands.
 
-held 1 ──resume 1──► running ──M0──► paused 2 ──resume 1──► refused: whoever asks this has not read of 2
+held 1 ──resume 1──► running ──M0──► paused 2 ──resume 1──► refused: the client has not read of pause 2
 """
 
 from __future__ import annotations

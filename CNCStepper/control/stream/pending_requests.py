@@ -28,7 +28,7 @@ class PendingRequests:
         self.rest = False
         self._clock = clock
         self._refuse = refuse
-        self._since_s: float | None = None  # the machine has stood, with a request
+        self._since_s: float | None = None  # the machine was at rest, with a request
         self._last = Command("resume")
 
     def request_retract(self, command: Command) -> None:
@@ -38,7 +38,7 @@ class PendingRequests:
         self.back_mm, self._last = before_mm + command.values["distance_mm"], command
 
     def request_resume(self, command: Command) -> None:
-        """Want to go on from here."""
+        """Request to resume from here."""
         self.take()
         self.rest, self._last = True, command
 

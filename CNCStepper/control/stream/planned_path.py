@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The way that wire lines mean, in machine coordinates, read as they are sent and forgotten as they are done.
+"""The path of the wire lines, in machine coordinates, read as they are sent and discarded as they are done.
 
 lines sent ──► interpreter ──► moves   | done | maybe under way | sent |
                                               ^ first           ^ last
@@ -116,7 +116,7 @@ class PlannedPath:
         return None if np.isnan(here).any() else tuple(here.tolist())
 
     def drop_planned_before(self, acknowledged: int, queued: int) -> None:
-        """Forget what is done for sure: the lines that are `acknowledged` are planned, and `queued` moves may wait."""
+        """Discard moves that are certainly done: `acknowledged` lines are planned, and `queued` moves may wait."""
         planned = int(np.searchsorted(self._pieces.lines, acknowledged))
         if planned:
             self._pieces = self._pieces.from_row(self._pieces.rows[planned - 1] + 1 - queued)
@@ -124,7 +124,7 @@ class PlannedPath:
     def drop_to(self, place_mm: Sequence[float], near_mm: Sequence[float]) -> bool:
         """Forget what lies before the first move at a place; return whether there is one.
 
-        near_mm: how far away it may be, by axis. Where nobody knows the path, every place is on it.
+        near_mm: how far away it may be, by axis. Every place is on an unknown path.
         """
         near, pieces = np.asarray(near_mm), self._pieces
         away = distances(np.asarray(place_mm) / near, pieces.begins / near, pieces.ends / near)
@@ -161,7 +161,7 @@ class PlannedPath:
             table.events.clear()
 
     def _take_letters(self, text: str) -> None:
-        """Put the way of a line of pulse letters behind the others."""
+        """Append the path of a line of pulse letters."""
         self._take_moves()
         moves = np.array([letter_steps(letter) for letter in text.removeprefix(LETTERS)], float)
         points = self._pieces.ends[-1] + np.cumsum(moves, axis=0) * self._step_mm
@@ -175,7 +175,7 @@ class PlannedPath:
         self._pieces = self._pieces.with_moves(np.full((1, 3), nan), np.ones(1, int), np.array([self._read]))
 
     def _take_moves(self) -> None:
-        """Put the moves that the interpreter has made behind the others, and forget what is not needed here."""
+        """Append the interpreter's moves, and discard its other results."""
         table = self._interpreter.table
         for chunk in table.take():
             if self._gaps:

@@ -9,7 +9,7 @@ nothing against it --alarm, greeting, lost link, a job that was killed--> unknow
     job ended                                         trust_after_job: lost, unless the job's end says that it is kept
     homing under way                                  lost until it is there: AT_HOME
     zeros set                                         trust_at_zero: known when all axes have theirs
-    slept                                             trust_after_sleep: the motors had let go
+    slept                                             trust_after_sleep: the motors had no power
 """
 
 from __future__ import annotations
@@ -76,12 +76,12 @@ def trust_at_zero(before: PositionTrust, axes: str, all_axes: str) -> PositionTr
 
 
 def trust_after_sleep(before: PositionTrust) -> PositionTrust:
-    """Return the trust after a sleep, in which the motors let go: no machine position counts from home any more."""
+    """Return the trust after a sleep with unpowered motors: no machine position counts from home any more."""
     return before._replace(homed=False, counts_from_here=False)
 
 
 def counts_steps(driver: Grbl | None) -> bool:
-    """Return whether a controller was last seen in a state in which it counts its steps; None was never met."""
+    """Return whether a controller's last state was one that counts steps; None: never connected."""
     return driver is not None and driver.status is not None and driver.status.state in COUNTING
 
 

@@ -30,7 +30,7 @@ from CNCStepper.control.stream.backlash_side import UP, BacklashTracker
 from CNCStepper.control.stream.return_after_jog import THERE_MM, Axes, over
 from CNCStepper.errors import CNCStepperError, MachineRefusal, Text
 
-TOOL_ENDS_S = 0.5  # from a cycle start until the state tells of it
+TOOL_ENDS_S = 0.5  # from a cycle start until the status reports it
 AT_REST = ("Idle", TOOL)
 
 
@@ -80,7 +80,7 @@ class Pause:
         self._at_tool = False  # which the controller waits for
         self._started = False  # that wait was to end
         self._leads_on = True
-        self._changed_s = 0.0  # what the machine said before shows another moment
+        self._changed_s = 0.0  # an earlier report shows an earlier state
 
     def begin(self, driver: Grbl, index: int, gaps: BacklashTracker | None = None, leads_on: bool = True) -> None:
         """Pause before the job's line `index`; a pause that was only disturbed keeps its place.
@@ -100,7 +100,7 @@ class Pause:
         self._index, self._jogger, self.is_off_path = -1, None, False
 
     def check_way_back(self) -> None:
-        """Raise MachineRefusal where the machine jogs, or the way back along the cut was cut from another zero."""
+        """Raise MachineRefusal where the machine jogs, or where the cut had another zero."""
         if self._zero_set:
             what = "the work zero was set at a pause, so the way back along the cut is not known"
             raise MachineRefusal("retreat-zero", what, advice="go on, or stop the job")
@@ -108,7 +108,7 @@ class Pause:
             raise _busy("the machine jogs")
 
     def turn(self) -> float:
-        """Send what is due of jogs; return how long the next turn may be away."""
+        """Send due jogs; return the time until the next call is due."""
         if self._jogger is None:
             return float("inf")
         self._jogger.turn()
@@ -145,7 +145,7 @@ class Pause:
             self._resume_asked = True
 
     def is_left(self, driver: Grbl) -> bool:
-        """Return to the place after a resume; return whether the machine is there, so that the job goes on."""
+        """Return to the place after a resume; return whether the machine is there, so that the job resumes."""
         seen = driver.status
         if seen is None or driver.status_asked_s <= self._changed_s:
             return False

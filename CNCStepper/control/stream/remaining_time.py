@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How long a job still takes: its planned times, corrected by how long its lines really took."""
+"""The remaining time of a job: its planned times, corrected by the time that its lines took."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class Remaining:
         self._share_of_lines = 0.0
 
     def take(self, phase: str, elapsed_s: float, file_line: int, done: int, total: int) -> None:
-        """Learn from a moment, at which `done` lines were cut, the last being `file_line` of the file.
+        """Note a time at which `done` lines were cut, the last being `file_line` of the file.
 
         Time during which the machine was seen held does not count as cutting.
         """

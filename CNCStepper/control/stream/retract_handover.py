@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a run needs for the way back along its cut: where it began, the last reports, and the legs that it was given.
+"""Retract along the cut, the run's part: where the run began, the last reports, and the legs that it received.
 
     held ---retrace---> reset, compare, position ---> running a leg ---> retreated ---retrace---> ...
                                                                             `--- a leg that is the rest ---> done
@@ -47,7 +47,7 @@ from CNCStepper.state import WORK_SYSTEMS
 from CNCStepper.tolerances import REPORTED_MM
 
 LAST, REST = "back along the cut: go on back, forward, or resume from here", "rest"
-HELD, LEG = "held.json", "leg.json"  # the heads of what is told and of a leg
+HELD, LEG = "held.json", "leg.json"  # the headings of a report and of a leg
 LEG_WIRE, OWN_MAP = "leg.txt", "own_map.npy"  # columns: the leg's lines; the lines of a leg's own text
 KEPT_REPORTS = 1000  # some minutes at the rate of a run
 ARC_TOLERANCE = 12  # the setting
@@ -58,7 +58,7 @@ PLANNER_BLOCKS = 15  # of grbl as delivered
 class Leg:
     """A way that a client has proven; wire: its file.
 
-    content: of the plain data that `recovery.retract.retract_legs` makes, what is kept for the next client.
+    content: the part of `recovery.retract.retract_legs`' plain data that the next client needs.
     """
 
     job: SendJob
@@ -124,7 +124,7 @@ class PathRetract:
     def tell(self, driver: Grbl, phase: str, file: Path, jogged: bool) -> None:
         """Write for a client what it needs to find the place; raises MachineRefusal in motion, JobError.
 
-        jogged: since the machine stands.
+        jogged: since the machine is at rest.
         """
         _check_phase(phase)
         settings = driver.settings
@@ -218,7 +218,7 @@ class PathRetract:
 
 
 def _kept(content: Mapping[str, Any]) -> dict[str, Any]:
-    """Return what the next client needs of a leg beside its lines."""
+    """Return the data of a leg, besides its lines, that the next client needs."""
     return {**content, "certificate": {"start": content["certificate"]["start"]}}
 
 
@@ -237,7 +237,7 @@ def write_leg(file: Path, leg: Mapping[str, Any]) -> None:
 
 
 def read_held(file: Path) -> dict[str, Any]:
-    """Return what `PathRetract.tell` wrote, with the lines of the program and of its leg, which are held whole."""
+    """Return the content that `PathRetract.tell` wrote, with all lines of the program and of its leg."""
     bundle = read_bundle(file)
     lines = {"lines": list(bundle.lines), "file_lines": list(bundle.file_lines)}
     program = {**bundle.head["program"], **lines, "messages": messages_of(bundle.columns)}

@@ -3,7 +3,7 @@
 
 over  ┌───────────────┐   at the height of the highest
 up    │               │   down, slowly
-      o jogged to     x where the tool stood
+      o jogged to     x held tool position
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from CNCStepper.machine.backlash import Backlash
 
 OVER_MM_MIN, DOWN_MM_MIN = 1000.0, 100.0
-THERE_MM = 0.005  # what is reported is rounded
+THERE_MM = 0.005  # reports are rounded
 UP = 2  # the axis
 DOWNWARDS = -1
 
@@ -27,7 +27,7 @@ Axes = tuple[float | None, float | None, float | None]  # an axis that is None s
 def over(here_mm: Sequence[float], there_mm: Sequence[float], top_mm: float = -inf) -> Iterator[tuple[Axes, float]]:
     """Yield the place and the speed in mm/min of each straight move; none from a place to itself.
 
-    top_mm: a height of Z that is free all the way over; the higher of the two places at least is gone to.
+    top_mm: a height of Z that is free all the way over; at least the higher of the two places.
     """
     aside = any(abs(a - b) > THERE_MM for a, b in zip(here_mm[:2], there_mm[:2], strict=True))
     top_mm = max(here_mm[2], there_mm[2], top_mm if aside else -inf)
@@ -59,10 +59,10 @@ def back_over_backlash(
     top_mm: float,
     play: Backlash,
 ) -> Iterator[tuple[Axes, float]]:
-    """Yield the places and speeds of the motors' way back to where they stood, as far ahead of the tool as they were.
+    """Yield positions and speeds of the motors' return to where they were, as far ahead of the tool as before.
 
     loose: the axes of which nobody knows on which side they stand, Z where X or Y is; the others stand as they stood.
-    The tool comes to its place and stays there, while the motors cross what is left of their gaps.
+    The tool reaches its place and stays there while the motors cross the rest of their gaps.
     """
     tool = (place - ahead * (axis in loose) for axis, (place, ahead) in enumerate(zip(there_mm, ahead_mm, strict=True)))
     yield from over_backlash(_point(here_mm), _point(tuple(tool)), top_mm, play.of_axes(loose))

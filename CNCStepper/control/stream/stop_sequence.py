@@ -17,7 +17,7 @@ from CNCStepper.control.protocol.grbl.timeouts import Timing
 
 RESETS = 3  # one may be lost on its way, and then the outputs are still on
 MOST_HEARD = 1000  # alarms and greetings of a flood
-SLOWING = ("Hold", "Door", "Jog")  # states that a machine has until it stands
+SLOWING = ("Hold", "Door", "Jog")  # states of a machine before it is at rest
 AT_REST = {("Hold", 0), ("Door", 0), ("Door", 1), ("Idle", None), ("Tool", None), (CHECK, None)}
 
 
@@ -76,7 +76,7 @@ def hold_and_reset(driver: Grbl, timing: Timing) -> bool:
 def reset(driver: Grbl, timing: Timing, heard: list[Received] | None = None) -> bool:
     """Reset at once; return whether the controller comes back with its position kept.
 
-    heard: what it said since the trouble began; an alarm or a greeting in it counts.
+    heard: the text received since the error; an alarm or a greeting in it counts.
     """
     heard = [] if heard is None else heard
     before, within_s = _greetings(heard), min(timing.reset_s, timing.wake_s)
@@ -88,7 +88,7 @@ def reset(driver: Grbl, timing: Timing, heard: list[Received] | None = None) -> 
     alarms = [report.code for report in heard if isinstance(report, Alarm)]
     locked = driver.status is not None and driver.status.state in ("Alarm", "Sleep")
     kept = all(driver.firmware.alarm(code).position_kept for code in alarms)
-    restarted = before > 0 or _greetings(heard) > resets  # once more than it was told to
+    restarted = before > 0 or _greetings(heard) > resets  # once more than requested
     return not restarted and bool(alarms or not locked) and kept
 
 

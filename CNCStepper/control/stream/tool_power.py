@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The tool's power: followed line by line, switched off at a pause, and restored after it.
 
-    M3S1000 | G1 ... | M5 |  the job stands, jogs, the way back  | M3S1000 | G1 ...
+    M3S1000 | G1 ... | M5 |  the job pauses, jogs, the return     | M3S1000 | G1 ...
 
 A beam, a torch or a jet would go on cutting where it stands, and along each jog: grbl switches a laser off in a hold,
 but here it is idle. A spindle turns on at an M0, as it does on the controller; for a new tool (M6) it is stopped.
@@ -28,7 +28,7 @@ _S = re.compile(r"S[\d.]+")
 _DWELL = re.compile(r"G0*4P([\d.]+)")
 SPINDLE_STOP = b"\x9e"  # it switches, so it is sent once a hold
 SWITCHED_ON = "SC"  # in `A:` of the status
-_POWER = {"3": "M3", "4": "M4", "5": "", "2": "", "30": ""}  # what is on after each of these
+_POWER = {"3": "M3", "4": "M4", "5": "", "2": "", "30": ""}  # outputs that are on after each of these
 
 
 class ToolPower:
@@ -51,7 +51,7 @@ class ToolPower:
             self.follow(word)
 
     def follow(self, text: str) -> None:
-        """Note what a line that is sent leaves on."""
+        """Note the outputs that a sent line leaves on."""
         plain = _plain(text)
         self._note_wait(plain)
         for number in _M.findall(plain):
@@ -66,7 +66,7 @@ class ToolPower:
         self._is_fresh = any(_POWER.get(number) for number in _M.findall(plain))
 
     def hold(self, driver: Grbl) -> None:
-        """Take the power in a hold once the tool has stood with it for as long as it may."""
+        """Switch the power off in a hold after the permitted time at rest."""
         status = driver.status
         if status is None or status.state != "Hold":
             self._held_s, self.is_stopped = None, False
@@ -105,7 +105,7 @@ class ToolPower:
 def power_of(job: SendJob, driver: Grbl, modes: str) -> ToolPower:
     """Return that of a job's machine: a laser by the controller's $32 or its profile, a torch or a jet by the latter.
 
-    A profile says so by outputs that are off along the way back, too. A laser's power needs no time.
+    A profile can also require outputs that are off during the return. A laser's power needs no time.
     """
     profile: Mapping[str, Any] = job.retrace.get("machine") or {}
     spindle = profile.get("spindle") or {}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A controller of ours as a port: it runs in a process of its own, and its pipes are the serial line.
+"""A CNCStepper controller as a port: it runs in a process of its own, and its pipes are the serial line.
 
     Link ──write──► standard input ──► workers/controller.py
     Link ◄─select── socket pair ◄── thread ◄── standard output
@@ -93,7 +93,7 @@ class ControllerPort:
 
 
 def has_no_controller(machine: str) -> bool:
-    """Return whether a process of ours is the controller of that profile; raises JobError where it is none."""
+    """Return whether a CNCStepper process is that profile's controller; raises JobError for an invalid profile."""
     from CNCStepper.machine.controller_family import OWN, family_of  # grbl's ports need no profile, nor what reads one
     from CNCStepper.machine.profile import load_machine
 

@@ -110,7 +110,7 @@ class Link:
             return
 
     def close(self) -> None:
-        """Close the port; a port that is gone already is no error."""
+        """Close the port; a port that has disappeared is no error."""
         try:
             if self._is_lost:
                 self._drop_output()
@@ -122,10 +122,10 @@ class Link:
             self._bell.close()
 
     def _drop_output(self) -> None:
-        """Drop what a blocked line has not taken, which closing would wait for."""
+        """Discard the bytes that a blocked line has not taken; closing would wait for them."""
         drop = getattr(self._port, "reset_output_buffer", None)
         if drop:
-            with suppress(Exception):  # termios' own errors are no OSError; the port may be gone
+            with suppress(Exception):  # termios' own errors are no OSError; the port may have disappeared
                 drop()
 
     def _wait(self, wait_s: float) -> None:
@@ -246,7 +246,7 @@ def _keep_dtr(port: Any) -> bool:
     """Let the closing of a serial port leave DTR as it is, so that the next opening makes no edge of it (HUPCL).
 
     The edge restarts boards that have DTR wired to their reset. Return whether closing would have changed it; False
-    for what is no serial port of this system, or does not take it.
+    for another kind of port, or one that does not take it.
     """
     try:
         import termios
@@ -324,7 +324,7 @@ LOOK_EVERY_S = 0.02
 
 
 def open_unless(stopped: Callable[[], bool], opener: Callable[[str, int], Link], port: str, baud: int) -> Link | None:
-    """Return what `opener` returns, or raise what it raises; None as soon as `stopped` says so."""
+    """Return the result of `opener` or raise its error; return None as soon as `stopped` returns True."""
     opening = _Opening(opener, port, baud)
     opening.thread.start()
     while not opening.done.wait(LOOK_EVERY_S):

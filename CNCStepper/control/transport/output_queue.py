@@ -16,7 +16,7 @@ from math import ceil
 from typing import Any
 
 QUEUE_BYTES = 40  # that a real-time byte may find before it: 3.5 ms at 115 200 baud
-QUEUE_S = 0.002  # where 40 last less: they would be gone before a sender that sleeps meanwhile is awake
+QUEUE_S = 0.002  # where 40 last less: the line would be empty before a sleeping sender is awake
 LATE_S = 0.0005  # that a sender may be awake after it meant to: so much of the line still waits then
 BITS_PER_BYTE = 10  # start bit, eight data bits, stop bit
 SIOCOUTQNSD = 0x894B  # Linux: bytes of a socket that were not sent yet
@@ -24,7 +24,7 @@ ROUNDING = 1e-3  # of the clock, in bytes
 
 
 class WireQueue:
-    """The bytes between a program and the line; the caller tells what it writes.
+    """Counts the bytes between a program and the line; the caller reports its writes.
 
     most_bytes: how many may wait, so that a real-time byte goes out at once. filling_bytes: how many of these have left
     when it is time to fill them up.
@@ -47,13 +47,13 @@ class WireQueue:
         return count / self._bytes_per_s
 
     def waiting_bytes(self) -> int:
-        """Return how many bytes wait; raises OSError when the port is gone."""
+        """Return how many bytes wait; raises OSError when the port has disappeared."""
         left_s = max(self._empty_s - self._clock(), 0.0)
         return max(ceil(left_s * self._bytes_per_s - ROUNDING), self._said_bytes())
 
 
 def _what_says(port: Any) -> Callable[[], int]:
-    """Return what asks the operating system, where it can be asked."""
+    """Return a function that asks the operating system, where that is possible."""
     if hasattr(type(port), "out_waiting"):
         return lambda: int(port.out_waiting)
     connection = getattr(port, "_socket", None)

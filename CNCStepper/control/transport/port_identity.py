@@ -127,7 +127,7 @@ class PortIdentity:
 
 
 def identify(name: str) -> PortIdentity:
-    """Return what a port's name or URL means now; a name that means nothing stands for itself."""
+    """Return the identity of a port's name or URL now; an unknown name identifies itself."""
     scheme, separator, rest = name.strip().partition("://")
     scheme = scheme.lower()
     if name.strip().startswith(RECORD):
@@ -149,7 +149,7 @@ def is_same_port(name: str, other: str) -> bool:
 
 
 def read_identity(content: Mapping[str, Any], port: object) -> PortIdentity:
-    """Return the identity that a file tells under "port_identity"; in older files that of their port's name."""
+    """Return the identity in a file's "port_identity"; in older files that of their port's name."""
     try:
         return PortIdentity.from_json(content["port_identity"])
     except (ValueError, KeyError, TypeError):
@@ -184,7 +184,7 @@ def _urls(hosts: Iterable[str], tcp_port: int) -> Iterator[str]:
 
 
 def within(limit_s: float, function: Callable[[], _Found], otherwise: _Found) -> _Found:
-    """Return what a function returns, or `otherwise` where it takes longer or fails, as networks and drivers do."""
+    """Return a function's result, or `otherwise` at a timeout or a failure of network or driver."""
     found: list[_Found] = []
 
     def work() -> None:
@@ -228,7 +228,7 @@ def _one_of_two(path: str) -> str:
 
 
 def _serial(port: Any, ports: Iterable[Any]) -> str:
-    """Return what tells a USB port from all others, "" where its number may be that of others too."""
+    """Return the unique identity of a USB port, "" where other ports may have its number."""
     number, interface = port.serial_number or "", _interface(port)
     if len(number) < SHORTEST_SERIAL or len(set(number)) < 3:
         return ""

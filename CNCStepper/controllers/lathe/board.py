@@ -41,7 +41,7 @@ ONE_WAY = (
 
 
 class LatheBoard:
-    """The mini-lathe at a port, in the time of whoever calls `advance`; to be told of it every 2 ms while it moves."""
+    """The mini-lathe at a port, on the caller's clock: call `advance` every 2 ms while it moves."""
 
     def __init__(self, machine: Machine, port: LathePort):
         axes = machine.own_axes
@@ -82,7 +82,7 @@ class LatheBoard:
         self._guarded(self._work)
 
     def take_output(self) -> bytes:
-        """Return what the board has sent since the last call."""
+        """Return the bytes that the board has sent since the last call."""
         output = bytes(self._output)
         self._output.clear()
         return output
@@ -95,7 +95,7 @@ class LatheBoard:
 
     @property
     def at_rest(self) -> bool:
-        """Whether nothing more is to be sent: a program that the lathe has goes on without us."""
+        """Whether all bytes are sent: the lathe runs a program that it has received by itself."""
         return self._lost or (not self.manual.active and self._line.is_empty(self.time_s))
 
     def come_to_rest(self) -> None:
@@ -181,7 +181,7 @@ class LatheBoard:
             self._say(f"the lathe cannot be stopped over its link: it runs on for {left_s:.1f} s, to X{x:.3f} Z{z:.3f}")
 
     def _program_end_mm(self) -> tuple[float, float]:
-        """Return the work position at which the lathe stands once all that it has is done."""
+        """Return the work position of the lathe after all moves that it has."""
         here, end = self.manual.places, self.program.end_place
         zero = self._answers.zero_mm
         x, z = ((a + b) / per_mm for a, b, per_mm in zip(here, end, self._per_mm, strict=True))
@@ -217,7 +217,7 @@ class LatheBoard:
         return self._line_in_hand
 
     def _has_room(self, line: str) -> bool:
-        """Return whether there is room for what a line asks."""
+        """Return whether there is room for the records of a line."""
         if line.startswith("$J"):
             return self.program.begun or self.manual.has_room(self.time_s)
         return line.startswith("$") or self.program.has_room
@@ -291,7 +291,7 @@ class LatheBoard:
             raise refused(LOCKED)
         self._answers.set_zero(line, self.places_mm)
 
-    # -- what it says --------------------------------------------------------------------------------
+    # -- output --------------------------------------------------------------------------------------
 
     def _greet(self) -> None:
         self._send(f"\r\n{FIRMWARE.banner}")
@@ -303,7 +303,7 @@ class LatheBoard:
         self._output += line.encode("ascii", "replace") + b"\r\n"
 
     def _guarded(self, action: Callable[[], None]) -> None:
-        """Do something with the port; where that is gone, say so and be locked: the position is lost."""
+        """Call a function with the port; at its loss report that and lock the board: the position is lost."""
         try:
             action()
         except LinkError as error:

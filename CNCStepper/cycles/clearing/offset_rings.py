@@ -25,11 +25,11 @@ from CNCStepper.errors import CycleError, Text
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.region import Region
 from CNCStepper.geometry.shapely_polygons import polygons_of
+from CNCStepper.tolerances import NO_RING_MM2
 
 FEW = 3  # levels after which it is looked how many there would be
 SHORT = 0.05  # of the tolerance: shorter steps of a ring are joined up
 STRIDE = 0.1  # of the tool's radius: between the places of a pass that are looked at
-NOTHING_MM2 = 1e-8
 SLACK = 0.8  # of the tolerance: of which an offset takes at most an eighth, where rounding decides
 SURE = 0.25  # of the tolerance: what rings are taken to reach less than they do, where spots are looked for
 
@@ -97,7 +97,7 @@ def spots(ring: Ring, area: Area) -> list[Curve]:
     left = polygons_of(ring.region.offset(-reach_mm, slack_mm))
     done = [polygons_of(child.region.offset(reach_mm, slack_mm)) for child in ring.children]
     left = left.difference(shapely.union_all(done))
-    if left.area < NOTHING_MM2:
+    if left.area < NO_RING_MM2:
         return []
     shapely.prepare(left)
     between = ring.region.offset(-area.stepover_mm / 2.0, slack_mm)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The boundaries of a HATCH as closed curves: polylines with bulges, lines and arcs exactly, ellipses and splines fitted.
+"""The boundaries of a HATCH as closed curves: polylines, lines and arcs exactly, ellipses and splines fitted.
 
 A hatch is mostly drawn with its boundary beside it. Such a boundary is left out (`without_drawn`): a tool would cut it
 twice.
@@ -68,7 +68,7 @@ def _edge(edge: Any, fits: Fits) -> Curve:
         whole = abs(edge.end_angle - edge.start_angle) >= FULL_DEG
         ends = (0.0, math.tau) if whole else (edge.start_param, edge.end_param)
         return curve_of(factory.new("ELLIPSE", given | {"start_param": ends[0], "end_param": ends[1]}), fits)
-    spline = factory.new("SPLINE", {"degree": edge.degree})
+    spline: Any = factory.new("SPLINE", {"degree": edge.degree})
     spline.control_points, spline.fit_points = edge.control_points, edge.fit_points
     spline.knots, spline.weights = edge.knot_values, edge.weights
     return curve_of(spline, fits)

@@ -102,7 +102,9 @@ def read_dxf(
     kept, doubles = without_drawn(chains)
     warnings = list(reading.texts.warnings)
     if doubles:
-        warnings.append(Text("{doubles} boundaries of hatches are drawn as lines too; they are read once", doubles=doubles))
+        warnings.append(
+            Text("{doubles} boundaries of hatches are drawn as lines too; they are read once", doubles=doubles)
+        )
     return Drawing(tuple(kept), gaps, tuple(skipped), unit_mm, printable(damage, MOST_WORDS), tuple(warnings))
 
 

@@ -22,7 +22,7 @@ import numpy as np
 
 from CNCStepper.drawing.dxf.plain_entities import LARGEST
 from CNCStepper.drawing.text.font_files import find_face
-from CNCStepper.drawing.text.text_curves import TextStyle, font_of, line_layout, text_curves
+from CNCStepper.drawing.text.text_curves import Align, TextStyle, font_of, line_layout, text_curves
 from CNCStepper.errors import GeometryError, JobError, Text
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.safe_text import printable
@@ -34,7 +34,7 @@ MOST_SLANT_DEG = 85.0
 DESCENT = 1.0 / 3.0  # of the height: how far "bottom" lies below the base line
 PITCH = 5.0 / 3.0  # heights: from one base line of an MTEXT to the next, by the DXF reference
 MOST_WORDS = 255
-ALIGNED, FIT = 3, 5  # of `halign`
+ALIGNS: tuple[Align, ...] = ("left", "center", "right")
 
 
 class Texts:
@@ -73,8 +73,10 @@ class Texts:
             run = math.hypot(second.x - first.x, second.y - first.y)
             turn = math.atan2(second.y - first.y, second.x - first.x)
             wider = run / width
-            changed = {"width_factor": style.width_factor * wider}
-            style = replace(style, **(changed if placement.value == FIT else {"height_mm": style.height_mm * wider}))
+            if placement.name == "FIT":
+                style = replace(style, width_factor=style.width_factor * wider)
+            else:
+                style = replace(style, height_mm=style.height_mm * wider)
             width = run
         x = -width * _share_of_width(placement.name)
         y = -style.height_mm * _share_of_height(placement.name)
@@ -95,7 +97,7 @@ class Texts:
         style = replace(self._style(entity, height), line_pitch_mm=pitch)
         lines = self._wrapped(lines, style, entity.dxf.get("width", 0.0) or 0.0)
         column, row = (entity.dxf.attachment_point - 1) % 3, (entity.dxf.attachment_point - 1) // 3
-        style = replace(style, align=("left", "center", "right")[column])
+        style = replace(style, align=ALIGNS[column])
         tall = (len(lines) - 1) * pitch
         y = (-height, (tall - height) / 2.0, tall)[min(max(row, 0), 2)]
         turn = math.radians(entity.get_rotation())

@@ -14,9 +14,9 @@ from collections.abc import Iterator
 from typing import Any
 
 from CNCStepper.drawing.solids.process_limits import answer, guard_script, limit_process, refuse
+from CNCStepper.tolerances import SAME_MM
 
 LEVEL = 1e-9  # of a face's direction
-SAME_MM = 1e-6
 
 
 def main(path: str, height: str, tolerance: str) -> None:

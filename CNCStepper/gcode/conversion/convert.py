@@ -54,7 +54,7 @@ _AFTER_STOPS = (
 )
 _BEGIN = "the program begins with the tool at the work zero: bring it there before this one is sent"
 _ROTARY = re.compile(r"(?<![#<A-Z_])([ABC])(?=[-+.\d])", re.IGNORECASE)
-STAGES = ("read", "write", "compare")  # what `tell` hears, in this order
+STAGES = ("read", "write", "compare")  # the stages that `tell` is called with, in this order
 
 
 @dataclass(frozen=True)
@@ -122,13 +122,13 @@ def default_options(path: Toolpath, target: Dialect) -> WriteOptions:
 
 
 def _begin(source: Dialect, start: Start | None) -> Iterator[Note]:
-    """Yield where the source presumes that the tool stands, though nobody has said it."""
+    """Yield places where the source assumes a tool position that no line has set."""
     if source.starts_at_work_zero and isnan((start or Start()).position_mm[0]):
         yield Note(_BEGIN, 1, 1)
 
 
 def _notes(path: Toolpath, codes: dict[str, list[int]], target: Dialect) -> Iterator[Note]:
-    """Yield what the interpreter has expanded already, and what it warned of."""
+    """Yield notes on expansions by the interpreter, and its warnings."""
     lines, canned = path.table().line, target.writing.canned if target.writing else ()
     cycles = [
         span for span in path.spans if span.kind == "cycle" and span.name not in canned and span.last > span.first
@@ -194,7 +194,7 @@ def _last_before(lines: list[int], move: int) -> int:
 
 
 def _by_modes(states: Iterable[State]) -> Iterator[tuple[tuple, State]]:
-    """Yield every state behind what `_STATES` asks of it: a program of many feeds has as many states."""
+    """Yield every state with its `_STATES` fields: a program of many feeds has as many states."""
     for state in states:
         turned, by_surface = state.rotation_deg != 0, state.surface_m_min > 0
         yield (state.distance, state.feed_mode, turned, by_surface, state.path_mode), state
@@ -216,7 +216,7 @@ def _lines_of_codes(text: str) -> dict[str, list[int]]:
 
 
 def _said(codes: dict[str, list[int]], source: Dialect) -> Iterator[Note]:
-    """Yield what only the text tells: codes that are nothing but moves in the table, and switches at the machine."""
+    """Yield facts that only the text has: codes that the table has as moves alone, and switches at the machine."""
     deleted = Text(
         "lines with / are {word}: no switch deletes them any more",
         word="left out" if source.skips_deleted else "cut always",

@@ -2,7 +2,7 @@
 """Which conversion makes a program of another controller one that a machine's own controller reads.
 
 A CAM program with M6, "%" or words of axes that never turn is refused by grbl; read as LinuxCNC, ISO or Mach means it
-and written anew it is the same work.
+and rewritten it is the same work.
 """
 
 from __future__ import annotations

@@ -25,10 +25,10 @@ from CNCStepper.gcode.interpreter.motion.arc_lengths import FULL_TURN, Ways, ang
 from CNCStepper.gcode.writer.block_emitter import Grid
 from CNCStepper.gcode.writer.write_options import WriteOptions
 from CNCStepper.state import State
+from CNCStepper.tolerances import SAME_CONVERTED_FEED, SAME_WRITTEN_VALUE
 from CNCStepper.toolpath import LINE, RAPID, Chunk, Event, Toolpath
 
 SPINDLES = ("off", "cw", "ccw")
-SAME_RPM, SAME_S = 0.0006, 0.0006  # three decimals are written
 HAPPENS = ("dwell", "pause", "optional_pause", "output")
 LEFT_OUT = {"dwell": "dwell", "pause": "pause", "optional_pause": "pause"}
 
@@ -55,11 +55,11 @@ class Switched:
 
     def same_on(self, states: np.ndarray, other: Switched, other_states: np.ndarray) -> np.ndarray:
         """Return where spindle and coolant are the same."""
-        return (np.abs(self.on[states] - other.on[other_states]) <= SAME_RPM).all(axis=1)
+        return (np.abs(self.on[states] - other.on[other_states]) <= SAME_WRITTEN_VALUE).all(axis=1)
 
 
 def switched_of(path: Toolpath, options: WriteOptions, target: Dialect) -> Switched:
-    """Return what is on in a program, but for what the target leaves out."""
+    """Return the outputs that are on in a program, without those that the target lacks."""
     table = path.table()
     on = np.array([_on(state, options) for state in path.states], float).reshape(-1, 4)
     if "spindle" in options.leave_out:
@@ -144,7 +144,7 @@ def _is_pierce(event: Event, on: np.ndarray, states: np.ndarray) -> bool:
 
 def _is_same(one: _PlacedEvent, other: _PlacedEvent, old: Switched, new: Switched, changes: set[int]) -> bool:
     was, now = one.event, other.event
-    if one.row != other.row or was.kind != now.kind or abs(was.value - now.value) > SAME_S:
+    if one.row != other.row or was.kind != now.kind or abs(was.value - now.value) > SAME_WRITTEN_VALUE:
         return False
     if was.kind == "output" and was.text != now.text:
         return False
@@ -167,7 +167,6 @@ def _event_differs(event: Event, file: str) -> ProgramError:
 
 
 ROUNDING = 1.01  # last digits by which the end of a move may differ: half of one by the writer, and the numbers' own
-SAME_FEED = 0.0051  # of the feed: what `block_emitter.py` lets a last digit take, and the numbers' own
 SPIRAL = 0.01  # of an arc's length: its radius may differ at both ends, and the writer's arc is a true one
 
 
@@ -231,7 +230,7 @@ def _owners(old: Side, new: Side, slack_mm: float, chord_mm: float, file: str) -
 
 
 def _allowed(old: Side, slack_mm: float, chord_mm: float) -> np.ndarray:
-    """Return by how much the length of what stands for each row may differ, mm: chords are shorter than their arc."""
+    """Return the permitted length difference for each row, mm: chords are shorter than their arc."""
     ways = old.ways
     with np.errstate(divide="ignore", invalid="ignore"):
         chords = np.where(ways.radius_mm > 0, np.minimum(chord_mm / ways.radius_mm, 1.0), 0.0)
@@ -251,7 +250,7 @@ def _compare_rows(old: Side, new: Side, rows: np.ndarray, owners: np.ndarray, fi
     feeds, made = old.table.feed[owners], new.table.feed[rows]
     _require((one == RAPID) == (other == RAPID), "rapids and cuts would be exchanged", old, owners, file)
     _require((other <= LINE) | (one == other), "the way would be bent otherwise", old, owners, file)
-    same = (one == RAPID) | (np.abs(feeds - made) <= SAME_FEED * feeds)
+    same = (one == RAPID) | (np.abs(feeds - made) <= SAME_CONVERTED_FEED * feeds)
     _require(same, "the feed would be another", old, owners, file)
     same = old.switched.same(old.table.state[owners], new.switched, new.table.state[rows])
     _require(same, "spindle, coolant or tool would be another", old, owners, file)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The form of a dialect: one small definition, as data, of what a controller's language is.
+"""The form of a dialect: one small definition, as data, of a controller's language.
 
 The reader, the interpreter, the writer and `prepare` are written once and ask this form. A dialect names
 the codes that it knows, says why it refuses others, and fixes the points in which controllers differ.
@@ -122,9 +122,7 @@ class Dialect:
     cancel_yields: bool = False  # G80 may share a line with another motion, which counts
     cancel_takes_no_axes: bool = False  # beside G80 on the line, not even those of G43.1
     # motion
-    compensates_backlash: bool = (
-        False  # the controller knows the backlash of its axes, so that a sender leaves it alone
-    )
+    compensates_backlash: bool = False  # the controller compensates the backlash of its axes, so the sender does not
     first_motion: int = NO_MOTION
     repeats: frozenset[int] = frozenset((RAPID, LINE, ARC_CW, ARC_CCW)) | CYCLES
     arc_needs_plane_axis: bool = False
@@ -145,7 +143,7 @@ class Dialect:
     plasma: bool = False  # QtPlasmaC chooses cut data by material, pierces and moves Z itself
     spindles: int = 1  # that the word $ may name
     waits_for_index: bool = False  # each run of G1 begins at the spindle's index, so that thread passes meet
-    starts_at_work_zero: bool = False  # where the position is unknown the tool stands at the work zero
+    starts_at_work_zero: bool = False  # an unknown tool position is taken as the work zero
 
     def motion_code(self, motion: int) -> Code | None:
         """Return the code that selects the kind of move `motion`, or None."""

@@ -4,7 +4,7 @@
 From its `GCode.cpp`: the codes of grbl, no canned cycles, no G43 but G43.1, no G59.1 to G59.3 ("G59.x are not
 supported"), M1 ignored, M4 only where the spindle can reverse or is a laser; and `Channel.h`: lines of 255 characters.
 M6 calls a macro of the machine's configuration, which may be none: it is neither read nor written. Expressions and
-O-words (`Expression.cpp`) are read; what is sent is written out.
+O-words (`Expression.cpp`) are read; the wire text has them expanded.
 """
 
 from dataclasses import replace

@@ -5,7 +5,7 @@ From its README ("Supported G-Codes": G73 G81 to G83, G98 G99, G59.1 to G59.3, "
 and `errors.h`; lines of 256 characters. M6 depends on driver and build: it stops the machine in the state Tool until
 the sender acknowledges with 0xA3. G43 needs a tool table that most builds lack, so G43.1 is used. G91.1 only, error:33
 as in grbl. How far G73 and G83 go back is a setting, so that only G81 and G82 are written as blocks. Expressions and
-O-words ("NGC" options of the build) are read; what is sent is written out.
+O-words ("NGC" options of the build) are read; the wire text has them expanded.
 """
 
 from dataclasses import replace

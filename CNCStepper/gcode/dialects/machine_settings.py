@@ -37,7 +37,7 @@ def _without(dialect: Dialect, codes: tuple[str, ...], letters: str, advice: str
 
 
 def _z(dialect: Dialect, value: str) -> Dialect:
-    if dialect.plasma:  # it moves Z itself, whatever the profile says of it
+    if dialect.plasma:  # it moves Z itself, independently of the profile
         return dialect
     flat = _without(dialect, ("G43.1",), "Z", NO_Z)
     flat = _without(flat, HEIGHT_PLANES, "", NO_PLANE)

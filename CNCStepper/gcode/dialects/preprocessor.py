@@ -68,7 +68,7 @@ class Piece:
 def pieces(line: str, dialect: Dialect, as_written: bool = False) -> list[Piece]:
     """Return a line of the dialect as pieces in the form of RS274; raises ProgramError with its column.
 
-    as_written: the words stay as they are, only what is no word is taken apart.
+    as_written: the words stay as they are; only other text is split.
     """
     found = [Piece(line, tuple(range(1, len(line) + 1)))]
     for step in dialect.front:

@@ -42,7 +42,7 @@ from CNCStepper.tolerances import SAME_SUM_MM
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, PLANE_NAMES
 
 ARC_SHARE = 1.5  # last digits that an arc is kept away from the tolerance, for its centre will be rounded
-LARGEST_RADIUS_MM = 2000.0  # where a dialect says nothing
+LARGEST_RADIUS_MM = 2000.0  # where a dialect has none
 _NUMBERS = re.compile(r"[XYZ]([-+0-9. \t]+)", re.IGNORECASE)
 
 
@@ -365,7 +365,7 @@ def _ended(run: _Gathered) -> Iterator[_Gathered | tuple[int, bool]]:
 
 
 def _with_motion(line: str, word: str, straight: bool) -> tuple[str, str]:
-    """Return a kept line with the motion word where it needs it, and what is still owed after it."""
+    """Return a kept line, with a motion word where it needs one, and the words that the next line must repeat."""
     if any(token.name in _MOTIONS for token in tokens_of(line)) or not is_plain(line):
         return line, ""
     if not straight:

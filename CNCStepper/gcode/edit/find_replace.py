@@ -75,7 +75,7 @@ def _search(find: str, pattern: bool, code_only: bool, ignore_case: bool) -> re.
 
 
 def _line(line: str, search: re.Pattern[str], put: str | Callable, comments: bool) -> str:
-    """Return a line with all places replaced; in the code alone unless told."""
+    """Return a line with all matches replaced, by default in the code alone."""
     if comments:
         return search.sub(put, line)
     made, at = [], 0

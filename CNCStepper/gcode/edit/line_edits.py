@@ -59,7 +59,7 @@ class LineWords:
         return [other for other in range(3) if any(self.where.rows[axis][other] for axis in rows)]
 
     def coupled(self, axes: list[int]) -> list[int]:
-        """Return the axes of which the new line says a coordinate: the old line's, and those that change with them."""
+        """Return the axes with a coordinate in the new line: the old line's, and those that change with them."""
         return [axis for axis in range(3) if axis in axes or any(self.where.rows[axis][other] for other in axes)]
 
     def value(self, letter: str, axis: int) -> Value:
@@ -97,7 +97,7 @@ class LineWords:
             self.made.append((token.first, token.last, text))
 
     def _says(self, token: Token, value: Value, decimals: int) -> bool:
-        """Whether a word says the new number already."""
+        """Whether a word has the new number already."""
         if token.number is None or not value.is_number:
             return value.is_same(token, self.from_mm) and self.from_mm == self.to_mm
         return abs(token.number - value.number / self.to_mm) < 0.5 * 10.0**-decimals * 1e-3
@@ -133,7 +133,7 @@ FARTHER = 0.25  # how much a centre farther from the exact one must be better
 
 
 class ArcWords(LineWords):
-    """What a line that may be an arc asks for."""
+    """The edits that a line needs if it may be an arc."""
 
     def arc(self, by_kind: dict[str, list[str]]) -> None:
         """Find the edits of radius and centre; raises ProgramError where the map leaves no arc."""
@@ -248,7 +248,7 @@ class Line(ArcWords):
     """Finds the edits of a line, and notes where that leads."""
 
     def edits(self) -> list[Edit]:
-        """Return what is to be replaced."""
+        """Return the replacements."""
         found = kinds(self.tokens, self.meaning.motion)
         lengths = [letter for letter in (found or {}) if letter in self.words]
         if found is None and any(token.letter in "XYZIJKRQPDEUVW@^" for token in self.tokens):
@@ -353,7 +353,7 @@ class Line(ArcWords):
             self.made.append((token.first, token.last, Value.of(token, 1.0).times(factor).text(decimals)))
 
     def _growth(self, token: Token) -> float:
-        """Return by what the way grows, so that an inverse time grows with it and the feed stays."""
+        """Return the factor of the path's length; an inverse time grows with it, so that the feed stays."""
         if self.where.scale is None:
             what = "a feed of inverse time (G93) cannot stay where the axes are scaled differently"
             raise self.refused("edit-feed", what, token, "scale all axes alike, or write feeds a minute (G94)")

@@ -104,7 +104,7 @@ class Source:
         self.firsts.append(reader.table.index)
 
     def _follow(self, reader: Interpreter) -> None:
-        """Read the lines where O-words lead; what stands in other files is refused where it moves."""
+        """Read the lines in the order of their O-words; moves in other files are refused."""
         flow = Flow(reader, self.lines.lines, library_of(self.file, self.start), Limits())
         steps = flow.run()
         while True:
@@ -123,7 +123,7 @@ class Source:
                 self._note(number, self._meaning(reader, units, begin))
 
     def _note(self, number: int, meaning: Meaning) -> None:
-        """Keep what a line means; executed again, what is not the same place is unknown."""
+        """Store a line's state; a line that is executed again with another position gets an unknown one."""
         before = self.meanings[number - 1]
         if before is not None:
             if before.modes != meaning.modes:

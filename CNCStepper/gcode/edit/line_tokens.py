@@ -37,14 +37,14 @@ class Token:
 
     @property
     def name(self) -> str:
-        """The code of a G or M word ("G1" for G01), "" where an expression says it; else the letter."""
+        """The code of a G or M word ("G1" for G01), "" for an expression; else the letter."""
         if self.letter not in "GM":
             return self.letter
         return "" if self.number is None else f"{self.letter}{self.number:g}"
 
 
 def tokens_of(text: str, file: str = "", number: int = 0) -> list[Token]:
-    """Return the words of a line in their order, up to an O-word; raises ProgramError for what is no word."""
+    """Return the words of a line in their order, up to an O-word; raises ProgramError for other text."""
     code = split_line(text).code
     tokens: list[Token] = []
     at = _skip(code, 0)

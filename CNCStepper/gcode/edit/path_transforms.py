@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where an edit puts each place of a path: offset, scale, rotation about Z, mirror image, or another unit.
+"""The map of an edit's path: offset, scale, rotation about Z, mirror image, or another unit.
 
 new = linear @ old + shift        work coordinates in mm, about the work zero in force
 
@@ -17,10 +17,9 @@ import numpy as np
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.edit.line_states import Meaning, Source
 from CNCStepper.gcode.edit.word_values import decimals_of, dialect_decimals
+from CNCStepper.tolerances import SAME_MATRIX_SCALE
 from CNCStepper.toolpath import PLANE_AXES, PLANE_NAMES
 from CNCStepper.units import UNIT_MM
-
-SIMILAR = 1e-12
 
 
 @dataclass(frozen=True)
@@ -46,11 +45,11 @@ class Map:
         """By what every way grows, None where that depends on its direction."""
         square = self.linear @ self.linear.T
         factor = math.sqrt(float(np.trace(square)) / 3.0)
-        even = np.abs(square - factor**2 * np.eye(3)).max() <= SIMILAR * max(factor**2, 1.0)
+        even = np.abs(square - factor**2 * np.eye(3)).max() <= SAME_MATRIX_SCALE * max(factor**2, 1.0)
         return factor if even else None
 
     def of(self, point: np.ndarray) -> np.ndarray:
-        """Return where a point, or each row of many, comes to lie."""
+        """Return the image of a point, or of each row of many."""
         return point @ self.linear.T + self.shift
 
     @cached_property
@@ -70,7 +69,7 @@ class Map:
         block = self.linear[np.ix_((first, second), (first, second))]
         leaves = self.linear[normal, [first, second]].any() or self.linear[[first, second], normal].any()
         scale = math.sqrt(abs(np.linalg.det(block)))
-        even = np.abs(block @ block.T - scale**2 * np.eye(2)).max() <= SIMILAR * max(scale**2, 1.0)
+        even = np.abs(block @ block.T - scale**2 * np.eye(2)).max() <= SAME_MATRIX_SCALE * max(scale**2, 1.0)
         if leaves or not even:
             return None
         return scale, math.copysign(1.0, float(np.linalg.det(block)))

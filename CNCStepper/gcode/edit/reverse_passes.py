@@ -13,7 +13,7 @@ A reversed program is read again: its passes must be the old ones from end to be
 old    travel ──► A   plunge   A -> B -> C   lift        rows of a pass: AB BC
 new    travel ──► C   plunge   C -> B -> A   lift                        CB BA
 
-Writes a program whose passes run backwards: their lines anew, rapids to them with another place, all else kept.
+Writes a program with reversed passes: new lines for them, other ends of the rapids to them, the rest kept.
 """
 
 from __future__ import annotations
@@ -110,7 +110,7 @@ class Rewriter:
         self.decimals, self.fewest = self._digits()
 
     def edited(self) -> Edited:
-        """Return the whole program anew."""
+        """Return the whole new program."""
         number, count = 1, len(self.source.meanings)
         while number <= count:
             one = self.firsts.get(number)
@@ -124,7 +124,7 @@ class Rewriter:
     # lines that stay
 
     def _kept(self, number: int) -> None:
-        """Write a line that is no part of a pass, with what the new order asks for."""
+        """Write a line outside the passes, with the words that the new order needs."""
         text, meaning = self.source.lines.lines[number - 1], self.source.meanings[number - 1]
         tokens = self.source.tokens(number) if meaning else []
         if meaning is None or not tokens:

@@ -3,7 +3,7 @@
 
 %                                 as the program has it
 (program 2 of 3, tool 4)
-G21 G17 G90 G91.1 G94 G54 G0      head: all modes that stood where the tool is changed
+G21 G17 G90 G91.1 G94 G54 G0      head: all modes in force at the tool change
 G0 Z10.  /  G0 X5. Y5.            the place, where the lines after it rely on it
 ...                               the lines, with the message and the pause before the change
 M5  /  M9  /  M2                  end
@@ -173,7 +173,7 @@ class _Part:
     left: State
 
     def text(self, number: int, count: int, relies: bool) -> str:
-        """Return the program; `relies`: it goes to where the program stood first."""
+        """Return the program; `relies`: it first moves to the position before the change."""
         lines = self.source.lines
         marked = any(is_percent_mark(line) for line in lines[:1])
         own = list(lines[self.first : self.last])
@@ -214,7 +214,7 @@ class _Part:
         return [line for line in head if line]
 
     def _approach(self, change: _Change) -> list[str]:
-        """Return rapids to where the tool stood: up first, then over the place."""
+        """Return rapids to the tool's last position: up first, then over the place."""
         unit_mm = UNIT_MM[change.state.units]
         decimals = dialect_decimals(self.dialect, change.state.units) + 3
         x, y, z = ("" if isnan(v) else number_text(v / unit_mm, decimals) for v in change.place[:3])

@@ -6,7 +6,7 @@ Puts the path of a program elsewhere by changing words in place: comments, order
     G1 X10.5 Y#1 (edge)    offset by X 2   ->   G1 X12.5 Y#1 (edge)
     G91 X0.333             scale by 2      ->   G91 X0.666      what rounding leaves is carried to the next way
 
-An axis is *free* until a coordinate of the work is said for it: it stands where the machine stood, which no edit moves.
+An axis is *free* until the program gives it a work coordinate: it stays at the machine's start, which no edit moves.
 """
 
 from __future__ import annotations
@@ -152,7 +152,7 @@ def start_units(source: Source) -> str:
 
 
 def _place_of_unit_word(source: Source) -> int | None:
-    """Return before which line (from 0) a unit word must stand; None where the program says it in time."""
+    """Return before which line (from 0) a unit word is needed; None where the program has one in time."""
     first = None
     for number, text, _ in source:
         code = split_line(text).code.strip()

@@ -22,9 +22,8 @@ from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.interpreter.motion.arc_lengths import FULL_TURN, Ways, ways_of
 from CNCStepper.gcode.syntax.words import program_lines
 from CNCStepper.state import State
+from CNCStepper.tolerances import SAME_SURFACE_SPEED
 from CNCStepper.toolpath import PLANE_AXES, PLANE_NAMES, RAPID, Event, Toolpath
-
-SAME_SURFACE = 1e-3  # relative: S of a constant surface speed is written in other units
 
 
 def modes_of(state: State) -> tuple:
@@ -39,7 +38,7 @@ def same_modes(old: Toolpath, new: Toolpath) -> np.ndarray:
     numbers: dict[tuple, int] = {}
     one, other = (_by_row(path, numbers) for path in (old, new))
     surface, after = (_surface(path) for path in (old, new))
-    return (one == other) & (np.abs(surface - after) <= SAME_SURFACE * surface)
+    return (one == other) & (np.abs(surface - after) <= SAME_SURFACE_SPEED * surface)
 
 
 def _by_row(path: Toolpath, numbers: dict[tuple, int]) -> np.ndarray:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The value of a word while it is edited: a number, or an expression with what is done to it around it.
+"""The value of a word while it is edited: a number, or an expression wrapped in the operations of the edit.
 
-The kind of number in each word of a line, so that a verb knows which to change.
+The kind of number in each word of a line, by which a verb selects the words to change.
 
 place    a coordinate of a place: X Y Z of G0, G1, G81 ... (under G91 the way to it)
 centre   I J K of an arc: from its begin, or a place under G90.1

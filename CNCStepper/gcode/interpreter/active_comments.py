@@ -11,8 +11,8 @@ import re
 
 from CNCStepper.errors import Place, ProgramError
 from CNCStepper.gcode.interpreter.state.system_parameters import SystemParameters
-from CNCStepper.gcode.syntax.expressions import EQUAL
 from CNCStepper.gcode.syntax.words import Comment, lower_case
+from CNCStepper.tolerances import SAME_NUMBER
 
 _PIECE = re.compile(
     r"%(?P<whole>d)|%(?P<four>f)|%\.(?P<decimals>[0-9])f|%(?=\.)|#<(?P<name>[^>]*)>|#(?P<number>[0-9]+)"
@@ -60,4 +60,4 @@ def _value(match: re.Match[str], known: SystemParameters, decimals: int) -> str:
             value = known.named(lower_case(re.sub(r"\s", "", match["name"])))
     except ProgramError:
         return _NONE
-    return f"{value if abs(value) >= EQUAL else 0.0:.{decimals}f}"
+    return f"{value if abs(value) >= SAME_NUMBER else 0.0:.{decimals}f}"

@@ -47,12 +47,12 @@ class Block(CanonicalBlock, ABC):
         self.read_profile: ProfileReader | None = None
         self.asks_position = False  # afterwards the machine is asked where it is
         self.turning = "off"  # how the spindle turned when a canned cycle began
-        self.unheard = False  # moves are not told: a call before them stands for all
+        self.unheard = False  # no calls for single moves: one call before them covers all
         self.next_further: tuple[float, ...] = model.further  # where A B C U V W are after this block's move
 
     @abstractmethod
     def execute(self, plan: Plan, values: list[float]) -> None:
-        """Execute words, which are the block's from then on (`execute.py`)."""
+        """Execute words, which become the block's own (`execute.py`)."""
 
     # words
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Reads blocks of canned cycles as LinuxCNC does: words that stick, repeats, and the run's first height for G98.
+"""Reads blocks of canned cycles as LinuxCNC does: sticky words, repeats, and the run's first height for G98.
 
 A run lasts as long as a canned cycle is modal. Its words stick in the text's own units and in program coordinates,
 as those of LinuxCNC do: they are not converted when units or offsets change.
@@ -64,7 +64,7 @@ class SpindleCycle(Canned):
             height = clear
 
     def _work(self, place: tuple[float, float], clear: float) -> Iterator[Stroke]:
-        """Yield what is done at a hole, from R on."""
+        """Yield the strokes of a hole, from R on."""
         bottom, top = (*place, self.z), (*place, clear)
         if self.name == "G87":
             yield from self._back_bore(place, clear)
@@ -145,7 +145,7 @@ def run_block(block: Block, motion: int, before: int) -> None:
 
 
 def _execute(block: Block, cycle: Canned, axes: tuple[int, int, int], begin: Place, initial: float, places) -> None:
-    """Move as the cycle says; what LinuxCNC tells between the moves is told too."""
+    """Move through the cycle, with the canonical calls that LinuxCNC has between the moves."""
     lift = cycle.lift(begin, initial)
     for stroke in lift:
         _stroke(block, stroke, axes)
@@ -160,7 +160,7 @@ def _execute(block: Block, cycle: Canned, axes: tuple[int, int, int], begin: Pla
             _stroke(block, stroke, axes)
         if drills:
             block.do(block.table.close_span)
-    if cycle.name == "G88" and places:  # whoever ended its pause has lifted the tool
+    if cycle.name == "G88" and places:  # the operator has lifted the tool in the pause
         continue_at(block.model, _machine(block, (*places[-1], cycle.clear(initial)), axes))
     for call in () if exact else block.model.path_calls:
         block.call(call)
@@ -180,7 +180,7 @@ def _stroke(block: Block, stroke: Stroke, axes: tuple[int, int, int]) -> None:
 
 
 def _spindle_stroke(block: Block, kind: str) -> None:
-    """Do what a cycle does to the spindle; `block.turning` is how it turned before the hole."""
+    """Switch the spindle as the cycle does; `block.turning` is its sense before the hole."""
     other = {"cw": "ccw", "ccw": "cw"}[block.turning]
     if kind in (TURN, REVERSE):
         turn(block, block.turning if kind == TURN else other)
@@ -193,7 +193,7 @@ def _spindle_stroke(block: Block, kind: str) -> None:
     elif kind == PAUSE:
         block.event("pause")
         block.call("PROGRAM_STOP()")
-    else:  # what a program has switched off stays off
+    else:  # a spindle that the program has switched off stays off
         locks, allowed = kind == LOCK, block.model.overrides
         for name in ("feed", "speed"):
             if locks or name in allowed:
@@ -219,7 +219,7 @@ def _cycle(block: Block, name: str, z: float, r: float, own: float, bore: Place)
 
 
 def _places(block: Block, axes: tuple[int, int, int], begin: Place, cycle: Canned) -> list[tuple[float, float]]:
-    """Return where the block's holes stand, as often as L says."""
+    """Return the positions of the block's holes, L times."""
     slots = block.plan.slots
     count = block.whole("L", 1, int(MOST_STROKES / (4.0 * cycle.pecks) + 1.0)) if "L" in slots else 1
     if block.plan.polar:
@@ -237,7 +237,7 @@ def _places(block: Block, axes: tuple[int, int, int], begin: Place, cycle: Canne
 
 
 def _polar_places(block: Block, begin: Place, count: int) -> list[tuple[float, float]]:
-    """Return where the holes stand that @ and ^ name; under G91 each goes on from the one before."""
+    """Return the positions of holes in polar coordinates (@, ^); under G91 each counts from the one before."""
     model, here = block.model.local(), complex(*begin[:2]) * block.model.scale
     places = []
     for _ in range(count):

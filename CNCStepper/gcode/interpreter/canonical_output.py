@@ -29,7 +29,7 @@ HELD_CALLS = (
     "SET_SPINDLE",
     "ORIENT",
     "SPINDLE",
-)  # that wait with the moves which compensation holds back; all others are told at once
+)  # that are delayed with compensated moves; all others are emitted at once
 SET_FEED = "SET_FEED_RATE({})"
 
 
@@ -50,7 +50,7 @@ class Canon(Protocol):
 
 
 class CanonicalBlock:
-    """A block on the scratch copy `model`; `actions` is what is to be done when all went well."""
+    """A block on the scratch copy `model`; `actions` are executed after the whole block is accepted."""
 
     def __init__(self, model: Model, table: TableBuilder, line: int, canon: Canon | None):
         self.model = model

@@ -79,7 +79,7 @@ def default_start() -> Start:
 
 
 def _begin(model: Model) -> Iterator[str]:
-    """Yield the calls with which a bare interpreter tells what is in force before the first line, in mm."""
+    """Yield the calls by which the stand-alone interpreter shows its initial state, in mm."""
     yield "USE_LENGTH_UNITS(CANON_UNITS_MM)"
     six = (f"{value:.4f}" for value in model.origin[:6])
     yield (SET_WORK % (WORK_SYSTEMS.index(model.state.work_system) + 1)).format(*six)
@@ -111,7 +111,7 @@ class _Calls:
         self._lines.append(f"{self._count:5d} {name:<7s}{text}")
 
     def printed(self, text: str) -> None:
-        """Print what the program itself prints."""
+        """Print the output of the program itself."""
         self._lines.append(text)
 
     def lengths(self, template: str, values: tuple[float, ...], model: Model) -> None:

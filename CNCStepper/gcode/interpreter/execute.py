@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Executes one block on a copy of the model; what it gives to the table waits until the whole block is good.
+"""Executes one block on a copy of the model; its rows of the table wait until the whole block is good.
 
 words -> Plan (line_grammar.py) -> Execution on a copy -> all good: the copy is the model, the actions are done
                                                 -> ProgramError: nothing has changed
@@ -225,7 +225,7 @@ class Execution(Block):
     """A block that calls the function of each of its codes, in RS274's order."""
 
     def execute(self, plan: Plan, values: list[float]) -> None:
-        """Execute words, which are the block's from then on."""
+        """Execute words, which become the block's own."""
         self.plan, self.values = plan, list(values)
         if self.model.diameter:
             self.scale_x(0.5)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The words and assignments of a line whose values are computed: `G1 X[#1 + 2] #3=4`.
 
-Every value is worked out with what the parameters were before the line; the assignments take effect after it is read.
+Every value is computed with the parameters before the line; assignments take effect after the line is read.
 """
 
 from __future__ import annotations
@@ -12,9 +12,9 @@ from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpreter.state.system_parameters import SystemParameters, check_assignable
 from CNCStepper.gcode.syntax.expressions import Scanner
 from CNCStepper.gcode.syntax.words import SIGNS, Word, not_a_word, pack
+from CNCStepper.tolerances import WHOLE_NUMBER
 
 _WHOLE_WORDS = "HLMT"
-_NEAR = 1e-4
 _CODE_DIGIT = 1e-3  # how near ten times a G number must be to a whole one
 
 
@@ -66,7 +66,7 @@ def _word(scanner: Scanner, items: ExpressionWords) -> None:
     if letter == "N" and not scanner.next.isdigit():
         raise scanner.error("line-number", "a line number is written in digits", "write N10", begin)
     value = scanner.value()
-    if letter in _WHOLE_WORDS and abs(value - round(value)) < _NEAR:
+    if letter in _WHOLE_WORDS and abs(value - round(value)) < WHOLE_NUMBER:
         value = float(round(value))
     if letter == "G":
         value = _code_number(scanner, value, begin)

@@ -23,7 +23,7 @@ def interpret(
     """Return the table of moves of a whole program, in machine coordinates.
 
     start: the machine's position and modal state; None is a machine whose position and zero are unknown.
-    The table's lines are those of the text: for what a subroutine in another file does, the line of its call.
+    The table's lines are those of the text: a row of a subroutine in another file has the line of its call.
     progress: called with the share of the lines that is reached, from 0 to 1. Raises ProgramError naming file, line,
     column and word.
     """

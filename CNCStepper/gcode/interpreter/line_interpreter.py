@@ -133,8 +133,8 @@ class Interpreter:
         self._keeps_moves = reads_moves_directly(self.dialect)
         self._too_long = self.dialect.line_limit if self.dialect.reads_files else NO_LIMIT
         self.tape = PercentMarkers()
-        self.read_profile: ProfileReader | None = None  # who leads through subroutines, if there is one
-        self._place: Place | None = None  # of a line that stands elsewhere than `line_number` says
+        self.read_profile: ProfileReader | None = None  # the flow control that calls subroutines, if there is one
+        self._place: Place | None = None  # of a line whose place differs from `line_number`
 
     @property
     def ended(self) -> bool:
@@ -183,7 +183,7 @@ class Interpreter:
         return True
 
     def refusals(self, lines: Iterable[str]) -> Generator[ProgramError, None, bool]:
-        """Read lines as `lines` does; yield why lines are refused, which change nothing, and go on after them."""
+        """Read lines as `lines` does; yield the errors of refused lines, which change nothing, and continue."""
         for line in lines:
             if self.leads(line):
                 return False
@@ -218,7 +218,7 @@ class Interpreter:
                 return
         self._any_line(text)
 
-    # for who leads through a program whose lines are not read in their order (`program_flow.py`)
+    # for a program whose lines are not read in their order (`program_flow.py`)
 
     def line_at(self, text: str, line_number: int, place: Place) -> None:
         """Read the line at `place`; its moves get `line_number`."""

@@ -184,7 +184,7 @@ def interpret_file(
 
 
 class FileReading:
-    """One reading of a program's file; `chunks` hands its table on as it grows, `interpreter` knows the rest."""
+    """One reading of a program's file; `chunks` yields its table as it grows, `interpreter` holds the state."""
 
     def __init__(
         self,

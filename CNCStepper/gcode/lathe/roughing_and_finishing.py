@@ -18,7 +18,6 @@ from dataclasses import replace
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.lathe.turned_profile import (
     APART,
-    NEAR,
     SHORT,
     Segment,
     Tool,
@@ -28,6 +27,7 @@ from CNCStepper.gcode.lathe.turned_profile import (
     finish_corner,
     join,
 )
+from CNCStepper.tolerances import SAME_PROFILE_POINT
 
 MOST_STEPS = 100_000  # of a cycle: a depth of cut that needs more is a mistake
 NO_POCKETS, ONLY_POCKETS, POCKETS_AFTER = 1, 2, 3  # the digit of G71.1 and G71.2; the state after the first pass
@@ -144,7 +144,7 @@ class Turning:
         self._check()
         self.away(away)
         out = TurnedTool(tool, self.turned)
-        self.depth, self.escape = max(depth, 2 * NEAR), escape * (1 + 1j)
+        self.depth, self.escape = max(depth, 2 * SAME_PROFILE_POINT), escape * (1 + 1j)
         first, last = self.segments[0], self.segments[-1]
         out.rapid(first.start)
         if last.end.imag < first.start.imag:
@@ -260,14 +260,14 @@ class Turning:
         """Cut pass below pass; return place and segment at the bottom, None at the end of the profile."""
         while index < len(self.segments):
             self._step()
-            while x - NEAR > place.imag:
+            while x - SAME_PROFILE_POINT > place.imag:
                 self._step()
                 x -= self.depth
             lower = dive(self.segments[index], place, x, out, index == 0)
             if lower is None:
                 return place, index
             place = lower
-            if abs(place.imag - x) > NEAR:
+            if abs(place.imag - x) > SAME_PROFILE_POINT:
                 index += 1
                 continue
             index, cut = self._cut(place, index, out)
@@ -276,17 +276,17 @@ class Turning:
         return None
 
     def _cut(self, place: complex, index: int, out: Tool) -> tuple[int, bool]:
-        """Cut one pass along Z; return the segment to go on with, and whether the next pass is lower."""
+        """Cut one pass along Z; return the segment to continue with, and whether the next pass is lower."""
         for other in range(index, len(self.segments)):
             at = self.segments[other].crossings(place.imag)
             if not at:
                 continue
             z = at[0] if other != index else at[-1]
             distance = abs(z - place.real)
-            if z - NEAR > place.real or (distance < NEAR and other == index):
+            if z - SAME_PROFILE_POINT > place.real or (distance < SAME_PROFILE_POINT and other == index):
                 continue
-            if distance < NEAR:
-                meets = abs(place - self.segments[other].start) < NEAR
+            if distance < SAME_PROFILE_POINT:
+                meets = abs(place - self.segments[other].start) < SAME_PROFILE_POINT
                 return (other, False) if meets else (index, True)
             out.line(complex(z, place.imag))
             escape = min(1.0, distance / 2 / self.escape.real) * self.escape if self.escape.real else 0j

@@ -16,8 +16,8 @@ from math import sqrt
 from typing import Protocol
 
 from CNCStepper.errors import ProgramError
+from CNCStepper.tolerances import SAME_PROFILE_POINT
 
-NEAR = 1e-6
 SHORT = 1e-3
 APART = 1e-2
 
@@ -107,16 +107,16 @@ class Segment:
             return self._line_crossings(x)
         height = x - self.centre.imag
         square = -(height - self.radius) * (height + self.radius)
-        if square < -NEAR:
+        if square < -SAME_PROFILE_POINT:
             return []
         half = sqrt(max(0.0, square))
         return [z for z in (self.centre.real + half, self.centre.real - half) if self._holds(complex(z, x))]
 
     def _line_crossings(self, x: float) -> list[float]:
         low, high = sorted((self.start.imag, self.end.imag))
-        if low > x + NEAR or high < x - NEAR:
+        if low > x + SAME_PROFILE_POINT or high < x - SAME_PROFILE_POINT:
             return []
-        if abs((self.start - self.end).imag) < NEAR:
+        if abs((self.start - self.end).imag) < SAME_PROFILE_POINT:
             return [self.start.real, self.end.real]
         share = (x - self.start.imag) / (self.end.imag - self.start.imag)
         return [share * (self.end.real - self.start.real) + self.start.real]
@@ -127,7 +127,7 @@ class Segment:
         centre = self._centre
         after = ((self.start - centre).conjugate() * (point - centre)).imag * sense
         before = ((self.end - centre).conjugate() * (point - centre)).imag * sense
-        return after >= -NEAR and before <= NEAR
+        return after >= -SAME_PROFILE_POINT and before <= SAME_PROFILE_POINT
 
     def draw(self, tool: Tool) -> None:
         """Cut along it."""
@@ -146,7 +146,7 @@ def join(before: Segment, after: Segment) -> None:
         meeting = _lines_meet(before, after)
     elif before.centre is not None and after.centre is not None:
         meeting = _arcs_meet(before, after)
-    elif abs(after.start - before.end) < NEAR:
+    elif abs(after.start - before.end) < SAME_PROFILE_POINT:
         return
     elif after.centre is None:
         meeting = _circle_meets_line(before.end, before._centre, after.start, after.end, after.start)
@@ -216,7 +216,7 @@ def dive(segment: Segment, place: complex, x: float, tool: Tool, fast: bool) -> 
     """Go down along a segment as far as X, and return where the tool is; None where it does not lead down."""
     if segment.centre is not None:
         return _dive_arc(segment, place, x, tool)
-    if segment.start.imag <= segment.end.imag + NEAR:
+    if segment.start.imag <= segment.end.imag + SAME_PROFILE_POINT:
         return None
     end = segment.end
     if x >= end.imag:
@@ -230,11 +230,11 @@ def dive(segment: Segment, place: complex, x: float, tool: Tool, fast: bool) -> 
 
 def _dive_arc(segment: Segment, place: complex, x: float, tool: Tool) -> complex | None:
     centre = segment._centre
-    if abs(place - segment.end) < NEAR or (place - segment.end).real <= NEAR:
+    if abs(place - segment.end) < SAME_PROFILE_POINT or (place - segment.end).real <= SAME_PROFILE_POINT:
         return segment.end
-    at = segment.crossings(x) or segment.crossings(x - NEAR)
+    at = segment.crossings(x) or segment.crossings(x - SAME_PROFILE_POINT)
     if segment.ccw:
-        if place.real - NEAR > centre.real:
+        if place.real - SAME_PROFILE_POINT > centre.real:
             return None
         end = segment.end if not at or at[-1] > centre.real else complex(at[-1], x)
     else:
@@ -248,9 +248,9 @@ def _dive_arc(segment: Segment, place: complex, x: float, tool: Tool) -> complex
 
 
 def climb(segment: Segment, place: complex, tool: Tool) -> tuple[complex, bool]:
-    """Go up along a segment; return where the tool is, and whether the segment leads (or has led) down again."""
+    """Go up along a segment; return the tool's position, and whether the segment falls again."""
     if segment.centre is None:
-        if segment.end.imag + NEAR < segment.start.imag:
+        if segment.end.imag + SAME_PROFILE_POINT < segment.start.imag:
             return place, True
         tool.line(segment.end)
         return segment.end, False

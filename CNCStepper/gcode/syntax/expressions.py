@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Values that are computed: `[1 + #2 * SIN[30]]`, read as RS274/NGC reads them.
+"""Expressions: `[1 + #2 * SIN[30]]`, evaluated as in RS274/NGC.
 
     value       number | expression | parameter | function | + value | - value
     expression  [ value { operator value } ]     left to right among operators of one strength
@@ -18,12 +18,11 @@ from typing import Protocol
 
 from CNCStepper.errors import Place, ProgramError, Text
 from CNCStepper.gcode.syntax.words import lower_case
+from CNCStepper.tolerances import SAME_NUMBER, WHOLE_NUMBER
 
 _NUMBER = re.compile(r"[+-]?[0-9.]+")
 _NAME = re.compile(r"[A-Z]+")
 _OPERATOR = re.compile(r"\*\*|[-+*/]|AND|XOR|OR|MOD|EQ|NE|GT|GE|LT|LE")
-EQUAL = 1e-4  # numbers nearer than this are equal to EQ and NE, and 0 in comments
-_WHOLE = 1e-4  # a number this near to a whole one is whole
 _DEEPEST = 60
 _CLOSE = "]"
 
@@ -63,7 +62,7 @@ class Scanner:
 
     @property
     def column(self) -> int:
-        """Where the next character stood in its line."""
+        """The column of the next character in its line."""
         return self.columns[min(self.position, len(self.columns) - 1)] if self.columns else 1
 
     def take(self, text: str) -> bool:
@@ -97,7 +96,7 @@ class Scanner:
         begin = self.position
         value = self.value()
         whole = math.floor(value + 0.5)
-        if abs(value - whole) > _WHOLE:
+        if abs(value - whole) > WHOLE_NUMBER:
             raise self.error(
                 "not-whole", Text("{value:g} stands where a whole number must", value=value), "use ROUND[...]", begin
             )
@@ -250,8 +249,8 @@ _WORK: dict[str, Callable[[float, float], float]] = {
     "MOD": _modulo,
     "+": lambda left, right: left + right,
     "-": lambda left, right: left - right,
-    "EQ": lambda left, right: abs(left - right) < EQUAL,
-    "NE": lambda left, right: abs(left - right) >= EQUAL,
+    "EQ": lambda left, right: abs(left - right) < SAME_NUMBER,
+    "NE": lambda left, right: abs(left - right) >= SAME_NUMBER,
     "GT": lambda left, right: left > right,
     "GE": lambda left, right: left >= right,
     "LT": lambda left, right: left < right,

@@ -3,7 +3,7 @@
 
 The *shape* of a line is its text without the numbers of all words but G and M ("G1XYF" for "G1 X2 Y3 F100"). All
 that can be said without those numbers (modal groups, missing and unused words, who uses the axis words) is
-decided when a shape is first met and kept as a `Plan`; the lines after it cost two regular expressions.
+decided at the shape's first line and kept as a `Plan`; further lines cost two regular expressions.
 """
 
 from __future__ import annotations
@@ -66,7 +66,7 @@ class Plan:
 
 
 class Grammar:
-    """Reads lines of one dialect; keeps the plan of every shape met, by the modal motion in force."""
+    """Reads lines of one dialect; keeps the plan of every shape, by the modal motion in force."""
 
     def __init__(self, dialect: Dialect):
         self.dialect = dialect

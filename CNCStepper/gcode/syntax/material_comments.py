@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""QtPlasmaC's comments that carry a material, and ours that says what a numbered one is taken to be.
+"""QtPlasmaC's comments that define a material, and CNCStepper's own that names the chart row of a numbered one.
 
     (o=0, na=mild-steel 3 mm 45A, ph=3.8, pd=0.4, ch=1.5, fr=3850, kw=1.5)          temporary: QtPlasmaC selects it
     (o=1, nu=7, ...)  (o=2, nu=7, ...)                                              added to its file, or written over
@@ -45,7 +45,7 @@ FORBIDDEN = re.compile(r"[^ -~]|[(),;=]")  # what would end a name or the commen
 
 @dataclass(frozen=True)
 class MaterialComment:
-    """What such a comment says. option: 0, 1 or 2 of `o`, None in a comment of ours. values: by parameter, in mm."""
+    """The content of such a comment. option: 0, 1 or 2 of `o`, None in our own. values: by parameter, in mm."""
 
     option: int | None
     number: int
@@ -77,7 +77,7 @@ def comment_of(row: CutData) -> MaterialComment:
 
 
 def read_material_comment(text: str, units: str) -> MaterialComment | None:
-    """Return what a comment (without its parentheses) of a text in `units` says; None for any other comment.
+    """Return the material of a comment (without its parentheses) in a text in `units`; None for other comments.
 
     Raises ProgramError for one that QtPlasmaC, or the reader of our own, could not take.
     """

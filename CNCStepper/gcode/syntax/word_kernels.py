@@ -16,11 +16,11 @@ from CNCStepper.kernels import njit_in_place
 LETTERS = "XYZIJKRFN"  # a word's place among the values; the bit of its letter in a mask of words
 G = len(LETTERS)
 BLANK, LINE_END, OTHER = G + 1, G + 2, G + 3
-N, N_LATE = LETTERS.index("N"), 1 << G  # the N word stands after another word
+N, N_LATE = LETTERS.index("N"), 1 << G  # an N word after another word
 SHAPES = 1 << (G + 1)  # masks of words; the G word in front of them counts 0 for none, 1 for G0 ... 4 for G3
 MOST_G = 3
 MOST_WHOLE_DIGITS, MOST_DIGITS, MOST_MANTISSA = 15, 18, 1 << 53
-LEFT = -1  # the place after what is left to the interpreter
+LEFT = -1  # the place after the text that is left to the interpreter
 POWERS = np.array([10.0**n for n in range(MOST_DIGITS + 1)])
 MINUS, PLUS, POINT, ZERO, NINE = (ord(sign) for sign in "-+.09")
 NEWLINE, RETURN = 10, 13

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""From a line of text to its words: comments, block delete, and words with the column of each.
+"""Splits a line of text into its words: comments, block delete, and words with the column of each.
 
 Blanks may stand anywhere, also inside a number, and letters may be lower case (RS274/NGC). Errors name the
-column; who reads a whole program adds file and line.
+column; a reader of whole programs adds file and line.
 
 The "%" that may open and close a program, as the marks at the two ends of a punched tape did.
 """
@@ -23,7 +23,7 @@ MOST_LINE = 100_000  # characters: each takes some 200 bytes of memory while it 
 _BLANKS = " \t\r\n"
 _CAPITALS = str.maketrans(ascii_lowercase, ascii_uppercase)
 _SMALL = str.maketrans(ascii_uppercase, ascii_lowercase)
-_RUN = re.compile(r"[^A-Z]?[^A-Z]*")  # what stands up to the next letter
+_RUN = re.compile(r"[^A-Z]?[^A-Z]*")  # the text up to the next letter
 
 _COMPUTED = {
     "#": "parameters (#) are not part of this dialect",
@@ -151,7 +151,7 @@ def scanned_words(code: str) -> list[tuple[str, str]]:
     """Return letter and number of the words of a line without comments, in capitals, as far as there are any.
 
     Nothing is refused: expressions, names of parameters and whatever else is no word are passed over. This is for
-    those who look something up in lines that the interpreter reads or has read.
+    callers that search lines which the interpreter reads or has read.
     """
     return _WORD.findall(_NAMED.sub("", pack(code)[0]))
 

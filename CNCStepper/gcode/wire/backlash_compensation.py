@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Takes up the play of the axes in the wire text, for controllers that do not do it themselves.
+"""Compensates the backlash of the axes in the wire text, for controllers that do not do it themselves.
 
     G1X10F300                  G1X10F300         going +
     X4              ->         G1X9.95           X turns back: its motor alone crosses the gap, at the move's feed
@@ -101,7 +101,7 @@ class AsWritten:
         return tuple(ready)
 
     def went(self, axes: Iterable[int]) -> None:
-        """Note that the play of some axes was taken up, or that they go on by a way that takes it up."""
+        """Note that the backlash of some axes is compensated, or that their next move compensates it."""
         for axis in axes:
             self._short.pop(axis, None)
 
@@ -111,7 +111,7 @@ class AsWritten:
         return {axis for axis, way in ways if not any(map(isnan, way)) and self._play.sense(axis, *way)}
 
     def _ahead_mm(self, axis: int, position_mm: Sequence[float]) -> float:
-        """Return how far a motor is ahead of its tool; NaN where nobody knows."""
+        """Return how far a motor is ahead of its tool; NaN where that is unknown."""
         return self._short.get(axis, self._motors.at_mm[axis] - position_mm[axis])
 
     def _after(self, axis: int, ahead_mm: float, way_mm: float) -> float:
@@ -147,7 +147,7 @@ def crossing(model: Model, stood_mm: Sequence[float], end_mm: Sequence[float], f
 
 
 def place_text(model: Model, axis: int, stood_mm: Sequence[float], end_mm: Sequence[float]) -> str:
-    """Return the number that leads the motor of an axis from where it stood to its end.
+    """Return the number that moves the motor of an axis from its last position to its end.
 
     Ways are those between places that are rounded themselves, so that what the digits leave out never adds up.
     """
@@ -261,7 +261,7 @@ class BacklashCompensation:
         self._motors = Motors(play, self._reader.model.position)
         self._as_written = AsWritten(self._motors)
         self._file = file
-        self._crossed = ""  # the motion of ours that the wire said last, where the program may know another
+        self._crossed = ""  # the motion of our last inserted line, where the program may have another in force
 
     def lines(self, line: str, number: int) -> list[str]:
         """Return the lines sent for a line of the wire text that is line `number` of the file."""
@@ -318,7 +318,7 @@ class BacklashCompensation:
         return f"{MOTION_NAMES[self._reader.model.motion]}{line}"
 
     def _into_the_gap(self, model: Model) -> Iterator[str]:
-        """Yield the rapid by which the motors go to where the tool stands, which it does not notice."""
+        """Yield the rapid that moves the motors to the tool's position; the tool does not move."""
         stood = self._motors.at_mm
         here = [stands if isnan(tool) else tool for stands, tool in zip(stood, model.position, strict=True)]
         if any(abs(one - other) > SAME_SUM_MM for one, other in zip(stood, here, strict=True)):
@@ -326,7 +326,7 @@ class BacklashCompensation:
         self._motors.at_mm = here
 
     def _feed_mm_min(self, rows: Chunk | None) -> float | None:
-        """Return at which feed a move's play is taken up; None as a rapid."""
+        """Return the feed at which a move's backlash is crossed; None for a rapid."""
         return None if rows is None or rows.kind[0] == RAPID or self._play.beam else float(rows.feed[0])
 
     def _crossing(self, model: Model, stood_mm, end_mm, feed_mm_min: float | None) -> str:
@@ -364,7 +364,7 @@ class BacklashCompensation:
         centre_mm: tuple[float, ...] | None,
         feed_mm_min: float | None,
     ) -> Iterator[str]:
-        """Yield the lines of a move: each piece, and before it the line that takes up play."""
+        """Yield the lines of a move: each piece, and before it the line that crosses the backlash."""
         model, motion = before, MOTION_NAMES[self._reader.model.motion]
         writer = Words(words, self._reader.model, pieces, centre_mm)
         moved = {axis for piece in pieces for axis in self._as_written.moved(piece.begin_mm, piece.end_mm)}
@@ -386,7 +386,7 @@ class BacklashCompensation:
 def with_backlash_compensation(
     wire: WireText, play: Backlash, dialect: Dialect, start: Start | None, file: str
 ) -> WireText:
-    """Return the wire text with what takes up play; `leads` says which of its lines the next one continues.
+    """Return the wire text with the lines that cross backlash; `leads` marks lines that the next one continues.
 
     A message is told at the last line of those that its line has become, where the program stops.
     """

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""From a program file to the wire text: exactly the lines that are sent, and the way back to the file's lines.
+"""Makes the wire text of a program file: exactly the lines that are sent, with their lines in the file.
 
 No comments, blank lines, "%", N words or blanks; upper case, shortest numbers, plain ASCII; each line fits the
-controller's buffer and holds no byte that acts where it stands; the first move names its motion (`wire_text.py`).
+controller's buffer and has no real-time byte; the first move names its motion (`wire_text.py`).
 Read by the interpreter, the wire text gives the same moves and states as the file. Line numbers and checksums of Marlin
-belong to the link, as does the "?" that ends what is sent to the mini-lathe.
+belong to the link, as does the "?" that ends a transfer to the mini-lathe.
 
 The wire text of a language of records: each record whole, so that a chunk may begin at any of them.
 
@@ -105,9 +105,9 @@ class Records:
 
 
 ENDS = frozenset(("M2", "M30"))
-MOST_MESSAGE = 4000  # characters that are told at one line: some fifty lines of text
+MOST_MESSAGE = 4000  # characters of the messages at one line: some fifty lines of text
 CUT = "…\n"  # stands before the end of a longer one
-Wire = tuple[int, list[Comment], str, int]  # number of a line, its comments, what is sent, its first column
+Wire = tuple[int, list[Comment], str, int]  # number of a line, its comments, its wire text, its first column
 
 
 def prepare(
@@ -146,21 +146,21 @@ class WireEncoder:
     def __init__(self, language: Dialect, file: str):
         self._language, self._file = language, file
         self._records = Records(language)
-        self._begun = self._over = False  # a word or comment was met; nothing after it is sent any more
+        self._begun = self._over = False  # after this word or comment nothing is sent
         self._first_move = FirstMove(language)
         self._first_feed = FirstFeed(language)
         self._waiting = ""  # messages for the next line
         self.messages: dict[int, str] = {}
 
     def encode(self, runs: Iterable[WireRun | tuple[int, str]]) -> tuple[bytes, np.ndarray]:
-        """Return what is sent of further lines, each with its newline, and the line of the file of each, int32[n].
+        """Return the wire text of further lines, each with its newline, and the line of the file of each, int32[n].
 
         Raises ProgramError naming file, line, column for what cannot be sent.
         """
         return self.join(self._lines(runs))
 
     def started(self, lines: WireLines, file_lines: np.ndarray) -> WireLines:
-        """Return lines that were encoded with what the first ones lack, where they are among them.
+        """Return encoded lines, with the motion and feed that the first ones lack, where they are among them.
 
         The program's first move names its motion, and its first cut a feed.
         """
@@ -218,7 +218,7 @@ class WireEncoder:
                 yield from self._line(*run)
 
     def _line(self, number: int, raw: str) -> Iterator[Wire]:
-        """Yield what a controller is to see of a line."""
+        """Yield the part of a line that a controller gets."""
         language = self._language
         comments: list[Comment] = []
         blocks: list[list[Word]] = []
@@ -252,7 +252,7 @@ def _expanded(text: str, language: Dialect, start: Start | None, file: str) -> I
 
 
 def wire_of_block(block: Block) -> Wire:
-    """Return what is sent of a block that is written out, "" for nothing."""
+    """Return the wire text of an expanded block, "" for nothing."""
     column = min((word.column for word in block.words), default=1)
     return block.line, list(block.comments), "".join(map(_short, _sent([block.words]))), column
 

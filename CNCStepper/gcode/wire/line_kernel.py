@@ -29,7 +29,7 @@ NOW = np.dtype(  # where the writing is
     [
         ("at", "i8"),  # byte of the text
         ("line", "i8"),  # lines read
-        ("out", "i8"),  # byte of what is written
+        ("out", "i8"),  # byte of the output
         ("lines", "i8"),  # lines written
         ("words", "i8"),  # whether any line held words
     ]
@@ -86,7 +86,7 @@ def write_number(data, at, end, roles, out, to):
 
 @njit_in_place
 def write_lines(data, now, roles, longest_line, out, numbers):
-    """Write lines from `now.at` on, each with its newline, until one must be left to who knows comments and codes.
+    """Write lines from `now.at` on, each with its newline, up to one that needs the encoder (comments, codes).
 
     out: uint8, room for twice the text. numbers: int32, the line of the text of each line that is written.
     """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Cuts a move into pieces in which no axis turns back, so that play is taken up only between two of them.
+"""Splits a move into pieces in which no axis reverses, so that backlash is crossed only between two of them.
 
 arc that crosses three of its four extremes      ╭──┊──╮
                                                  │     ┈      one piece more than there are extremes
@@ -21,7 +21,7 @@ Place = tuple[float, ...]
 
 
 class Piece(NamedTuple):
-    """A stretch of a move: from where to where in mm, its share of the way, and its turns as in the table."""
+    """A part of a move: begin and end in mm, its share of the path, and its turns as in the table."""
 
     begin_mm: Place
     end_mm: Place

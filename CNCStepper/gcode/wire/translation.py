@@ -10,7 +10,7 @@
 
 Places are those of the program's own work system; G92 and tool lengths are in the coordinates already, and centres
 count from the begin of the arc. What was written is read back at once, in the language in which it is sent, and
-compared row by row with the path: only what the read-back says is planned, checked and proven.
+compared row by row with the path: only the read-back is planned, checked and proven.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.interpreter.program_file import FileReading
 from CNCStepper.gcode.wire.wire_text import WireLines, WireText, check_wire_line
 from CNCStepper.state import ZERO3, Start, State
-from CNCStepper.tolerances import SAME_SUM_MM
+from CNCStepper.tolerances import SAME_SUM_MM, SAME_TRANSLATED_FEED
 from CNCStepper.toolpath import (
     ARC_CCW,
     LINE,
@@ -52,19 +52,18 @@ from CNCStepper.toolpath import (
 
 AXES, CENTRES = "XYZ", "IJK"
 DECIMALS = 5  # of a mm: grbl keeps seven digits
-SAME_MM = 2.1 * 10.0**-DECIMALS  # of an end or a centre, whose begin is rounded too
+ROUNDED_END_MM = 2.1 * 10.0**-DECIMALS  # of an end or a centre, whose begin is rounded too
 SMALLEST_RAD = 2e-6  # twice what grbl takes for a full circle
-SAME_FEED = 0.001  # mm/min and share
 PLANE_WORDS = dict(zip(PLANE_NAMES, ("G17", "G18", "G19"), strict=True))
 SPINDLES = {"off": "M5", "cw": "M3", "ccw": "M4"}
 STOPS = {"pause": "M0", "optional_pause": "M1", "end": "M2"}
 PASSED_OVER = ("comment", "warning", "tool_select", "override", "material")  # the path has what they mean
 TAKEN_AWAY = "the machine's controller does not have it: take it out, or cut the program in two there"
-HAPPENS = ("dwell", "pause", "optional_pause", "output")  # what the read-back must show too
+HAPPENS = ("dwell", "pause", "optional_pause", "output")  # state that the read-back must have too
 
 
 class Translation(NamedTuple):
-    """wire: what is sent. toolpath: the program's path with the places that are read back from the wire."""
+    """wire: the lines sent. toolpath: the program's path with the positions that are read back from the wire."""
 
     wire: WireText
     toolpath: Toolpath
@@ -104,7 +103,7 @@ class WireTranslator:
         self._before = np.asarray(start.position_mm[:XYZ], float)
 
     def translated(self, chunk: Chunk, states: Sequence[State], events: Iterator[Event]) -> tuple[WireText, Chunk]:
-        """Return what is sent of a chunk, with all that happens before its rows, and the chunk as it is read back."""
+        """Return the lines of a chunk, with all events before its rows, and the chunk as it is read back."""
         happened: list[tuple] = []
         begins = begins_of(chunk, self._before)
         for row in range(len(chunk)):
@@ -117,7 +116,7 @@ class WireTranslator:
         return wire, again
 
     def ended(self, states: Sequence[State], events: Iterator[Event]) -> WireText:
-        """Return what is sent behind the last row; a program that just ends is ended."""
+        """Return the lines after the last row; a program without an end code gets one."""
         happened: list[tuple] = []
         for event in self._until(events, None):
             self._happen(event, states, happened)
@@ -166,9 +165,9 @@ def _compare(chunk: Chunk, again: Chunk, states: Sequence[State], again_states: 
     centre_mm = np.abs(again.centre - chunk.centre)
     for plane, (_, _, normal) in enumerate(PLANE_AXES):
         centre_mm[again.plane == plane, normal] = 0.0
-    other = (np.nan_to_num(end_mm) > SAME_MM).any(axis=1) | (arcs & (centre_mm > 2 * SAME_MM).any(axis=1))
+    other = (np.nan_to_num(end_mm) > ROUNDED_END_MM).any(axis=1) | (arcs & (centre_mm > 2 * ROUNDED_END_MM).any(axis=1))
     other |= (again.kind != chunk.kind) & ~((again.kind == LINE) & (chunk.kind > LINE))
-    other |= np.abs(again.feed - chunk.feed) > SAME_FEED * np.maximum(1.0, chunk.feed)
+    other |= np.abs(again.feed - chunk.feed) > SAME_TRANSLATED_FEED * np.maximum(1.0, chunk.feed)
     pairs, of_row = np.unique(np.stack([chunk.state, again.state], axis=1), axis=0, return_inverse=True)
     switched = [_switched(states[int(one)]) != _switched(again_states[int(two)]) for one, two in pairs]
     other |= np.array(switched, bool)[of_row.ravel()] if len(chunk) else False
@@ -187,7 +186,7 @@ def _differs(place: Place) -> ProgramError:
 
 @dataclass
 class _LineWriter:
-    """The lines of a wire text in grbl's language, with what is in force at the controller."""
+    """The lines of a wire text in grbl's language, with the controller's modal state."""
 
     target: Dialect
     start: Start
@@ -224,7 +223,7 @@ class _LineWriter:
         self._write(words + (self._feed_word(float(chunk.feed[row])) if kind != RAPID else ""))
 
     def event(self, event: Event, state: State) -> None:
-        """Write what happens between two rows; raises ProgramError for what no controller of ours does."""
+        """Write the events between two rows; raises ProgramError for one that no CNCStepper controller has."""
         self._line = event.line or self._line
         if event.kind == "message":
             self._message = f"{self._message}\n{event.text}".strip()
@@ -291,13 +290,13 @@ class _LineWriter:
             offset - g92 - (state.tool_length_mm if axis == XYZ - 1 else 0.0)
             for axis, (offset, g92) in enumerate(zip(state.offset_mm, state.g92_mm, strict=False))
         ]
-        if any(abs(own - told) > SAME_MM for own, told in zip(own_mm, system, strict=False)):
+        if any(abs(own - told) > ROUNDED_END_MM for own, told in zip(own_mm, system, strict=False)):
             what = "the program sets its own work zero (G10)"
             raise ProgramError("translate-zero", what, advice="use G92", place=Place(self.file, self._line))
         return tuple(told + g92 for told, g92 in zip(system, start.g92_mm, strict=False))
 
     def _places(self, begin_mm: np.ndarray, end_mm: np.ndarray, base_mm: Sequence[float], named: set[int]) -> str:
-        """Return the words of the axes that move or are named, of one that stands where none does."""
+        """Return the words of the axes that move or are named; of one resting axis where there are none."""
         texts = [_number(float(end - base), DECIMALS) for end, base in zip(end_mm, base_mm, strict=False)]
         known = [axis for axis in range(XYZ) if not np.isnan(end_mm[axis]) and (axis < 2 or self.target.has_z)]
         moved = [axis for axis in known if axis in named or end_mm[axis] != begin_mm[axis]]
@@ -333,10 +332,10 @@ class _LineWriter:
 
     @staticmethod
     def _is_tiny(begin_mm: np.ndarray, end_mm: np.ndarray, centre_mm: np.ndarray, kind: int) -> bool:
-        """Return whether an arc turns by so little that its ends are one place in what is written."""
+        """Return whether an arc is so short that its written ends are one place."""
         (x, y), (to_x, to_y) = begin_mm - centre_mm, end_mm - centre_mm
         turned = math.atan2(x * to_y - y * to_x, x * to_x + y * to_y) * (1 if kind == ARC_CCW else -1)
-        return turned > 0.0 and (turned < SMALLEST_RAD or turned * math.hypot(x, y) < SAME_MM)
+        return turned > 0.0 and (turned < SMALLEST_RAD or turned * math.hypot(x, y) < ROUNDED_END_MM)
 
     def _feed_word(self, feed_mm_min: float) -> str:
         text = _number(feed_mm_min, 3)

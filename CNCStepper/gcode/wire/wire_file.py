@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A program's file read back from what is sent of it, piece by piece: neither text nor table is held whole.
+"""A program's file read back from its wire text, piece by piece: neither text nor table is held whole.
 
-    file ──► piece ──► WireEncoder ──► what is sent ──► sink, SHA-256
+    file ──► piece ──► WireEncoder ──► wire text ──► sink, SHA-256
                │                            │
                └── its other lines ─────────┴──► Interpreter ──► chunks, naming the file's lines
 
@@ -9,9 +9,9 @@ It gives what `prepare` and `read_back` give of a whole text. From the first lin
 from the disk, line by line. Programs whose lines are written out before they are sent (`expansion.is_expanded`) are
 read as they are run.
 
-A program's file whose lines are written out, read back from what is sent of it as it is run.
+A program's file with expanded lines, read back from its wire text as it is run.
 
-file ──► lines on the disk ──► blocks as they are run ──► what is sent ──► sink, SHA-256
+file ──► lines on the disk ──► blocks as they are run ──► wire text ──► sink, SHA-256
                                   │                          │
                                   └── comments ──────────────┴──► Interpreter ──► chunks
 """
@@ -58,7 +58,7 @@ class WireOptions(TypedDict, total=False):
 class WireFile:
     """One reading of a program's file through the wire.
 
-    sink: given what is sent of each piece, in their order, with its messages by the index of a line in the piece.
+    sink: receives the wire text of each piece, in order, with its messages by the index of a line in the piece.
     count: lines sent so far. name: by which refusals know the file; its path where left out.
     """
 
@@ -136,13 +136,13 @@ class WireFile:
             self._progress(min(1.0, read / size))
 
     def _hand_on(self, wire: WireText) -> None:
-        """Hand on what is sent of a piece."""
+        """Pass the wire text of a piece on."""
         self._digest.update(wire.lines.data)
         self._sink(wire)
         self.count += len(wire.lines)
 
     def _sent(self, lines: bytes, numbers: np.ndarray) -> WireText:
-        """Return what is sent of a piece that was encoded."""
+        """Return the wire text of an encoded piece."""
         wire = WireText(self._encoder.started(WireLines(lines), numbers), numbers, self._encoder.messages)
         return self._taken_up(wire) if self._take_up else wire
 
@@ -199,7 +199,7 @@ class _Reading(FileReading):
 
     def _run_on(self, mark: bytes, encoding: str) -> Iterator[None]:
         for _ in self._made:
-            pass  # what the rest becomes is sent, and stored
+            pass  # the wire text of the rest is sent, and stored
         self._progress = self._told
         yield from self._run(self._store)
 
@@ -258,7 +258,7 @@ class WireBlocks(WireFile):
         yield from reader.toolpath().chunks
 
     def _read(self, blocks: list[Block]) -> None:
-        """Send blocks, and read back what is sent of them."""
+        """Send blocks, and read their wire text back."""
         wire = self._sent(*self._encoder.join(map(wire_of_block, blocks)))
         self._hand_on(wire)
         sent = groups_of(wire)

@@ -3,7 +3,7 @@
 
 The lines that are sent, held as the bytes that go over the wire.
 
-The first move of what is sent names its motion: which one is in force at the controller depends on what ran before.
+The first move of a wire text names its motion: the controller's modal motion depends on earlier programs.
 
 program   X10            proven as the rapid of a fresh controller
 sent      G0X10          after M2 of another program a bare X10 would be a cut (G1)
@@ -153,7 +153,7 @@ def with_first_motion(lines: WireLines, index: int, dialect: Dialect) -> WireLin
 
 
 class FirstFeed:
-    """Looks for the first cut of a program in lines that come piece by piece, as far as no F stands before it."""
+    """Searches the first cut of a program without an F before it, in lines that come piece by piece."""
 
     def __init__(self, dialect: Dialect):
         self._dialect = dialect
@@ -179,7 +179,7 @@ class FirstFeed:
         return None
 
     def _follow(self, words: list[Word]) -> bool:
-        """Note the modes that a line sets; return whether it names a motion, which asks for a feed without axes too."""
+        """Note the modes that a line sets; return whether it names a motion, which needs a feed even without axes."""
         codes = [self._dialect.codes.get(word.name) for word in words if word.letter in "GM"]
         for code in filter(None, codes):
             self._motion = self._motion if code.motion is None else code.motion

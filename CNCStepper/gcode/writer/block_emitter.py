@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The page that a writer fills: words in their modal order, nothing repeated, every line checked.
+"""Emits the blocks of a program: words in their modal order, nothing repeated, every line checked.
 
-It knows what the machine holds after each line: position in counts of the last digit, motion, feed, plane.
+It holds the machine's state after each line: position in counts of the last digit, motion, feed, plane.
 
 Comments that are safe on any wire: plain ASCII without the bytes that controllers act upon.
 
 The grid of numbers that a text can hold: lengths as whole counts of its last digit.
 
-The writer works on this grid, so that it knows exactly where the machine stands after each line.
+The writer works on this grid, so that it has the machine's exact position after each line.
 """
 
 from __future__ import annotations
@@ -24,6 +24,7 @@ from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects import Dialect, Writing
 from CNCStepper.gcode.dialects.codes import AXES, MOTION_NAMES, PLANE_CODES
 from CNCStepper.gcode.writer.write_options import Notes
+from CNCStepper.tolerances import SAME_SHARE
 from CNCStepper.toolpath import LINE, PLANE_AXES, RAPID, XY
 from CNCStepper.units import MM_PER_INCH
 
@@ -75,7 +76,7 @@ def ascii_text(text: str) -> str:
 
 
 def comment_lines(text: str) -> list[str]:
-    """Return `text` as lines of a comment, without what a dialect encloses them in."""
+    """Return `text` as lines of a comment, without the dialect's comment delimiters."""
     return textwrap.wrap(ascii_text(text), COMMENT_WIDTH)
 
 
@@ -131,7 +132,6 @@ def _trimmed(number: str) -> str:
 
 CENTRES = "IJK"
 MOST_FEED_ERROR = 0.005  # relative
-SAME_SHARE = 1e-6
 CUT_FEED = "F#<_hal[plasmac.cut-feed-rate]>"  # the feed of QtPlasmaC's material
 Counts = list[int | None]
 
@@ -151,7 +151,7 @@ class BlockEmitter:
         self.own_comments: set[str] = set()
         self.at: Counts = [None, None, None]
         self._codes = [dialect.motion_code(kind) for kind in range(len(MOTION_NAMES))]
-        self._feeds: dict[float, str] = {}  # the words of feeds, mm/min, that have stood here
+        self._feeds: dict[float, str] = {}  # the F words written so far, mm/min
         self._own_axes = [axis for axis in range(3) if AXES[axis] in dialect.letters]
         self._number = 0
         self._motion = ""
@@ -237,7 +237,7 @@ class BlockEmitter:
     def forget(self) -> None:
         """Let the next move write all its words, since the machine may have been moved."""
         self._motion, self._stale = "", set(self._own_axes)
-        if not self.dialect.feed_is_setting:  # else no person changes it on the way
+        if not self.dialect.feed_is_setting:  # else no operator changes it meanwhile
             self._feed = ""
 
     def begin_at(self, at: Counts) -> None:
@@ -268,7 +268,7 @@ class BlockEmitter:
         axes = self._axes(end)
         centre = {axis: count + self._centre_origin(axis) for axis, count in zip((first, second), offset, strict=True)}
         words = [f"{CENTRES[axis]}{self.grid.text(centre[axis])}" for axis in sorted(centre)]
-        word = self._motion_word(kind) or self._name(kind)  # an arc always says that it is one
+        word = self._motion_word(kind) or self._name(kind)  # an arc always has its motion word
         self.line(word, *axes, *words, f"P{turns}" if turns > 1 else "", self._feed_word(kind, feed_mm_min))
         self._arrive(end)
 
@@ -359,7 +359,7 @@ class BlockEmitter:
         return word
 
     def use_cut_feed(self, feed_mm_min: float) -> None:
-        """Let feeds be those of QtPlasmaC's material, which cuts with `feed_mm_min`; 0: F says them."""
+        """Take feeds from QtPlasmaC's material, which cuts with `feed_mm_min`; 0: from F words."""
         self._cut_feed_mm_min, self._feed = feed_mm_min, ""
         if feed_mm_min:
             self._feed = CUT_FEED

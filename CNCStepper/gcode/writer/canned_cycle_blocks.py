@@ -21,10 +21,10 @@ from CNCStepper.canned_drilling_moves import DWELL, FEED, OWN_WORD, PECK_BACK_MM
 from CNCStepper.gcode.dialects.codes import AXES
 from CNCStepper.gcode.writer.block_emitter import BlockEmitter
 from CNCStepper.gcode.writer.move_rows import RowWriter
+from CNCStepper.tolerances import SAME_COUNT
 from CNCStepper.toolpath import LINE, Event, Span, Toolpath
 from CNCStepper.toolpath import RAPID as RAPID_ROW
 
-SAME_COUNT = 1e-6  # of a length that lies on the grid already
 ROUNDED_ENDS = 1.5 + SAME_COUNT  # counts
 KINDS = {RAPID_ROW: RAPID, LINE: FEED}
 
@@ -81,7 +81,7 @@ class CycleWriter:
 
     @property
     def _run(self) -> Canned | None:
-        """The cycle whose run the next block goes on with, if there is one."""
+        """The cycle whose run the next block continues, if there is one."""
         return self._last if self.page.in_cycle else None
 
     def _lifted(self, row: int) -> Span | None:
@@ -108,7 +108,7 @@ class CycleWriter:
         return _Block(cycle, x, y, float(cuts[0]), self._peck_slack(span, cycle))
 
     def _peck_slack(self, span: Span, cycle: Canned) -> float:
-        """Return how far rounding Q moves the lowest peck, and R, a peck and the way back half a count each."""
+        """Return how far rounding moves the lowest peck: Q, and R, a peck and the retract by half a count each."""
         if OWN_WORD[cycle.name] != "Q":
             return 0.0
         return ROUNDED_ENDS + cycle.pecks * (cycle.own - float(self.grid.exact(span.words["Q"])))
@@ -121,7 +121,7 @@ class CycleWriter:
         return round(span.words["P"], 3) if letter else 0.0
 
     def _rows(self, first: int, span: Span) -> list[Stroke]:
-        """Return what the rows from `first` to the span's end do on the grid, without what does not move."""
+        """Return the moves of the rows from `first` to the span's end on the grid, without rows that do not move."""
         strokes: list[Stroke] = []
         for row in range(first, span.last):
             if row > first:
@@ -130,7 +130,7 @@ class CycleWriter:
         return self._moving(strokes)
 
     def _means(self, block: _Block, initial: int, rows: list[Stroke]) -> bool:
-        """Whether the block does what the rows do; only where its pecks end may rounding have moved them."""
+        """Whether the block has the moves of the rows; only the ends of its pecks may differ by rounding."""
         at = (self.page.at[0] or 0, self.page.at[1] or 0, self.page.at[2] or 0)
         cycle = block.cycle
         if cycle.pecks > len(rows):

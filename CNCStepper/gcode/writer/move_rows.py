@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Writes the rows of a table onto a page: rounded ends, arcs that every controller accepts, safe approaches."""
+"""Writes the rows of a table as blocks: rounded ends, arcs that every controller accepts, safe approaches."""
 
 from __future__ import annotations
 
@@ -17,9 +17,8 @@ from CNCStepper.gcode.writer.block_emitter import BlockEmitter, Counts
 from CNCStepper.gcode.writer.rounded_arcs import Limits, Piece, TrueArc, rounded
 from CNCStepper.gcode.writer.write_options import WriteOptions
 from CNCStepper.state import State
+from CNCStepper.tolerances import SAME_COUNT
 from CNCStepper.toolpath import ARC_CW, LINE, PLANE_AXES, RAPID, Toolpath
-
-SAME_COUNT = 1e-6  # of a length that lies on the grid
 
 
 class RowWriter:
@@ -27,7 +26,7 @@ class RowWriter:
 
     keeps_lengths: the lengths of tools are words of the text (or nobody's business); else they are in the coordinates.
     must_lift: Z goes to clearance before the next row. lifted: it has, and the row's own place is still to be reached.
-    off_grid: the machine stands beside the numbers that `page.at` says, less than a last digit away.
+    off_grid: the machine is off the position of `page.at` by less than a last digit.
     """
 
     def __init__(self, toolpath: Toolpath, page: BlockEmitter, options: WriteOptions, keeps_lengths: bool = True):

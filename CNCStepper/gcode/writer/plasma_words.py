@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is switched in a program for QtPlasmaC, which pierces, moves Z and knows feeds by its material.
+"""Switching in a program for QtPlasmaC, which pierces, moves Z and has feeds by its material.
 
 (o=0, na=mild-steel 3 mm 45A, ...)     the material: temporary, or M190 P7 and M66 P3 L3 Q1 for a numbered one
 F#<_hal[plasmac.cut-feed-rate]>
 G0 X Y
 M3 $0 S1                               no G4 behind it: the pierce delay is the material's
 G1 ... M67 E3 Q60 ... G3 ...           slower moves are a share of the material's feed
-M62 P3  G3 ...  M63 P3                 moves without power that go on along the cut
+M62 P3  G3 ...  M63 P3                 moves without power that continue along the cut
 M67 E3 Q0
 M5 $0                                  before the rapid
 """
@@ -73,7 +73,7 @@ class PlasmaSwitches(Switches):
         self.page.line("M66", "P3", "L3", "Q1")
 
     def before_move(self, kind: int) -> None:
-        """Stop the tool before a rapid where the cut has gone on without power."""
+        """Stop the tool before a rapid after a cut without power."""
         if self._is_cut_off and kind == RAPID:
             self._stop()
 

@@ -19,10 +19,10 @@ from math import acos, ceil, cos, hypot, pi, sin
 
 from CNCStepper.gcode.dialects import ArcRule
 from CNCStepper.gcode.interpreter.motion.arcs import FULL_TURN, Flat, sweep
+from CNCStepper.tolerances import SAME_COUNT
 
 Count = tuple[int, int]
 NEIGHBOURS = sorted(((i, j) for i in range(-2, 3) for j in range(-2, 3)), key=lambda ij: (hypot(*ij), ij))
-SAME_POINT = 1e-6  # counts; ends closer than this are one point: the arc is a full circle
 WORTHWHILE = 0.05  # counts by which a centre farther from the true one must be better
 MOST_SPLITS = 4
 MOST_KEPT = 8192  # arcs whose pieces are remembered
@@ -45,7 +45,7 @@ class TrueArc:
     @property
     def sweep_rad(self) -> float:
         """The angle swept, a whole turn where the ends are one point."""
-        if hypot(*_minus(self.end, self.begin)) < SAME_POINT:
+        if hypot(*_minus(self.end, self.begin)) < SAME_COUNT:
             return FULL_TURN
         return sweep(self.begin, self.end, self.centre, self.clockwise)
 
@@ -126,7 +126,7 @@ def _offset(begin: Count, end: Count, arc: TrueArc) -> Count | None:
     """Return I, J: the true centre where it lies on the grid, else the neighbour with the best circle."""
     wanted = _minus(arc.centre, begin)
     nearest = (round(wanted[0]), round(wanted[1]))
-    if hypot(*_minus(wanted, nearest)) < SAME_POINT and _difference(nearest, begin, end) < 2:
+    if hypot(*_minus(wanted, nearest)) < SAME_COUNT and _difference(nearest, begin, end) < 2:
         return nearest if any(nearest) else None
     middle = arc.at(0.5)
     best, least = None, float("inf")

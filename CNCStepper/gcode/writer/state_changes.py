@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is switched rather than moved while a program is written: tool, spindle, coolant, work offset.
+"""Writes changes of state between moves: tool, spindle, coolant, work offset.
 
 A tool change is never a bare T. By the options, after the retract:
 
@@ -25,7 +25,7 @@ LASTING = ("spindle", "coolant")  # what stays on over many moves
 
 
 class Switches:
-    """Writes the words that bring the machine from what it holds to what a state wants.
+    """Writes the words that bring the machine from its present state to another one.
 
     own_lengths: the table's states name the tools' lengths themselves. length_mm: the one that the text has set.
     """
@@ -49,22 +49,22 @@ class Switches:
 
     @property
     def own_events(self) -> tuple[str, ...]:
-        """Which events before a tool change are the change's own: what asks the operator."""
+        """The events before a tool change that belong to it: prompts to the operator."""
         if self.options.tool_change != "m6":
             return "message", "pause"
         return ("message",) if self.options.tool_length == "touch_off" else ()
 
     def begin(self) -> None:
-        """Write what stands behind the header."""
+        """Write the lines after the header."""
 
     def material(self, text: str) -> None:
-        """Write a change of material, where the controller knows materials."""
+        """Write a change of material, where the controller has materials."""
 
     def before_move(self, kind: int) -> None:
         """Switch what must be so before a row of that kind."""
 
     def before_end(self) -> None:
-        """Switch what the footer does not."""
+        """Switch the outputs that the footer does not."""
 
     def follow(self, state: State) -> None:
         """Switch spindle, coolant and length offset as `state` has them."""
@@ -167,7 +167,7 @@ class Switches:
             self.page.line("G4", f"{self.dialect.dwell_letter}{_number(seconds / self.dialect.dwell_unit_s)}")
 
     def pause(self, optional: bool, message: str) -> None:
-        """Stop until the operator goes on."""
+        """Stop until the operator resumes."""
         code = "M1" if optional else "M0"
         if self._has((code,), "pause", "pauses"):
             self.page.stop(code, message)
@@ -258,7 +258,7 @@ def has_lengths(dialect: Dialect) -> bool:
 
 
 def tool_comment(tool: int, description: str) -> str:
-    """Return what a program says of its tool."""
+    """Return the comment of a program about its tool."""
     return f"tool {tool}: {description}"
 
 

@@ -44,7 +44,7 @@ class Written:
 def write(toolpath: Toolpath, dialect: str | Dialect = "grbl", options: WriteOptions | None = None) -> str:
     """Return the program text of a table whose coordinates are work coordinates (or name their offset).
 
-    Raises ProgramError, with the reason, for what the dialect cannot express.
+    Raises ProgramError, with the reason, for moves that the dialect cannot express.
     """
     return written(toolpath, dialect, options).text
 

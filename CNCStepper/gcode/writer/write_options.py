@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the caller of the writer decides; all the rest follows from the table and the dialect.
+"""The options of the writer's caller; all the rest follows from the table and the dialect.
 
 What a writer had to write differently, because the dialect lacks it: how often, and where first.
 """
@@ -76,7 +76,7 @@ class Notes:
         note.times += 1
 
     def once(self, what: str) -> None:
-        """Note what is so from now on, however often it is asked."""
+        """Set a condition; repeated calls have no effect."""
         self._notes.setdefault(what, Note(what, 1))
 
     def __iter__(self):

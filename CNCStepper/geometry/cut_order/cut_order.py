@@ -8,7 +8,7 @@ The same items in the same order always give the same tour.
 Kernels of the order of cuts: a first tour by the nearest next cut, made shorter by 2-opt and Or-opt moves.
 
     begin, end   float64[m, 2]       where each way of cutting an item begins and ends
-    back         int64[m]            the way that runs the other way round; -1 where there is none
+    back         int64[m]            the reversed way; -1 where there is none
     first        int64[n + 1]        the ways of item i are first[i] to first[i + 1]
     pairs        int64[p, 2]         item, and an item that may only come after it
     tour         int64[n]            the items in their order
@@ -33,7 +33,7 @@ from CNCStepper.errors import GeometryError
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.kernels import njit
 
-GAIN_MM = 1e-7  # less is noise, and could go on forever
+GAIN_MM = 1e-7  # less is noise, and the search might never end
 LONGEST = 3  # items that an Or-opt move takes along
 
 

@@ -64,7 +64,7 @@ def serves(z, first, last, bulge, tolerance):
 
 @njit
 def corrected(z, first, last, bulge, tolerance):
-    """Return the bulge in the middle of those that suit every point, as far as their rates of change tell.
+    """Return the middle of the bulges that suit every point, by their rates of change.
 
     With the sagitta h a point p of the arc moves by |p - b| |p - e| / (c²/4 + h²) for each mm of h.
     """

@@ -24,7 +24,7 @@ from CNCStepper.geometry.fitting.fit_kernels import fit_stretches
 
 CORNER_DEG = 30.0
 REACH = 6.0  # tolerances: noise within one of them turns the way by less than CORNER_DEG over that stretch
-SURE = 1.0 - 1e-9  # of the tolerance: what the kernel computes is rounded
+SURE = 1.0 - 1e-9  # of the tolerance: the kernel's results are rounded
 
 
 def fit_points(points: Iterable[Iterable[float]], tolerance_mm: float, closed: bool = False) -> Curve:
@@ -59,7 +59,7 @@ def corners(z: np.ndarray, tolerance_mm: float) -> np.ndarray:
 
 
 def sharpest(place: np.ndarray, turn: np.ndarray, least_rad: float, reach: float) -> np.ndarray:
-    """Return the points that turn the way by `least_rad` at least, and as much as any within reach; place ascends."""
+    """Return the points that turn the path by `least_rad` at least, and as much as any within reach; place ascends."""
     sharp = np.flatnonzero(turn >= least_rad)
     return sharp[turn[sharp] >= _greatest_near(place[sharp], turn[sharp], reach)]
 

@@ -25,7 +25,7 @@ from CNCStepper.geometry.fitting.point_fit import CORNER_DEG, REACH, SURE, sharp
 PLANES = ((0, 1, 2), (2, 0, 1), (1, 2, 0))  # XY, ZX, YZ: the plane's axes, then the one that stays
 IN_PLANE, IN_HEIGHT = 0.8, 0.6  # the hypotenuse of both is 1
 LEAST_PLANAR = 4  # moves in one plane that are worth leaving a way in space for
-CHECKS = 8  # places between two points at which the rise of a helix is looked at
+CHECKS = 8  # places between two points at which the rise of a helix is checked
 
 
 class Piece(NamedTuple):
@@ -151,7 +151,7 @@ def _fit_flat(points: np.ndarray, plane: int, tolerance_mm: float) -> tuple[np.n
 
 
 def _rises_evenly(points: np.ndarray, bulge: float, tolerance_mm: float) -> bool:
-    """Whether the height grows with the way along the arc, at the points and between them."""
+    """Whether the height grows with the length along the arc, at the points and between them."""
     share = np.linspace(0.0, 1.0, CHECKS, endpoint=False)
     between = (points[:-1, None] + share[:, None] * np.diff(points, axis=0)[:, None]).reshape(-1, 3)
     between = np.vstack([between, points[-1:]])
@@ -167,7 +167,7 @@ def _rises_evenly(points: np.ndarray, bulge: float, tolerance_mm: float) -> bool
 
 
 def _corners(points: np.ndarray, tolerance_mm: float) -> list[int]:
-    """Return the numbers of the points at which the way has a corner in space, ascending."""
+    """Return the numbers of the points at which the path has a corner in space, ascending."""
     place = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
     reach = REACH * tolerance_mm
     before, after = (
@@ -201,7 +201,7 @@ def _reach(points: np.ndarray, first: int, last: int, tolerance_mm: float) -> in
 
 
 def serves_points(points: np.ndarray, plane: int, bulge: float, tolerance_mm: float) -> bool:
-    """Whether the arc or helix from the first to the last point stays within the tolerance of the way through all."""
+    """Whether the arc or helix from the first to the last point stays within the tolerance of the path through all."""
     if not tolerance_mm > 0:
         return False
     a, b, normal = PLANES[plane]

@@ -41,7 +41,7 @@ def edited(
     file: str = "",
     machine: Machine | None = None,
 ) -> Edited:
-    """Return what a verb makes of a program; `values` by the names of its arguments.
+    """Return the result of a verb on a program; `values` by the names of its arguments.
 
     Raises ProgramError where it cannot be done, or where the new program would be refused and the old one is not.
     """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A program as an editor needs it: every line that is refused, and what holds after each line of the others.
+"""A program as an editor needs it: every line that is refused, and the modal state after each line of the others.
 
 A refused line changes nothing, so reading goes on after it. Plain programs go through the compiled path; where a
 program has O-words its lines are read in the order in which they are run, and of a line that is run again the last
@@ -33,7 +33,7 @@ from CNCStepper.units import MM_PER_INCH
 
 LINES_AT_ONCE = 4096
 SHORT = 2000
-MOST_TOLD = 1000  # refusals that are told one by one; all are counted
+MOST_TOLD = 1000  # refusals that are listed; all are counted
 MOST_ITERATIONS = 100_000  # refusals of lines that are run again and again
 _FEED = re.compile(r"[ \t]*(?:N[0-9]+[ \t]*)?F", re.IGNORECASE)
 
@@ -61,7 +61,7 @@ class After(NamedTuple):
 class Reading:
     """What was read of a program: its lines, the table of moves, and why lines are refused, in the order of the lines.
 
-    refused: how many lines are, of which at most MOST_TOLD are told.
+    refused: how many lines are, of which at most MOST_TOLD are listed.
     """
 
     lines: list[str]
@@ -131,9 +131,9 @@ class Reading:
 def read_program(
     lines: list[str], start: Start | None, dialect: str, file: str = "", go_on: Callable[[], bool] = lambda: True
 ) -> Reading:
-    """Read a program to its end, whatever is refused on the way.
+    """Read a program to its end, past all refusals.
 
-    go_on: asked now and then; Abandoned is raised when it says no.
+    go_on: polled; Abandoned is raised when it returns False.
     """
     reader = _Listener(start, dialect, file)
     refusals = _Refusals(reader, file)
@@ -167,7 +167,7 @@ def unsendable(
             place = error.place or Place(file)
             found.append(error.at(replace(place, line=place.line + first)))  # type: ignore[arg-type]
         if first and any(map(is_percent_mark, piece)):
-            break  # what stands after a second "%" is not sent
+            break  # text after a second "%" is not sent
     return found
 
 
@@ -260,7 +260,7 @@ def _as_run(reader: Interpreter, lines: list[str], refusals: _Refusals) -> Itera
 
 
 class _Flow(Flow):
-    """The way through a program that goes on after a line that is refused."""
+    """The flow through a program that continues after a refused line."""
 
     refuse: Callable[[ProgramError], None]
 

@@ -40,7 +40,7 @@ class Picture:
         )
 
     def way(self, rows: np.ndarray) -> list[list[list[float]]]:
-        """Return the way of rows as segments, [[x, y, z], [x, y, z]] each; what begins nowhere known is left out."""
+        """Return the path of rows as segments, [[x, y, z], [x, y, z]] each; rows without a known begin are left out."""
         kept: list[list[list[float]]] = []
         for row in rows.tolist():
             first, last = np.searchsorted(self._known.row, [row, row + 1])

@@ -41,7 +41,7 @@ def own_path(name: str) -> Path | None:
         return None
     try:
         path = own_folder() / f"{name}{SUFFIX}"
-    except MissingPackage:  # who has no place for profiles has none
+    except MissingPackage:  # a user without a folder for profiles has none
         return None
     return path if path.is_file() else None
 

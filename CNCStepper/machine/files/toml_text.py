@@ -19,7 +19,7 @@ from typing import Any, NamedTuple
 _BARE = re.compile(r"[A-Za-z0-9_-]+")
 _HEADER = re.compile(r"\s*\[.*\]\s*(#.*)?")
 _KEY = re.compile(r"""\s*((?:[A-Za-z0-9_.\s-]|"[^"]*"|'[^']*')+?)\s*=""")
-COLUMNS = 100  # of a list that stands on one line
+COLUMNS = 100  # of a list on one line
 
 Path = tuple[str, ...]
 
@@ -109,7 +109,7 @@ def _table_lines(path: Path, content: Mapping[str, Any]) -> Iterator[str]:
 
 
 def _entry_lines(key: str, value: Any) -> list[str]:
-    """Return the lines of one key; a long list stands a value a line."""
+    """Return the lines of one key; a long list has one value a line."""
     line = f"{key_text(key)} = {value_text(value)}"
     if not isinstance(value, (list, tuple)) or (len(line) <= COLUMNS and not _holds_tables(value)):
         return [line]
@@ -239,7 +239,7 @@ def _entry(lines: Sequence[str], place: int, table: Path) -> _Entry | None:
 
 
 def _path_of(line: str) -> Path:
-    """Return the path of a header or key, () for what is none."""
+    """Return the path of a header or key, () for another line."""
     try:
         content: Any = tomllib.loads(line)
     except ValueError:

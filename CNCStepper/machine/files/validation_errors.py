@@ -60,7 +60,7 @@ def refusal_of(model: type[BaseModel], error: ValidationError, file: str) -> Job
 
 
 def message_of(problem: ErrorDetails) -> str:
-    """Return what is wrong; a text of a model's own check keeps its values."""
+    """Return the text of an error; a text of a model's own check keeps its values."""
     raised = problem.get("ctx", {}).get("error")
     if isinstance(raised, ValueError) and raised.args and isinstance(raised.args[0], str):
         return raised.args[0]
@@ -68,7 +68,7 @@ def message_of(problem: ErrorDetails) -> str:
 
 
 def _out_of_bounds(key: str, problem: ErrorDetails, place: Place) -> JobError:
-    """Return the error for a number beyond its bounds, or for what is no number."""
+    """Return the error for a number beyond its bounds, or for another type."""
     given, told = problem["input"], problem["ctx"]
     is_number = isinstance(given, int | float) and not isinstance(given, bool)
     value = with_unit(given, told["unit"]) if is_number else shown(given)
@@ -115,7 +115,7 @@ def _kinds(model: type[BaseModel]) -> tuple[str, ...]:
 
 
 def _words(field: FieldInfo) -> str:
-    """Return what a key takes, in words: "a number from 0.001 to 10000 mm"."""
+    """Return the accepted values of a key as text: "a number from 0.001 to 10000 mm"."""
     kinds = [rule for rule in (*field.metadata, *_parts(field.annotation)) if isinstance(rule, Bounds)]
     if kinds:
         return f"{_kind_words(field.annotation)} from {kinds[0].words}"

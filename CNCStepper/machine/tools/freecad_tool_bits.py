@@ -197,7 +197,7 @@ def _bit(stored: StoredTool) -> dict[str, Any]:
 
 
 def _parameters(tool: Tool, said: dict[str, Any]) -> dict[str, str]:
-    """Return FreeCAD's parameters for what the tool says otherwise than the bit, or more."""
+    """Return FreeCAD's parameters for values of the tool that differ from the bit or that the bit lacks."""
     found = {"Flutes": str(tool.flutes)} if tool.flutes and tool.flutes != said.get("flutes") else {}
     for theirs, ours in (*LENGTHS.items(), *ANGLES.items()):
         value = getattr(tool, ours)

@@ -9,7 +9,7 @@
     `-- number
 
 The lengths are in the machine's own unit, which the file does not say. A shape is read from the comment's words, and
-what is guessed is told; words that we have no use for are kept and written back.
+guesses are reported; other words are kept and written back.
 """
 
 from __future__ import annotations
@@ -93,7 +93,7 @@ def _require_short(words: dict[str, str], place: Place) -> None:
 
 
 def _shape(name: str) -> tuple[str, tuple[str, ...]]:
-    """Return the shape that the words speak of; a mill where they say nothing, which is told."""
+    """Return the shape that the comment names; without one a mill, with a note."""
     for word, shape in KNOWN_SHAPES:
         if word in name.lower():
             return shape, ()

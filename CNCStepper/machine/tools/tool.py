@@ -29,7 +29,7 @@ class Tool(BaseModel):
     where the machine's tool_length is "table". core_diameter_mm: of the middle of a mill's end that does not cut, 0
     for one that cuts over its centre; such a mill goes down on ramps and helices of at most ramp_max_deg. made_of:
     the cutter's own material, "hss" is high-speed steel. chip_load_min_mm, chip_load_max_mm (a tooth) and
-    engagement_max_deg: what the tool allows.
+    engagement_max_deg: the largest permitted angle.
     """
 
     model_config = ConfigDict(extra="forbid", frozen=True)

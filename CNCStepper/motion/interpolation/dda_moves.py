@@ -134,7 +134,7 @@ class DdaMoves(MoveSource):
         self._feed = feed
 
     def stand_at(self, steps: Sequence[int], limits: Limits) -> None:
-        """Forget all moves, and go on from a place under limits that may be others."""
+        """Discard all moves, and continue from a position under new limits."""
         self._moves.clear()
         self._made = None
         self._end = tuple(steps)

@@ -91,7 +91,7 @@ class _Run:
         return ends
 
     def chunks(self) -> Iterator[PulseChunk]:
-        """Yield the pulses of the rows, with what is switched before each."""
+        """Yield the pulses of the rows, with the switching before each."""
         for chunk in self._chunks:
             changes = self._changes.of(chunk)
             begins = begins_of(chunk, self._before)

@@ -55,12 +55,12 @@ class PlannerMoves(MoveSource):
         ]
 
     def quicken(self, feed: float) -> None:
-        """Plan what is not made yet at this factor, 1 or more, of its feed."""
+        """Plan the moves that are not made yet at this factor, 1 or more, of their feed."""
         self._feed = feed
         self._motion.override(feed, 1.0)
 
     def stand_at(self, steps: Sequence[int], limits: Limits) -> None:
-        """Forget all moves, and go on from a place under limits that may be others."""
+        """Discard all moves, and continue from a position under new limits."""
         self._begin_tick += round(self._motion.time_s * TICKS_PER_S)
         self._motion = self._new_motion(limits, steps)
 

@@ -36,7 +36,7 @@ def motor_moves(path: Toolpath, play: Backlash) -> Toolpath:
 
 
 def row_times_s(path: Toolpath, machine: Machine, play: Backlash | None = None) -> np.ndarray:
-    """Return the time in s at which every row of the tool's path ends, float64[n], with all that takes up play."""
+    """Return the time in s at which every row of the tool's path ends, float64[n], with all backlash moves."""
     if not play:
         return times_s(path, machine)
     motors, firsts = _motor_moves(path, play)
@@ -45,7 +45,7 @@ def row_times_s(path: Toolpath, machine: Machine, play: Backlash | None = None) 
 
 
 def way_duration_s(path: Toolpath, chunks: Iterable[Chunk], machine: Machine, play: Backlash | None = None) -> float:
-    """Return the time in s that the tool's way takes, dwells and all that takes up play included.
+    """Return the time in s of the tool's path, with dwells and all backlash moves.
 
     path, chunks: as of `motor_chunks`; no more than two of the chunks are kept.
     """
@@ -184,7 +184,7 @@ class ToolMoves:
 
 @njit
 def _push(motors, pushed_up, pushed_down, tool, ends):
-    """Write where the tool stands after each row; `tool` is where it stands before the first, and then after all."""
+    """Write the tool's position after each row; `tool` is its position before the first, and then after all."""
     for row in range(len(motors)):
         for axis in range(len(tool)):
             low, high = motors[row, axis] - pushed_up[axis], motors[row, axis] - pushed_down[axis]

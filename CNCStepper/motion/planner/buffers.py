@@ -57,7 +57,7 @@ _RAMP = np.dtype(
     [
         ("loaded", "?"),  # a block is being cut, its profile is valid
         ("replan", "?"),  # its profile must be computed again from where it is
-        ("over_speed", "?"),  # too fast for a lowered override: the next block must go on slowing down
+        ("over_speed", "?"),  # too fast for a lowered override: the next block must keep slowing down
         ("hold", "?"),  # decelerate to a stop
         ("ended", "?"),  # the hold has reached its stop
         ("kind", "i8"),

@@ -171,7 +171,7 @@ class Motion:
             set_overrides(self._runner.planner, float(feed), float(rapid))
 
     def path(self) -> np.ndarray:
-        """Return what the axes did since the last call, float64[k, 1 + axes]: t_s and position in steps.
+        """Return the motion since the last call, float64[k, 1 + axes]: t_s and position in steps.
 
         One row for the end of every segment (about every 10 ms); between two rows the axes go straight, so
         that every point of the true path is within one step. Only complete segments are in it.
@@ -179,7 +179,7 @@ class Motion:
         return self._drain(lambda segments: (segments.start + segments.ticks * segments.cycles, ends(segments)))
 
     def step_path(self) -> np.ndarray:
-        """Return the same as `path()`, with one row for every moment at which an axis steps."""
+        """Return the same as `path()`, with one row for every time at which an axis steps."""
         return self._drain(step_table)
 
     def segments(self) -> list[np.recarray]:

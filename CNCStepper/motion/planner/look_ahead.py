@@ -9,7 +9,7 @@
 
 Invariants: the newest block always ends at rest; no entry speed is above its junction's, nor above what
 the block behind it can reach by accelerating, nor above what the block itself can brake from. Blocks
-before `planned` are already optimal and are not looked at again.
+before `planned` are already optimal and are not planned again.
 """
 
 from __future__ import annotations
@@ -184,7 +184,7 @@ def _forward_pass(planner):
 
 @njit_inline
 def reload_running_block(planner):
-    """Let the block being cut go on, with a new profile, from the speed that its segments already fix."""
+    """Continue the running block with a new profile, from the speed that its segments already fix."""
     ramp = planner.ramp[0]
     if ramp.loaded:
         ramp.replan = True
@@ -194,7 +194,7 @@ def reload_running_block(planner):
 
 @njit_inline
 def plan_again(planner):
-    """Plan all queued blocks anew from the speed that the running block has now."""
+    """Plan all queued blocks again from the present speed of the running block."""
     queue = planner.queue[0]
     reload_running_block(planner)
     queue.planned = queue.fresh = queue.tail

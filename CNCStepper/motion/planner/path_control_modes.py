@@ -26,7 +26,7 @@ from CNCStepper.state import State
 from CNCStepper.toolpath import LINE, Chunk, begins_of
 
 LEAST_TURN_RAD = 1e-3  # below it a corner is passed as fast
-MOST_TURN_RAD = math.pi - 0.05  # above it the way goes back on itself
+MOST_TURN_RAD = math.pi - 0.05  # above it the path reverses
 
 
 def path_modes(states: Sequence[State], column: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How long a table of moves takes and where the axes are meanwhile, as grbl 1.1 would run it.
+"""Times of a table of moves and positions of the axes, as grbl 1.1 would run it.
 
 Everything here folds over `segments()`, which streams through a table in constant memory. Time 0 is
-the moment at which the first move begins.
+the time at which the first move begins.
 """
 
 from __future__ import annotations
@@ -86,7 +86,7 @@ def sample(toolpath: Toolpath, machine: Machine | Limits, times_s: np.ndarray) -
 
 
 def step_events(toolpath: Toolpath, machine: Machine | Limits) -> Iterator[tuple[np.ndarray, np.ndarray]]:
-    """Yield every moment at which some axis steps, piece by piece: times in s, and positions in steps after it."""
+    """Yield every time at which some axis steps, piece by piece: times in s, and positions in steps after it."""
     for segments in Run(toolpath, machine).segments():
         clocks, positions = step_table(segments)
         yield clocks / TICKS_PER_S, positions
@@ -95,7 +95,7 @@ def step_events(toolpath: Toolpath, machine: Machine | Limits) -> Iterator[tuple
 def begun(toolpath: Toolpath) -> Toolpath:
     """Return the table begun at the work zero on the axes whose position is unknown, so that it has a duration.
 
-    Such an axis stands there until its first move, which is a way like any other then.
+    Such an axis rests there until its first move, which is planned like any other.
     """
     path, chunks = begun_chunks(require_straight_axes(toolpath), toolpath.chunks)
     return replace(path, chunks=list(chunks))
@@ -137,7 +137,7 @@ def _without_empty_chunks(toolpath: Toolpath) -> Toolpath:
 
 
 class Mark(NamedTuple):
-    """A place in a pass through a table from which it can go on again."""
+    """A place in a pass through a table from which the pass can resume."""
 
     chunk: int
     stops: tuple[int, int]
@@ -281,7 +281,7 @@ class Run:
         return [*known, planner.previous_unit, planner.unit, planner.phases, *course[1:]]
 
     def _rows_in_hand(self) -> Rows:
-        """Return the rows of the chunk in hand; a chunk that is taken up is begun at its first row."""
+        """Return the rows of the present chunk; a new chunk begins at its first row."""
         if self._rows is None:
             self._stops_before = self.stops.place
             self._rows = self._rows_of(self.toolpath.chunks[self._chunk])

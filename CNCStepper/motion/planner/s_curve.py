@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Jerk-limited profiles of blocks, from whatever speed and acceleration the axes have at that moment.
+"""Jerk-limited profiles of blocks, from any present speed and acceleration of the axes.
 
     speed │        ______ middle                 let go:  the acceleration falls to 0 at once
           │      /        \\                      lead:    the way that a change in progress has behind it,
@@ -27,7 +27,7 @@ from CNCStepper.motion.planner.s_curve_look_ahead import change_length, plan_whe
 
 HALVINGS = 50
 CRUMB_S = 1e-4  # of a profile's end, which takes hardly any way
-CRUMB = 1e-9  # of the way, and mm: rounding
+CRUMB = 1e-9  # of the length, and mm: rounding
 CRUMB_MM_S = 1e-6
 
 
@@ -130,7 +130,7 @@ def _origin_speed(ramp):
 
 @njit_in_place
 def _change_from(ramp, speed):
-    """Return the way from the present speed and acceleration to a speed without acceleration, in mm."""
+    """Return the distance from the present speed and acceleration to a speed without acceleration, in mm."""
     time = abs(ramp.acceleration) / ramp.span_jerk
     third = ramp.acceleration * time**2 / 3.0
     if _goes_on(ramp, speed):
@@ -175,7 +175,7 @@ def _middle_speed(ramp, nominal, exit_speed):
 
 @njit_in_place
 def _room_left(ramp, middle, exit_speed):
-    """Return the way that is left for the cruise, in mm."""
+    """Return the distance that is left for the cruise, in mm."""
     down = change_length(middle, exit_speed, ramp.span_acceleration, ramp.span_jerk)
     return ramp.span - _change_from(ramp, middle) - down
 
@@ -234,7 +234,7 @@ def advance(planner, segment_s):
 
 @njit_in_place
 def _advance_phase(planner, span):
-    """Move on for `span` s, or to the end of the phase or of the way if that comes sooner; returns the time taken."""
+    """Advance by `span` s, or to the end of the phase or of the block if that is sooner; return the time taken."""
     ramp = planner.ramp[0]
     jerk, left = planner.phases[ramp.phase, 0], planner.phases[ramp.phase, 1]
     time = min(span, left)
@@ -264,7 +264,7 @@ def _time_left(planner):
 
 @njit_in_place
 def _way(ramp, jerk, time):
-    """Return the way of `time` s at this jerk."""
+    """Return the distance in `time` s at this jerk."""
     return time * (ramp.speed + time * (0.5 * ramp.acceleration + time * jerk / 6.0))
 
 

@@ -43,7 +43,7 @@ def change_time(change, acceleration, jerk):
 
 @njit_in_place
 def change_length(before, after, acceleration, jerk):
-    """Return the way of a whole change from one speed to another, in mm."""
+    """Return the distance of a whole change from one speed to another, in mm."""
     return 0.5 * (before + after) * change_time(after - before, acceleration, jerk)
 
 

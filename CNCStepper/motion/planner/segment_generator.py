@@ -139,7 +139,7 @@ def next_segment(planner, segment):
 
 @njit_inline
 def _load_block(planner):
-    """Take up the oldest block, or go on with it when only its profile is to be made anew."""
+    """Take the oldest block, or continue it when only its profile must be made again."""
     ramp = planner.ramp[0]
     block = planner.blocks[planner.queue[0].tail]
     ramp.loaded = True
@@ -217,7 +217,7 @@ def _shape_profile(planner):
 
 @njit_inline
 def _meet_ramps(ramp, crossing, entry_sqr, exit_sqr, acceleration):
-    """Let the profile accelerate to its nominal speed, to a peak below it, or all the way."""
+    """Make a profile that accelerates to its nominal speed, to a peak below it, or to the block's end."""
     if crossing <= 0.0:
         ramp.accelerate_until = 0.0
         ramp.decelerate_after = 0.0
@@ -333,7 +333,7 @@ def _emit(planner, segment, duration):
 
 @njit_inline
 def _close(planner):
-    """Note what is left of the block; free its place when that is nothing."""
+    """Note the rest of the block; free its place when nothing is left."""
     ramp = planner.ramp[0]
     planner.blocks[planner.queue[0].tail].length = ramp.remaining
     if ramp.remaining == 0.0:

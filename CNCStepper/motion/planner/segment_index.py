@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A program's segments around any moment, without keeping those far from it.
+"""A program's segments around any time, without storing those far from it.
 
 pass      |----m----m----m----m----|      m: a mark, from which the planner goes on again; laid as far as
 moment                  ^                    moments are asked for, a few kB each, some 40 s of motion apart
                    |---------|               the piece whose segments are made
 
-Single pulses of the motors around any moment of a program, without making those far from it.
+Single pulses of the motors around any time of a program, without making those far from it.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ class SegmentIndex:
         return len(self._marks)
 
     def number_at(self, time_s: float) -> int:
-        """Return the number of the piece in which a moment lies, the first one before the begin; lays its mark."""
+        """Return the number of the piece that contains a time, the first one before the begin; sets its mark."""
         while (not self._begins_s or self._begins_s[-1] <= time_s) and self._lay_mark():
             pass
         return max(bisect_right(self._begins_s, time_s) - 1, 0)
@@ -95,7 +95,7 @@ class Pulses:
         self._pieces = SegmentIndex(toolpath, machine)
 
     def after(self, time_s: float) -> Pulse | None:
-        """Return the first pulse later than a moment, None behind the last."""
+        """Return the first pulse later than a time, None after the last."""
         for segments in self._pieces.since(self._pieces.number_at(time_s)):
             for row in range(_row_at(segments, time_s), len(segments)):
                 times_s, positions = _steps(segments, row)
@@ -105,7 +105,7 @@ class Pulses:
         return None
 
     def before(self, time_s: float) -> Pulse | None:
-        """Return the last pulse earlier than a moment, None before the first."""
+        """Return the last pulse earlier than a time, None before the first."""
         for segments in self._pieces.back_from(self._pieces.number_at(time_s)):
             for row in range(_row_at(segments, time_s), -1, -1):
                 times_s, positions = _steps(segments, row)
@@ -116,7 +116,7 @@ class Pulses:
 
 
 def _row_at(segments: np.recarray, time_s: float) -> int:
-    """Return the row of the last segment that begins at a moment or before, the first one before the begin."""
+    """Return the row of the last segment that begins at a time or before, the first one before the begin."""
     return max(int(np.searchsorted(segments.start / TICKS_PER_S, time_s, side="right")) - 1, 0)
 
 

@@ -27,7 +27,7 @@ class Stops:
     """
 
     def __init__(self, states: Sequence[State], events: list[Event], laser: bool, forgets: bool = False):
-        """forgets: events that are passed; `events` is emptied as it is read, and no place is gone back to."""
+        """forgets: events that are passed; `events` is emptied as it is read, so the pass cannot go back."""
         self.states = states
         self.laser = laser
         self.state = 0
@@ -45,7 +45,7 @@ class Stops:
         self.state, self.next_event = place
 
     def before(self, chunk: Chunk) -> np.ndarray:
-        """Return the ticks of standstill before each row, int64[n]; -1 where the motion goes on."""
+        """Return the ticks of standstill before each row, int64[n]; -1 where the motion continues."""
         self._see_events()
         dwell = np.full(len(chunk), -1, np.int64)
         changes = np.flatnonzero(np.diff(chunk.state, prepend=self.state))
@@ -107,7 +107,7 @@ class EventsAsOne(Event):
 
 
 class StopEvents(list[Event]):
-    """The events that stop the motion, as a program tells them: however many stand before one row, few are kept.
+    """The events of a program that stop the motion; of many before one row, few are stored.
 
     Dwells are summed up. Of others each is kept until `most` of them stand there; the rest are one event that counts.
     """
@@ -115,7 +115,7 @@ class StopEvents(list[Event]):
     def __init__(self, most: int):
         super().__init__()
         self._most = most
-        self._last: dict[tuple[str, int], tuple[int, int]] = {}  # by kind and state: where the last stands, how many
+        self._last: dict[tuple[str, int], tuple[int, int]] = {}  # by kind and state: the row of the last, how many
 
     def append(self, event: Event) -> None:
         """Take the next event."""

@@ -69,7 +69,7 @@ class Rows(NamedTuple):
     plane: np.ndarray
     turns: np.ndarray
     speed: np.ndarray  # float64, mm/s
-    dwell: np.ndarray  # int64, ticks of standstill before the row; -1: none, 0: stop and go on
+    dwell: np.ndarray  # int64, ticks of standstill before the row; -1: none, 0: stop and continue
     not_before: np.ndarray  # int64, written: the clock after that standstill
     first: int
     exact: np.ndarray  # bool, the row begins at rest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a program switches and when: spindle or beam, coolant and outputs, set between the pulses of its moves.
+"""Switching of a program: spindle or beam, coolant and outputs, set between the pulses of its moves.
 
 last move ──┐             ┌── move of row r            Between two rows the changes and the dwells stand in the
             M3 ─ G4 P3 ───┤                            text's order; a change comes before the move by the dwells
@@ -26,7 +26,7 @@ DIGITAL_OUTPUTS = ("M62", "M63", "M64", "M65")
 
 
 class Switch(NamedTuple):
-    """A device that goes on or off between two pulses.
+    """A device that is switched on or off between two pulses.
 
     row: of the chunk of pulses; it happens before that row (behind the last where it is the chunk's length).
     device: "spindle_cw", "spindle_ccw", "mist", "flood" or "output_n"; a beam is the spindle that the program calls, a
@@ -60,7 +60,7 @@ class Changes:
     def __init__(self, states: Sequence[State], events: Sequence[Event], laser: bool = False):
         self._states, self._events, self._laser = states, events, laser
         self._state, self._event = -1, 0  # that are done
-        self._dark = laser  # a laser's beam, whatever the state says
+        self._dark = laser  # a laser's beam, independent of the state
         self._end = 0  # execution index behind the last row
 
     def of(self, chunk: Chunk) -> list[Change]:
@@ -113,7 +113,7 @@ class Changes:
             before = after
 
     def _shade(self, dark: bool, row: int) -> Iterator[Change]:
-        """Yield what a laser's beam does where it becomes dark, or not; nothing where it is so already."""
+        """Yield the switching of a laser's beam; nothing where it is so already."""
         before = self._seen(self._state)
         self._dark = dark
         yield from _differences(before, self._seen(self._state), row)
@@ -127,7 +127,7 @@ class Changes:
 
 
 def _differences(before: State, after: State, row: int) -> Iterator[Change]:
-    """Yield what goes off and then what goes on between two states."""
+    """Yield the devices that go off and then those that go on between two states."""
     turned, turns = (SPINDLES[one.spindle] if one.spindle_turns else "" for one in (before, after))
     if turned and turned != turns:
         yield Change(row, 0, turned, False)

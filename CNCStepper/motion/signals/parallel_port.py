@@ -74,7 +74,7 @@ def require_pin(signals: Signals, name: str) -> None:
 
 
 def port_chunks(stream: PulseStream, signals: Signals) -> Iterator[PortChunk]:
-    """Yield what is written to the port and when, tick 0 being the first write; edges without a pin are left out.
+    """Yield the writes to the port with their times, tick 0 being the first; edges without a pin are left out.
 
     Raises MachineRefusal where a motor that the stream may move has no pin for its steps.
     """

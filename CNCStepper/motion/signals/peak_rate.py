@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How fast pulses come where they are closest: the rate of a trial, and by which a stall is told."""
+"""The peak rate of pulses: the rate of a trial, and the limit by which a stall is detected."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What moves become: pulses on a planned clock, which an output plays (`control/pulses/pulse_output.py`).
+"""Moves as pulses on a planned clock, which an output plays (`control/pulses/pulse_output.py`).
 
 moves ──► MoveSource ──make──► PlannedPulses ──append──► output ──► port
           planned clock        tick, step, speed          real clock: hold, resume and a lower share stretch the
@@ -82,8 +82,8 @@ class MoveSource(ABC):
 
     @abstractmethod
     def quicken(self, feed: float) -> None:
-        """Plan what is not made yet at this factor, 1 or more, of its feed."""
+        """Plan the moves that are not made yet at this factor, 1 or more, of their feed."""
 
     @abstractmethod
     def stand_at(self, steps: Sequence[int], limits: Limits) -> None:
-        """Forget all moves, and go on from a place under limits that may be others."""
+        """Discard all moves, and continue from a position under new limits."""

@@ -72,7 +72,7 @@ class Board:
         return room[: _write_board(step, back, self._sequence, *memory, room)].tobytes()
 
     def _nothing(self) -> bytes:
-        """Return a byte that selects what is selected, with its coils as they are."""
+        """Return a byte for the selected motor, with its coils unchanged."""
         motor = int(self._last[0])
         return bytes((motor * MOTOR_STEP + TWO_PHASES[self._places[motor]],)) if motor >= 0 else b""
 

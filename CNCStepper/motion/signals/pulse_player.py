@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-r"""Which planned pulses come in the next moment, and when: on the plan, slower, to a stop, or backwards.
+r"""Selects the planned pulses of the next time slice and their times: on the plan, slower, to a stop, or backwards.
 
     planned speed   /‾‾‾‾‾‾‾‾‾‾‾\         u² rises and falls by 2 A ds from pulse to pulse, between 0 and the plan's;
     hold            /‾‾‾\____/‾‾\         the time to the next pulse is the planned one, stretched by plan / u
@@ -27,7 +27,7 @@ REST_BACK_NS = 20_000_000.0
 PLAYED_AXES = 3
 DYING_SHARE = 4.0  # of what a step's way takes from u²: below that a path may end as it is
 
-# words, int64: the first ones are written by who appends, the others by the player
+# words, int64: the appender writes the first ones, the player the others
 HEAD, OLDEST, ENDS_AT_REST = range(3)
 PLACE, SENSE, BRAKES, STANDS, TARGET, BOUNDARY, IS_STALE, STARVES, SENT = range(16, 25)
 POSITION = 25  # and the two behind it
@@ -60,7 +60,7 @@ class PulseRows:
 
 
 def new_state() -> tuple[np.ndarray, np.ndarray]:
-    """Return words and reals of a player that stands before row 0."""
+    """Return words and reals of a player at rest before row 0."""
     words, reals = np.zeros(WORDS, np.int64), np.zeros(REALS, np.float64)
     begin(words, reals)
     return words, reals
@@ -142,7 +142,7 @@ def _scale_and_wait(time_ns, energy, speed, flags, words, reals, row, between):
     low, high = math.sqrt(max(low_sqr, 0.0)), math.sqrt(old_sqr + change)
     if words[BRAKES]:
         wanted = low
-    else:  # on the plan it stays, however the planned speed changes: the planner knows what the axes can do
+    else:  # it stays on the plan at every planned speed: the planner has the limits of the axes
         low, high = min(low, old * planned), max(high, old * planned)
         wanted = max(min(share * planned, high, _limit(energy, speed, flags, words, reals, row, between)), low)
     scale = min(wanted / planned, 1.0)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The stream of pulses that all signals are made of: chunks of columns, one row a moment at which some axis steps.
+"""The stream of pulses from which all signals are made: chunks of columns, one row for each time of a step.
 
     ticks   0    400   800   1200 ...   clock of the stream, strictly rising
     step    01   11    01    11         bit n: axis n makes one step
@@ -188,14 +188,14 @@ def pulse_stream(toolpath: Toolpath, machine: Machine | Limits, chunks: Iterable
 
 
 def check_axes(axes: int, most: int = MOST_AXES) -> int:
-    """Return the number of axes; raises MachineRefusal where there are more than can be told."""
+    """Return the number of axes; raises MachineRefusal for more than the stream has."""
     if axes > most:
         raise MachineRefusal("axes", "too many axes for these signals", value=f"{axes}", limit=f"{most}")
     return axes
 
 
 def _switched(run: Run, coming: deque[Change], changes: Changes) -> Iterator[PulseChunk]:
-    """Yield the pulses of a pass with what is switched among them; `coming` grows as the pass takes up chunks."""
+    """Yield the pulses of a pass with the switching among them; `coming` grows as the pass reads chunks."""
     waiting: list[tuple[int, Change]] = []  # with the clock behind whose pulses each comes
     for segments in run.segments():
         while coming and coming[0].row <= segments.tag[-1]:

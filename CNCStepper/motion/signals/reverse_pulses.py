@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The way back along exactly the pulses by which the axes came, from any point.
+"""The motion back along exactly the pulses by which the axes came, from any point.
 
     forwards   |--p1---p2-p3------p4--┤ point            every pulse again, in the opposite order and direction,
     back       ├--p4------p3-p2---p1--|                  with the same times between them
 
-Devices are not switched on the way back: whether the beam burns or the spindle turns there is the operator's choice.
+Devices are not switched on the motion back: the operator chooses beam and spindle.
 The first pulse comes at the speed of the last one: turn back where the axes stand, as after a hold.
 """
 
@@ -26,13 +26,13 @@ SEGMENTS_AT_ONCE = 256
 
 
 def turned_back(chunk: PulseChunk, tick: int) -> PulseChunk:
-    """Return the pulses of a chunk on the way back that begins at `tick`, at or behind its last pulse."""
+    """Return the reversed pulses of a chunk, beginning at `tick`, at or after its last pulse."""
     step = chunk.step[::-1]
     return PulseChunk(tick - chunk.ticks[::-1], step, step & ~chunk.back[::-1])
 
 
 class ReversePulses:
-    """The pulses of a table of moves, from any moment back to the begin; memory does not grow with the pulses."""
+    """The pulses of a table of moves, from any time back to the begin; memory does not grow with the pulses."""
 
     def __init__(self, toolpath: Toolpath, machine: Machine | Limits):
         self._pieces = SegmentIndex(toolpath, machine)
@@ -40,7 +40,7 @@ class ReversePulses:
     def stream(self, tick: int | None = None) -> PulseStream:
         """Return all pulses up to `tick` of the planner's clock backwards, from the last pulse when left out.
 
-        Tick 0 of the stream is that moment; its `begin_steps` is where the axes stand then.
+        Tick 0 of the stream is that time; its `begin_steps` is the position of the axes then.
         """
         number = self._pieces.number_at(np.inf if tick is None else tick / TICKS_PER_S)
         if not len(self._pieces):
@@ -51,7 +51,7 @@ class ReversePulses:
         return PulseStream(self._chunks(number, tick), self._pieces.axes, TICKS_PER_S, begin)
 
     def _position(self, number: int, tick: int) -> tuple[int, ...]:
-        """Return where the axes stand at a moment of a piece, in steps."""
+        """Return the position of the axes at a time of a piece, in steps."""
         segments = self._pieces.piece(number)
         position = np.empty(self._pieces.axes, np.int64)
         place_in(segments[0], 0, position)

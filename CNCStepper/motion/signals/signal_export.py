@@ -51,7 +51,7 @@ def vcd(timeline: Timeline) -> Iterator[bytes]:
 
 
 def position_csv(stream: PulseStream, names: Iterable[str] = "xyz") -> Iterator[bytes]:
-    """Yield a table of every pulse: time in s, position of each axis in steps after it, and what is switched."""
+    """Yield a table of every pulse: time in s, position of each axis in steps after it, and the outputs."""
     names = list(names)[: stream.axes]
     decimals = _decimals(stream)
     yield ("time_s," + "".join(f"{name}_steps," for name in names) + "switch\n").encode("ascii")
@@ -68,7 +68,7 @@ def position_csv(stream: PulseStream, names: Iterable[str] = "xyz") -> Iterator[
 
 
 def coil_csv(stream: PulseStream, wires: Sequence[str], motors: Sequence[str], names: Sequence[str]) -> Iterator[bytes]:
-    """Yield a table of every pulse: time in s, and what the wires of each motor's coils carry after it.
+    """Yield a table of every pulse: time in s, and the currents of each motor's coils after it.
 
     wires: of each place of the sequence, all as long. motors: as `coil_words` takes them; names: of their columns.
     """
@@ -108,7 +108,7 @@ def _switch_row(switch: Switch, stream: PulseStream, decimals: int, position: np
 
 @njit
 def _write_vcd(ticks, levels, parts, level, text):
-    """Write edges as VCD; `level` is what the lines were before, and then after; returns the bytes."""
+    """Return edges as VCD; `level` has the levels of the lines before, and then after."""
     at = 0
     for row in range(len(ticks)):
         changed = level[0] ^ np.int64(levels[row])

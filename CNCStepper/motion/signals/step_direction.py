@@ -94,7 +94,7 @@ class Timeline:
         yield Edges(ticks[:count], levels[:count])
 
     def _device(self, switch: Switch) -> Iterator[Edges]:
-        """Yield the edge of a device's line, none where it stands as wanted or has no line."""
+        """Yield the edge of a device's line, none where the level is right or there is no line."""
         bit = self._bit(switch.device) if switch.device in self.lines else 0
         if bit and bool(bit & int(self._memory[LEVEL])) != switch.on:
             yield self._switch(switch.tick + self.lead, switch.device, switch.on)

@@ -26,7 +26,7 @@ from CNCStepper.tolerances import SAME_MM
 class Options:
     """How a path is entered.
 
-    overlap_mm: how much of the way before the place is cut again. height_mm: to which the tool goes up first, above the
+    overlap_mm: how much of the path before the place is cut again. height_mm: to which the tool rises first, above the
     stock's work zero; None is the highest at which the program's own rapids cross. spin_up_s: of the spindle. laser:
     the spindle is a laser. tools: by number, or one for every number. run_up_mm: how far behind the place a torch
     pierces again at least, in its own kerf. is_wire: the machine cuts with a hot wire alone.
@@ -77,7 +77,7 @@ class Approach:
 
 
 def approach_to(program: Program, entrance: EntryPoint, model: Model, options: Options) -> Approach:
-    """Return the way to an entrance; raises ProgramError where no safe height or no feed is known."""
+    """Return the approach to an entrance; raises ProgramError where no safe height or no feed is known."""
     row, state = entrance.row, model.state
     x, y, z = (program.at(row, entrance.share) if entrance.share else program.begins[row]).tolist()
     safe_mm = _safe_mm(program, row, state, z, options)

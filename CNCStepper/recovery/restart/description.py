@@ -24,7 +24,7 @@ SENSES = {"cw": "turning clockwise (M3)", "ccw": "turning counter-clockwise (M4)
 
 
 def words_of(restart: Restart) -> Iterator[str]:
-    """Yield what a restart does, in its order: where it enters, from what height, with what on, and why there."""
+    """Yield the steps of a restart: entrance, height, outputs that are on, and the reason for the entrance."""
     program, entrance, approach = restart.program, restart.entrance, restart.approach
     row, line = entrance.row, program.file_line(entrance.row)
     place = program.tips(np.array([approach.at_mm]), np.array([row]))[0]
@@ -64,7 +64,7 @@ def height_mm(restart: Restart) -> float:
 
 
 def _switched_on(restart: Restart) -> Iterator[str]:
-    """Yield what is switched on, and how long the machine waits for it."""
+    """Yield the outputs that are switched on, and the waits for them."""
     state, approach = restart.approach.state, restart.approach
     if not state.spindle_turns:
         yield "leaves the spindle off, as the program has it there"
@@ -116,7 +116,7 @@ def _point(point: np.ndarray) -> str:
     return " ".join(f"{axis}{value + 0.0:.3f}" for axis, value in known if not isnan(value))
 
 
-MOST_CONTOURS = 5000  # that are told: a longer list finds nothing any more, the picture does
+MOST_CONTOURS = 5000  # that are listed; the picture shows them all
 
 
 def contours_as_data(lines: Sequence[str], dialect: str, start: Start | None, file: str) -> dict[str, Any]:

@@ -19,7 +19,7 @@ rapids      .........                            ............
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
 
@@ -36,10 +36,14 @@ from CNCStepper.gcode.interpreter.motion.arc_lengths import Ways, ways_of
 from CNCStepper.gcode.interpreter.state.interpreter_state import Model
 from CNCStepper.gcode.syntax.words import program_lines
 from CNCStepper.gcode.wire.expansion import expanded
+from CNCStepper.gcode.wire.translation import translate
+from CNCStepper.job.wire_round_trip import translated_to
+from CNCStepper.machine.profile import Machine
 from CNCStepper.state import Start
 from CNCStepper.tolerances import CLOSED_CONTOUR_MM, SAME_MM
 from CNCStepper.toolpath import LINE, PLANE_AXES, RAPID, Chunk, Span, Toolpath, require_straight_axes
 
+RECORDS = "records"  # among the rules of a language whose programs are read by the lathe itself
 _COMPENSATION = re.compile(r"G[ \t]*0*4[ \t]*[12]", re.IGNORECASE)
 
 
@@ -48,7 +52,8 @@ class Program:
     """A program that runs undisturbed.
 
     lines: as they run, without loops and subroutines. file_lines: the file's line of each, from 1, int[n]. path: its
-    moves in machine coordinates; their lines, from 1, are those of `lines`.
+    moves in machine coordinates; their lines, from 1, are those of `lines`. is_translated: the lines are those that are
+    sent, perhaps several for one of the file.
     """
 
     dialect: Dialect
@@ -57,6 +62,7 @@ class Program:
     lines: list[str]
     file_lines: np.ndarray
     path: Toolpath
+    is_translated: bool = False
 
     @cached_property
     def table(self) -> Chunk:
@@ -158,6 +164,10 @@ class Program:
 def read_program(text: str, dialect: str | Dialect = "grbl", start: Start | None = None, file: str = "") -> Program:
     """Return a program as it runs from `start`; raises ProgramError for one that cannot be read or restarted."""
     language, start = dialect_named(dialect), start or Start()
+    if RECORDS in language.front:
+        what = "a program of the mini-lathe begins at the work zero and cannot be entered in its middle"
+        advice = "switch the lathe off and on, set its zero by hand, and send the whole program"
+        raise ProgramError("restart-lathe", what, advice=advice, place=Place(file))
     if language.front or not language.writing:
         what = Text("a program for {language} cannot be restarted in its middle", language=language.title)
         advice = "restarts are written for grbl, grblHAL, FluidNC, LinuxCNC and Mach: convert it, or run it whole"
@@ -171,6 +181,20 @@ def read_program(text: str, dialect: str | Dialect = "grbl", start: Start | None
     if not len(path):
         raise ProgramError("restart-empty", "the program moves nothing", advice="choose another", place=Place(file))
     return Program(language, file, start, lines, np.array(numbers, int), require_straight_axes(path, file))
+
+
+def read_on_machine(text: str, machine: Machine, dialect: str, start: Start | None = None, file: str = "") -> Program:
+    """Return a program as `read_program` does, of a language that the machine's controller lacks as it is sent to it.
+
+    Such a language may have no words for an entry, as that of the thesis's table: the lines that are sent have.
+    file_lines: of the file. Raises ProgramError too where the program cannot be translated.
+    """
+    language = machine.language(dialect)
+    if (target := translated_to(machine, language)) is None:
+        return read_program(text, language, start, file)
+    wire, path = translate(text, language, target, file, start)
+    program = read_program(wire.text, target, path.start, file)
+    return replace(program, file_lines=np.asarray(wire.file_lines, int)[program.file_lines - 1], is_translated=True)
 
 
 def _written_out(text: str, language: Dialect, start: Start, file: str) -> tuple[list[str], list[int]]:
@@ -215,7 +239,7 @@ def stretch_of(program: Program, row: int) -> Stretch:
 def descents(program: Program, stretch: Stretch) -> list[Stretch]:
     """Return the ways down within a stretch: its first fall, plunges, and ramps from one level to another.
 
-    A fall on a surface that rises and falls all the way is none.
+    A fall on a surface that rises and falls repeatedly is none.
     """
     rows = slice(stretch.first, stretch.last)
     way = program.table.end[rows, :3] - program.begins[rows]
@@ -242,7 +266,7 @@ def entry_of(program: Program, stretch: Stretch, row: int) -> Stretch:
 
 
 def _lead_end(program: Program, stretch: Stretch, first: int) -> int:
-    """Return where a lead-in from `first` on ends: the first place to which the way comes back; `first` for none."""
+    """Return the end of a lead-in from `first` on: the first place that the path visits again; `first` for none."""
     ends = program.table.end[first : stretch.last, :3]
     for row in range(first, min(first + LEAD_ROWS, stretch.last - 1)):
         back = np.abs(ends[row - first :] - program.begins[row]).max(axis=1) <= CLOSED_CONTOUR_MM

@@ -3,7 +3,7 @@
 
 (restart of part.nc at line 812)  (begin operation: pocket)
 M5 M9                        nothing runs while the tool goes up
-G21 G17 G90 ... G54  G92.1   known modes; offsets of G92 are set anew below
+G21 G17 G90 ... G54  G92.1   known modes; offsets of G92 are set again below
 G43.1 Z..                    the length of the tool
 G0 Z12.                      up
 T2 M6                        where tools are changed so

@@ -32,8 +32,9 @@ from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.recovery.restart.approach import Options
 from CNCStepper.recovery.restart.description import height_mm
+from CNCStepper.recovery.restart.interrupted_program import read_on_machine
 from CNCStepper.recovery.restart.restart_places import RequestedPlace
-from CNCStepper.recovery.restart.restart_program import Restart, restart
+from CNCStepper.recovery.restart.restart_program import Restart, restart_of
 from CNCStepper.simulation.checks.stock_checks import JUDGE_ERROR_MM
 from CNCStepper.simulation.finding import Finding
 from CNCStepper.simulation.prior_programs import followed
@@ -51,7 +52,7 @@ class EntryOptions:
 
 @dataclass(frozen=True)
 class ProvenRestart:
-    """A restart program and its proof; `certificate_of_restart` is what a sender wants."""
+    """A restart program and its proof; `certificate_of_restart` makes the certificate for a sender."""
 
     restart: Restart
     proof: Proof
@@ -70,8 +71,9 @@ def restart_program(
     **options: Unpack[ProofOptions],
 ) -> ProvenRestart:
     """Return the restart of a program at a place, proven as `prove` does; raises ProgramError where it cannot be."""
-    options["dialect"] = language = machine.language(options.get("dialect", ""))
-    made = restart(text, where, language, start, file, _options(machine, tools, entering))
+    program = read_on_machine(text, machine, options.get("dialect", ""), start, file)
+    made = restart_of(program, where, _options(machine, tools, entering))
+    options["dialect"] = program.dialect.name
     before = PriorPrograms(made.cut, (digest_of_text(text),))
     proof = prove(
         made.text,
@@ -103,9 +105,9 @@ def restart_job(
     earlier: the proofs of the programs that the job was split into and that were run before this one
     (`prior_proofs`). Raises ProgramError where it cannot be restarted there.
     """
-    options["dialect"] = language = machine.language(options.get("dialect", ""))
-    entry = _options(machine, job.on(machine).tools, entering)
-    made = restart(text, where, language, job.started(start, machine), file, entry)
+    program = read_on_machine(text, machine, options.get("dialect", ""), job.started(start, machine), file)
+    made = restart_of(program, where, _options(machine, job.on(machine).tools, entering))
+    options["dialect"] = program.dialect.name
     if tell := options.get("tell"):
         tell("make")
     answers = (make_parts(job, machine)[len(earlier)] if is_split(job, machine) else make_program(job, machine)).answers
@@ -172,7 +174,7 @@ def _before(made: Restart, text: str, earlier: Sequence[Proof]) -> PriorPrograms
 def _incomplete(proof: Proof) -> list[Finding]:
     """Return that the whole part is not as it is wanted, where the worst place lies in what was cut before.
 
-    The checks tell only of the program's own lines; whoever restarts wants to know whether the part will be good.
+    The checks report only the program's own lines; a restart must also show whether the part will be good.
     """
     allowed_mm = max((removal.tolerance_mm for removal in proof.given.removals), default=0.0) + JUDGE_ERROR_MM
     found = []

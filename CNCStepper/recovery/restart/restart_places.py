@@ -15,7 +15,7 @@ from CNCStepper.recovery.restart.interrupted_program import Program, Stretch, cu
 from CNCStepper.tolerances import PICKED_MM
 from CNCStepper.toolpath import LINE, Span
 
-COARSE, FINE = 9, 65  # places on an arc that are looked at: on all arcs, then on the nearest, then about the best
+COARSE, FINE = 9, 65  # places on an arc that are compared: on all arcs, then on the nearest, then about the best
 
 
 class Place(NamedTuple):
@@ -77,7 +77,10 @@ def _runs_of(program: Program, number: int) -> list[int]:
     later = program.file_lines[program.file_lines >= number]
     if not len(later):
         return [len(program.lines) + 1]
-    return (np.flatnonzero(program.file_lines == later.min()) + 1).tolist()
+    runs = np.flatnonzero(program.file_lines == later.min())
+    if program.is_translated:  # lines one behind the other are one run of it
+        runs = runs[np.diff(runs, prepend=-2) > 1]
+    return (runs + 1).tolist()
 
 
 def operation_of(program: Program, name: str) -> Span:
@@ -124,7 +127,7 @@ def by_point(program: Program, at_mm: Sequence[float]) -> Place:
 
 
 def _nearest(program: Program, rows: np.ndarray, at_mm: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return how far each row is from a point, and after which share of the row; far arcs are looked at coarsely."""
+    """Return the distance of each row from a point, and the share of the row there; coarse for far arcs."""
     away, shares = np.empty(len(rows)), np.empty(len(rows))
     arcs = program.table.kind[rows] > LINE
     away[~arcs], shares[~arcs] = _nearest_on_lines(program, rows[~arcs], at_mm)

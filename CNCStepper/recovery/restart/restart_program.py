@@ -13,9 +13,9 @@ The program's own lines from the entry point on, unchanged but for a motion word
 program   G1 X10 F800  /  X20  /  X30           entered at X20, after a plunge or an arc of the entry
 rest                      G1 X20  /  X30        the first line that moves names what was modal
 
-Whether a restart program does, from the entrance on, what the program itself does: the judge of the restart's text.
+Judges a restart program's text: from the entrance on it must have the moves and states of the program itself.
 
-It looks at the two tables of moves alone, and knows nothing of how the entry was written.
+It compares the two tables of moves alone, independently of the writer of the entry.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ from CNCStepper.recovery.restart.interrupted_program import Program, read_progra
 from CNCStepper.recovery.restart.preamble import EntryWriter
 from CNCStepper.recovery.restart.restart_places import RequestedPlace, place_of
 from CNCStepper.state import WORK_SYSTEMS, ZERO3, Start, State
-from CNCStepper.tolerances import SAME_ENTRY_MM
+from CNCStepper.tolerances import SAME_ENTRY_MM, SAME_RESTART_FEED
 from CNCStepper.toolpath import COLUMNS, RAPID, XY, Chunk, Toolpath
 
 
@@ -122,9 +122,6 @@ def _sticky(model: Model, tokens: list[Token]) -> list[str]:
     return [f"{letter}{number_text(value, MOST_DECIMALS)}" for letter, value in stuck.items() if letter not in said]
 
 
-SAME_FEED = 1e-6  # of the feed
-
-
 def require_same_rest(program: Program, entrance: EntryPoint, restart: Toolpath, entry_lines: int) -> None:
     """Raise ProgramError, naming the first line that would differ, unless the rest is run as in the undisturbed run.
 
@@ -145,7 +142,7 @@ def require_same_rest(program: Program, entrance: EntryPoint, restart: Toolpath,
     for name in ("end", "centre"):
         one, other = getattr(new, name)[own:], getattr(old, name)[first:]
         _require(program, first, np.isclose(one, other, 0.0, SAME_ENTRY_MM, equal_nan=True).all(axis=1), name)
-    _require(program, first, np.isclose(new.feed[own:], old.feed[first:], SAME_FEED, SAME_FEED), "feed")
+    _require(program, first, np.isclose(new.feed[own:], old.feed[first:], SAME_RESTART_FEED, SAME_RESTART_FEED), "feed")
     _require_states(program, first, restart, own)
     _require_events(program, first, restart, own, entrance)
 
@@ -177,7 +174,7 @@ def _require_events(program: Program, first: int, restart: Toolpath, own: int, e
 
 
 def _same(old: State, new: State) -> bool:
-    """Whether two states are one, but for what the numbers of the entry leave in offsets and feeds."""
+    """Whether two states are equal but for the entry's rounding of offsets and feeds."""
     if old == new:
         return True
     one, other = (
@@ -191,7 +188,7 @@ def _same(old: State, new: State) -> bool:
         "feed_mm_min": 0.0,
         "feed_mm_turn": 0.0,
     }
-    near = bool(np.allclose(one, other, rtol=SAME_FEED, atol=SAME_ENTRY_MM))
+    near = bool(np.allclose(one, other, rtol=SAME_RESTART_FEED, atol=SAME_ENTRY_MM))
     return near and replace(old, **blank) == replace(new, **blank)
 
 

@@ -2,7 +2,7 @@
 """What the folder of a proof holds besides where a restart is proven.
 
     place.json       where the program is to be restarted; not there where the whole program is proven
-    restart.json     what is answered then: the restart program, and what it does in words
+    restart.json     the answer: the restart program, and its description
 
 Asking and reading the answer is light enough for a window.
 """

@@ -33,7 +33,7 @@ class SessionContext:
     """What does not change while a program is held: its lines, where it began, on which machine.
 
     zero_known: whether the program was proven at its place on the table; else its travel is judged by its size alone.
-    play: of the axes, where it is taken up in the lines sent.
+    play: the backlash of the axes, where the lines sent compensate it.
     """
 
     program: SendJob
@@ -158,7 +158,7 @@ def _part(place: Place, leg_way: RetractPath, leg: Mapping[str, Any]) -> int:
 
 
 def _is_beside(place: Place, leg_way: RetractPath, leg: Mapping[str, Any]) -> bool:
-    """Return whether a place of a leg is on its way back from where somebody jogged to."""
+    """Return whether a place of a leg is on its return from a jog."""
     part = _part(place, leg_way, leg)
     return part < len(leg["parts"]) and leg["parts"][part] is None
 

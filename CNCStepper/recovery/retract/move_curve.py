@@ -13,11 +13,10 @@ from dataclasses import dataclass
 from functools import cached_property
 from math import atan2, ceil, cos, dist, hypot, isnan, sin, sqrt, tau
 
-from CNCStepper.tolerances import FULL_CIRCLE_RAD
+from CNCStepper.tolerances import FULL_CIRCLE_RAD, WHOLE_TURNS
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, PLANE_AXES, RAPID
 
 Point = tuple[float, float, float]
-SAME_SHARE = 1e-9
 STILL_MM = 1e-4  # far less than a step, and more than the last digits of a text
 
 
@@ -50,7 +49,7 @@ class Move:
 
     @cached_property
     def length_mm(self) -> float:
-        """The length of the way."""
+        """The length of the move."""
         if not self.is_arc:
             return dist(self.begin, self.end)
         normal = PLANE_AXES[self.plane][2]
@@ -70,7 +69,7 @@ class Move:
         return self._radii[0]
 
     def at(self, share: float) -> Point:
-        """Return the point at a share of the way, 0 to 1."""
+        """Return the point at a share of the move, 0 to 1."""
         point = [one + (other - one) * share for one, other in zip(self.begin, self.end, strict=True)]
         if self.is_arc and 0.0 < share < 1.0:
             first, second, _ = PLANE_AXES[self.plane]
@@ -90,11 +89,11 @@ class Move:
             yield share, dist(self.at(share), point)
 
     def part(self, begin: float, end: float) -> Move:
-        """Return the way from one share to another, in the other sense where `end` is the smaller."""
+        """Return the part from one share to another, reversed where `end` is the smaller."""
         kind = self.kind
         if end < begin and self.is_arc:
             kind = ARC_CW if kind == ARC_CCW else ARC_CCW
-        turns = max(1, ceil(abs(self.sweep_rad * (end - begin)) / tau - SAME_SHARE)) if self.is_arc else 0
+        turns = max(1, ceil(abs(self.sweep_rad * (end - begin)) / tau - WHOLE_TURNS)) if self.is_arc else 0
         return Move(kind, self.at(begin), self.at(end), self.centre, self.plane, turns, self.feed_mm_min)
 
     def straight(self) -> Move:

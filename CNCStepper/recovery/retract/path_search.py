@@ -6,7 +6,7 @@
 
 Where several places fit, two things tell them apart: how many blocks the controller says it still holds, and the
 reports of the way there, between which no machine goes faster than it was told. What is uncertain all the same is told
-as an interval; to go on from its begin cuts a little twice and leaves nothing out.
+as an interval; a resume from its begin cuts a little twice and leaves nothing out.
 """
 
 from __future__ import annotations
@@ -22,9 +22,9 @@ from CNCStepper.errors import ProgramError
 from CNCStepper.recovery.retract.move_curve import chords_of
 from CNCStepper.recovery.retract.retract_path import Place, RetractPath
 
-ROUNDING_MM = 0.002  # of what is reported
+ROUNDING_MM = 0.002  # of a report
 LATE_S, FASTER = 0.02, 1.02  # by which a report may be late, and clocks may differ
-SAME_PLACE = 4.0  # tolerances along the way
+SAME_PLACE = 4.0  # tolerances along the path
 AHEAD_S = 0.12  # of motion at most that a step generator has taken out of the planner: six segments of 10 ms, or twelve
 
 
@@ -65,7 +65,7 @@ class Controller:
 
 
 class PossiblePlaces(NamedTuple):
-    """early: where to go on from. late: how far the machine may have come; the same place nearly always."""
+    """early: the place to resume from. late: how far the machine may have come; nearly always the same place."""
 
     early: Place
     late: Place
@@ -160,14 +160,14 @@ class _Search:
         while first > 0 and blocks <= most:
             first -= 1
             blocks += self._blocks_of(first)
-        return first, max(last, 1)  # before the first move the machine stands at its begin
+        return first, max(last, 1)  # before the first move the machine is at its begin
 
     def _near(self, row: int, seen: PositionReport) -> list[tuple[float, float]]:
         near = self._way.move(row).nearest(seen.position_mm)
         return [(share, far) for share, far in near if far <= self._controller.tolerance_mm]
 
     def _apart(self, found: list[tuple[float, float, Place]]) -> Iterator[Place]:
-        """Yield the nearest of the places that lie next to each other along the way."""
+        """Yield the nearest of the places that adjoin each other along the path."""
         group: list[tuple[float, float, Place]] = []
         for one in found:
             if group and one[0] - group[-1][0] > SAME_PLACE * self._controller.tolerance_mm:

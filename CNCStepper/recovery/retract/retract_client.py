@@ -102,7 +102,7 @@ BUTTONS_EVERY_S = 0.1
 
 
 class ButtonClient(threading.Thread):
-    """A client of its own, until the session ends; tell: gets refusals, on this thread."""
+    """A client of its own, until the session ends; tell: called with refusals, on this thread."""
 
     def __init__(self, session_file: Path, tell: Callable[[str], None]):
         super().__init__(name="leader", daemon=True)
@@ -110,7 +110,7 @@ class ButtonClient(threading.Thread):
         self._tell = tell
 
     def run(self) -> None:
-        """Look at what is wanted, and do it."""
+        """Read the session's request, and execute it."""
         try:
             with attach(self._file) as client:
                 while client.outcome is None:
@@ -130,7 +130,7 @@ class ButtonClient(threading.Thread):
 
 
 def lead(client: SessionClient | ConnectionSession, status: SenderStatus) -> None:
-    """Begin the way that a status wants; raises what the proof or the session refuses."""
+    """Begin the move that a status requests; raises the refusals of proof and session."""
     if status.phase not in LEG_BEGINS or (status.wanted_back_mm is None and not status.wanted_rest):
         return
     back = RetractClient(client)
@@ -155,7 +155,7 @@ def step_aside(client: SessionClient | ConnectionSession) -> None:
 
 
 def jog(client: SessionClient | ConnectionSession, way: dict[str, float]) -> SenderStatus:
-    """Jog a machine that is idle, or waits for a new tool, and return its status then; raises what is refused.
+    """Jog a machine that is idle, or waits for a new tool, and return its status then; raises refusals.
 
     way: x_mm, y_mm, z_mm and feed_mm_min.
     """

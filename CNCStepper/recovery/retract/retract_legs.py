@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Path retract: from the status of a held session to wire text, proven as any program.
 
-told (control/stream/retract_handover.py) ──► Held: the program's way, the place, how far it was cut
+report (control/stream/retract_handover.py) ─► Held: the program's path, the place, how far it was cut
                                 │ back_by · back_to_line · back_to_entry · forward_by · rest
-                                └──► text ──► prove ──► certificate + what the next client must know
+                                └──► text ──► prove ──► certificate + data for the next client
 """
 
 from __future__ import annotations
@@ -74,7 +74,7 @@ class HeldProgram:
 
     @property
     def behind_mm(self) -> float:
-        """How far along the way the tool is behind where the program was cut to."""
+        """How far the tool is behind the end of the cut, along the path."""
         return self.way.length_mm(self.place, self.farthest)
 
     @property
@@ -202,7 +202,7 @@ class HeldProgram:
         return machine.spindle.spin_up_s
 
     def _moves_by(self, places: Sequence[Place], leads_on: bool) -> Iterator[tuple[Move, Part]]:
-        """Yield the moves of the motors along the way from place to place."""
+        """Yield the moves of the motors along the path from place to place."""
         pairs = [pair for pair in pairwise(places) if pair[0] != pair[1]] or [(places[0], places[-1])]
         moves = chain.from_iterable(stretch_moves(self.way, *pair) for pair in pairs)
         play, target = self.ground.play, places[-1]
@@ -216,7 +216,7 @@ class HeldProgram:
             yield crossing(motors.at_mm, own.end, own, play), (*target, target.share)
 
     def _over(self) -> Iterable[tuple[Axes, float]]:
-        """Return the places and speeds of the way back to the cut; none for a machine that is on it."""
+        """Return positions and speeds of the return to the cut; none for a machine that is on it."""
         if not self._is_off:
             return ()
         if self.ground.play:
@@ -225,7 +225,7 @@ class HeldProgram:
 
     @property
     def _is_off(self) -> bool:
-        """Whether the way has to be come to first."""
+        """Whether the tool must first return to the path."""
         gaps_mm = hypot(*self.ground.play.backlash_mm) if self.ground.play else 0.0
         is_far = dist(self.position_mm, self._there_mm) > self.ground.controller.tolerance_mm + gaps_mm
         return is_far or (self.is_beside and gaps_mm > 0.0)
@@ -269,7 +269,7 @@ class HeldProgram:
 
 
 def held_program(told: Mapping[str, Any], machine: Machine | None = None) -> HeldProgram:
-    """Return the held program of a session's status; raises ProgramError or JobError without a way back."""
+    """Return the held program of a session's status; raises ProgramError or JobError where no retract is possible."""
     ground = SessionContext.of(told, machine)
     reports = [
         PositionReport(*report)._replace(position_mm=ground.controller.on_step(report[4])) for report in told["reports"]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The way of a program's tool, row after row, and places on it.
+"""The path of a program's tool, row after row, and places on it.
 
 row      0          1      2                3
 |-------------|--------|------|-----+----------------|
@@ -23,7 +23,7 @@ from CNCStepper.tolerances import SAME_MM
 from CNCStepper.toolpath import LINE, RAPID, Toolpath
 
 KEPT_MOVES = 4096
-BARRIERS = ("tool_change", "probe")  # events that no way back crosses
+BARRIERS = ("tool_change", "probe")  # events that no retract crosses
 
 
 class Place(NamedTuple):
@@ -56,7 +56,7 @@ class RetractPath:
 
     @cached_property
     def _barriers(self) -> np.ndarray:
-        """The rows, rising, that no way back leaves at their begin: what comes before is not known or not undone."""
+        """The rows, rising, that no retract leaves at their begin: the rows before are unknown or cannot be undone."""
         unknown = np.flatnonzero(np.isnan(self._table.end[:, :3]).any(axis=1)) + 2
         starts = [1] if any(map(isnan, self.toolpath.start.position_mm[:3])) else [0]
         events = [event.index for event in self.toolpath.events if event.kind in BARRIERS]
@@ -67,7 +67,7 @@ class RetractPath:
         return range(int(np.searchsorted(self.lines, line)), int(np.searchsorted(self.lines, line, side="right")))
 
     def length_mm(self, begin: Place, end: Place) -> float:
-        """Return how long the way is from one place to another."""
+        """Return the length of the path from one place to another."""
         return sum(self.move(row).length_mm * abs(to - since) for row, since, to in self.stretch(begin, end))
 
     def back_by(self, place: Place, length_mm: float) -> Place:
@@ -90,7 +90,7 @@ class RetractPath:
         return last
 
     def back_to_row(self, place: Place, row: int) -> Place:
-        """Return the begin of a row before a place; raises ProgramError where the way back does not reach it."""
+        """Return the begin of a row before a place; raises ProgramError where no retract reaches it."""
         if not self.begin_before(place) <= row <= place.row:
             raise ProgramError(
                 "retreat-far",
@@ -113,7 +113,7 @@ class RetractPath:
         return Place(self.begin_before(place), 0.0)
 
     def begin_before(self, place: Place) -> int:
-        """Return the first row that a way back from a place runs through; raises ProgramError for none."""
+        """Return the first row that a retract from a place runs through; raises ProgramError for none."""
         behind = self._barriers[self._barriers <= place.row]
         if not len(behind):
             what = "where this move began is not known, so there is no way back along it"
@@ -121,7 +121,7 @@ class RetractPath:
         return int(behind[-1])
 
     def stretch(self, begin: Place, end: Place) -> Iterator[tuple[int, float, float]]:
-        """Yield (row, from share, to share) of the way from one place to another, backwards where `end` lies before."""
+        """Yield (row, from share, to share) of the path from one place to another, backwards where `end` is before."""
         forward = tuple(begin) <= tuple(end)
         for row in range(begin.row, end.row + 1) if forward else range(begin.row, end.row - 1, -1):
             near, far = (0.0, 1.0) if forward else (1.0, 0.0)

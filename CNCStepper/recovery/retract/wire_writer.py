@@ -1,19 +1,19 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A stretch of the way as wire text for a controller that has just been reset, in mm and absolute coordinates.
+"""A part of the path as wire text for a controller after a reset, in mm and absolute coordinates.
 
-G21G90G17G94G54      what a reset leaves, said once more
+G21G90G17G94G54      the modes after a reset, repeated
 G43.1Z5  G92X3Y0Z0   the tool's length and G92, which a reset takes away
-M3S8000  G4P3        what is to be on, and the time that it needs
-G1Z... G1X... G1Z... up, over and down to the way, where somebody has jogged off it
-G1X... F...          from where the machine stands to the way, less than a step, then along it
-G20G91F30            modes again in which the program's own lines go on
+M3S8000  G4P3        outputs that must be on, and their wait
+G1Z... G1X... G1Z... up, over and down to the path, after a jog
+G1X... F...          from the machine's position to the path, less than a step, then along it
+G20G91F30            modes of the program's own lines that follow
 
 The motors' moves along the tool's way, where the wire text compensates backlash.
 
     tool    ◄────── x        held on its way there, and taken back
     motors  ◄──── ◄─┼── x    they stood ahead of it on the other side, or anywhere in the gap: what is left of it first
 
-Where nobody knows on which side the motors stand, as after a jog, they come to the way so that they are known to.
+Where the side of the motors in their gaps is unknown, as after a jog, they approach the path so that it is known.
 """
 
 from __future__ import annotations
@@ -72,7 +72,7 @@ def without_height(lines: Iterable[str]) -> list[str]:
 
 
 def way_lines(moves: Iterable[tuple[Move, Part]], state: State) -> tuple[list[str], list[Part]]:
-    """Return the lines of moves, one each, and the part of the way that each of them is.
+    """Return the lines of moves, one each, and the part of the path of each.
 
     state: whose work system, G92 and tool length are in force.
     """

@@ -14,7 +14,7 @@ from CNCStepper.simulation.checks import corner_checks, machine_checks, motor_ch
 from CNCStepper.simulation.finding import Finding, Findings
 from CNCStepper.toolpath import Toolpath
 
-if TYPE_CHECKING:  # what looks at the stock is loaded where there is one: a short check takes half the time without
+if TYPE_CHECKING:  # modules for the stock are loaded where there is one: a short check takes half the time without
     from shapely.geometry.base import BaseGeometry
 
     from CNCStepper.cycles.cycle import Removal
@@ -60,7 +60,7 @@ def check(
     parts: Sequence[BaseGeometry] = (),
     sheet: SheetVerdict | None = None,
 ) -> list[Finding]:
-    """Return what is wrong with a program, the worst first; an empty list is a clean program.
+    """Return the findings of a program, the worst first; an empty list for a clean program.
 
     Whether the work zero is known says `toolpath.start`. tools: by number, or one tool that stands for
     every number. Checks that need a stock, tools or removals are left out where these are not given; a

@@ -116,7 +116,7 @@ def _cuts(subject: CheckContext, tools: Tools, stock: Stock) -> Iterator[tuple[i
 
 
 def _by_tool(subject: CheckContext, known: bool = True) -> list[tuple[int, Segments]]:
-    """Return the path of each tool number, all of it or what is known."""
+    """Return the path of each tool number, whole or its known part."""
     path = segments(subject.toolpath, FLATTEN_MM)
     path = path.known() if known else path
     number = subject.tool_numbers[path.row]

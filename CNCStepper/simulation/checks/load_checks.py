@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The load on the tool along the path: engagement angle and chip load against what the tool allows.
+"""The load on the tool along the path: engagement angle and chip load against the tool's limits.
 
 The tip's path of a whole program, kept on the disk until all of it is known, with what each segment belongs to.
 """
@@ -126,7 +126,7 @@ class Loads(PartCheck):
         self._rows += len(subject.table)
 
     def _above_limits(self, last: CheckContext, area: Area) -> Iterator[Finding]:
-        """Yield what the tools met along the path that is more than they may."""
+        """Yield the overloads of the tools along the path."""
 
         tools = {number: _Load(tool) for number, tool in sorted(area.used.items()) if _says_something(tool)}
         parts, again = tee(self._parts(area))
@@ -153,7 +153,7 @@ def _says_something(tool: Tool) -> bool:
 
 
 class _Load:
-    """What one tool meets on its way, against all that it says of it."""
+    """The loads of one tool along the path, against its limits."""
 
     def __init__(self, tool: Tool):
         self._tool = tool
@@ -195,7 +195,7 @@ class _Load:
 
 
 def _thin_chips(subject: CheckContext, number: int, tool: Tool, mine: np.ndarray, stock: Stock) -> Iterator[Finding]:
-    """Yield the cut that asks less of each tooth than it needs to cut instead of rub."""
+    """Yield the cut whose chips are so thin that the teeth rub instead of cut."""
     if not tool.chip_load_min_mm:
         return
     chip = _chip_load_mm(subject, tool)
@@ -221,7 +221,7 @@ def _thin_chips(subject: CheckContext, number: int, tool: Tool, mine: np.ndarray
 
 
 def _chip_load_mm(subject: CheckContext, tool: Tool) -> np.ndarray:
-    """Return how far the tool goes on with each tooth on every row, 0 where nothing turns."""
+    """Return the feed per tooth on every row, 0 where the spindle is off."""
     rpm = np.array([state.spindle_rpm if state.spindle_turns else 0.0 for state in subject.toolpath.states])
     teeth = rpm[subject.table.state] * tool.flutes
     return np.where(teeth > 0, subject.table.feed / np.where(teeth > 0, teeth, 1.0), 0.0)

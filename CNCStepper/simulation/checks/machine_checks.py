@@ -17,7 +17,7 @@ from CNCStepper.simulation.finding import Finding, Severity
 from CNCStepper.simulation.tip_segments import segments_of_chunks
 
 ROUNDING_MM = 1e-4
-MOST_SPEEDS = 100_000  # of a spindle that are told from one another
+MOST_SPEEDS = 100_000  # of a spindle that are reported separately
 DIRECTION_TOLERANCE_MM = 0.01  # of the chords whose directions stand for an arc's
 
 
@@ -102,7 +102,7 @@ def _beyond(subject: CheckContext, name: str, low, high, min_mm: float, max_mm: 
 
 
 def rates(subject: CheckContext) -> Iterator[Finding]:
-    """Yield each axis that a feed asks to go faster than it can; the controller will slow the move down."""
+    """Yield each axis that a feed would move faster than it can; the controller will slow the move down."""
     fastest = _fastest_mm_min(subject)
     for axis, name, profile in subject.machine.numbered_axes:
         over = np.flatnonzero(fastest[:, axis] > profile.max_rate_mm_min * (1 + 1e-6))
@@ -123,7 +123,7 @@ def rates(subject: CheckContext) -> Iterator[Finding]:
 
 
 def _fastest_mm_min(subject: CheckContext) -> np.ndarray:
-    """Return how fast the feed asks each axis to go on every row, float64[n, 3]; 0 on rapids."""
+    """Return the speed of each axis at the programmed feed on every row, float64[n, 3]; 0 on rapids."""
     fastest = np.zeros((len(subject.table), 3))
     for chords in segments_of_chunks(subject.toolpath, DIRECTION_TOLERANCE_MM):
         path = chords.level_where_unknown()
@@ -182,7 +182,7 @@ def _first_of(
 class Outputs(PartCheck):
     """Finds spindle speeds out of range and coolant that the machine does not have, each once.
 
-    Of a program with more than MOST_SPEEDS wrong speeds the others are not told any more: it is refused long since.
+    A program with more than MOST_SPEEDS wrong speeds is refused anyway, so further ones are not reported.
     """
 
     def __init__(self) -> None:
@@ -260,7 +260,7 @@ class SpinUp(PartCheck):
 
 
 def _dwells_while_turning(subject: CheckContext) -> list[tuple[int, float]]:
-    """Return before which row each dwell stands during which the spindle is on, and its time in s."""
+    """Return the rows after the dwells with a turning spindle, and their times in s."""
     states = subject.toolpath.states
     return [
         (event.index, event.value)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Power, pierce and chart of a process that cuts through the sheet: what the rows alone show, part after part.
+"""Checks power, pierce and chart of a process that cuts through the sheet, from the rows alone, part after part.
 
 M3        G4 P0.4          G1            G4 P2        M0      M5
 power on  at the pierce    cutting       standing     pause   power off
@@ -25,8 +25,8 @@ from CNCStepper.simulation.exact.beams import beam_rows
 from CNCStepper.simulation.exact.sheet_cuts import is_torch
 from CNCStepper.simulation.finding import Finding
 from CNCStepper.simulation.stock import Stock
+from CNCStepper.tolerances import NO_LENGTH_MM
 
-NO_LENGTH_MM = 1e-6
 STAND_S = 0.1  # which every process bears
 SHORTEST, LONGEST = 0.5, 2.0  # shares of the chart's pierce delay, beyond which a program is refused
 CLOSE = 0.1  # to the chart, as a share of the delay
@@ -54,7 +54,7 @@ class _Pierce:
 
 
 class PowerStands(PartCheck):
-    """Finds pierces without their delay, and power that stands longer in one place than the process allows."""
+    """Finds pierces without their delay, and power at rest in one place for longer than the process allows."""
 
     def __init__(self, cutting: Cutting, tools: Tools, stock: Stock | None):
         self._cutting, self._tools, self._stock = cutting, tools, stock
@@ -101,7 +101,7 @@ class PowerStands(PartCheck):
         return bool(shapely.distance(self._stock.outline, shapely.Point(place[:2])) > radius_mm)
 
     def _pierced(self, subject: CheckContext, pierce: _Pierce) -> Iterator[Finding]:
-        """Yield what is wrong with how long the power is on before the cut moves, as the chart has it."""
+        """Yield pierces whose time with power before the cut differs from the chart."""
         data, process = self._cutting.cut_data, self._cutting.process
         if data is None or dialect(subject.machine.controller).plasma:  # which waits by itself
             return
@@ -169,7 +169,7 @@ class PowerStands(PartCheck):
                 yield subject.finding(row, "error", "power-standing", text, advice=advice, **numbers)
 
     def _pauses(self, subject: CheckContext) -> Iterator[Finding]:
-        """Yield pauses (M0) with the power on: nobody knows how long it then stands."""
+        """Yield pauses (M0) with the power on, whose length is unknown."""
         if self._cutting.process.pause_power == "kept":
             return
         states = subject.toolpath.states
@@ -186,7 +186,7 @@ class ChartRange(PartCheck):
     def __init__(self, cutting: Cutting, tools: Tools):
         self._data, self._tools = cutting.cut_data, tools
         self._was_on = False
-        self._numbers: set[int] = set()  # of tools that were looked at
+        self._numbers: set[int] = set()  # of checked tools
 
     def __call__(self, subject: CheckContext) -> Iterator[Finding]:
         if self._data is None or not len(subject.table):
@@ -301,7 +301,7 @@ def _sideways(subject: CheckContext) -> np.ndarray:
 
 
 def _dwells(subject: CheckContext) -> tuple[np.ndarray, np.ndarray]:
-    """Return before which row each dwell with power stands, int64[n], and its time in s, float64[n]."""
+    """Return the rows after the dwells with power, int64[n], and their times in s, float64[n]."""
     states = subject.toolpath.states
     found = [
         (event.index, event.value)

@@ -72,7 +72,7 @@ def report(
     tools: Tools | None = None,
     pieces: Sequence[dict[str, Any]] = (),
 ) -> dict[str, Any]:
-    """Return what is known of a program, as dicts, lists, texts, numbers and None; see `Figures`.
+    """Return the figures of a program, as dicts, lists, texts, numbers and None; see `Figures`.
 
     times_s: end time of every row, float64[n]. whole_s: with what is waited behind the last one; None where nothing is.
     part: the stock after the program. pieces: what is cut free of a sheet, as `SheetVerdict.told` has them.
@@ -87,7 +87,7 @@ class Figures:
     """The figures of a program that may come in parts, each a whole table of consecutive rows.
 
     Its blocks are the lines of the file that move, however often they are run; its moves are those of the machine.
-    tools: a beam among them cuts wherever it is on; without them the tool's height says what is cut.
+    tools: a beam among them cuts wherever it is on; without them the tool's height decides what is cut.
     """
 
     def __init__(self, tools: Tools | None = None):
@@ -128,7 +128,7 @@ class Figures:
     ) -> dict[str, Any]:
         """Return the report; of `toolpath` only the start and the spans are read.
 
-        whole_s: the time with what is waited behind the last row; None where nothing is.
+        whole_s: the time including dwells after the last row; None for an empty program.
         """
         whole = self._between(0, self._moves)
         return {
@@ -155,7 +155,7 @@ class Figures:
         }
 
     def _see_places(self, toolpath: Toolpath) -> None:
-        """Let the box grow by the way of the tip."""
+        """Extend the box by the path of the tip."""
         for chunk, begin, end in tips_of_chunks(toolpath):
             if len(chunk):
                 shift = chunk.end[:, :3] - end

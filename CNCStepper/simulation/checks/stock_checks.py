@@ -33,7 +33,7 @@ SPOIL_MM = 5.0  # a spoil board is cut no deeper on purpose; below lies the tabl
 def tools_known(subject: CheckContext, tools: Tools, seen: set[int]) -> Iterator[Finding]:
     """Yield each tool number that cuts and is not known, and each shape that is simulated as another.
 
-    seen: the numbers that were looked at before; those of this part are added.
+    seen: the numbers that were checked before; those of this part are added.
     """
     numbers = subject.tool_numbers
     feeds = np.flatnonzero(subject.is_feed)
@@ -155,7 +155,7 @@ class StillSpindle:
         self._reported = False  # a cut in the stretch of that row
 
     def __call__(self, checks: StockChecks) -> Iterator[Finding]:
-        """Yield what is found in the next part of the program."""
+        """Yield the findings in the next part of the program."""
         subject, still = checks.subject, ~checks.subject.spindle_on
         if not len(still):
             return

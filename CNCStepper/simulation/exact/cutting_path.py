@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The path that the judge looks at, of a program that is read part after part: on the disk until all of it is known."""
+"""The path for the judge, of a program that is read part after part: on the disk until it is complete."""
 
 from __future__ import annotations
 

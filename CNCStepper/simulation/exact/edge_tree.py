@@ -88,7 +88,7 @@ def nearest_edges(edges, tree, others):
 
 @njit
 def _nearest(edges, tree, other, guess, stack, least):
-    """Return which edge is nearest to another and how far, looking only for what is nearer than a guess is.
+    """Return the nearest edge to another one and its distance, searching only nearer than a guess.
 
     `stack` and `least` are room to walk.
     """
@@ -113,7 +113,7 @@ def _nearest(edges, tree, other, guess, stack, least):
 
 @njit
 def _least(tree, node, edge):
-    """Return how far an edge is at least from those below a node: the way between their boxes."""
+    """Return the least distance of an edge from those below a node: that of their boxes."""
     square = 0.0
     for axis in range(2):
         low, high = min(edge[0, axis], edge[1, axis]), max(edge[0, axis], edge[1, axis])

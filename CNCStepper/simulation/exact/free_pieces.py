@@ -33,7 +33,7 @@ from CNCStepper.simulation.exact.sheet_cuts import PathPieces, SheetCuts
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.tolerances import SAME_MM
 
-SLIVER_MM = 0.02  # what is narrower is left by rounding
+SLIVER_MM = 0.02  # narrower pieces are rounding
 QUAD_SEGMENTS = 8  # of the round ends of a kerf
 SHORT_KERFS = 4  # pieces of a wire's one cut are at least that many kerfs long
 MOST_SAMPLES = 400  # on the edge of a piece, where it is looked up what has cut it
@@ -82,7 +82,7 @@ class FreePiece:
 
 @dataclass(frozen=True)
 class Freed:
-    """What a program has cut free, in order, and what is left of the whole sheet: pieces, the rest of it among them."""
+    """The pieces that a program has cut free, in order, and the rest of the whole sheet."""
 
     free: list[FreePiece]
     pieces: list[Polygon]
@@ -116,14 +116,14 @@ class SheetVerdict:
 def sheet_verdict(
     subject: CheckContext, cutting: Cutting, tools: Tools, stock: Stock | None, ends_s: np.ndarray | None = None
 ) -> SheetVerdict:
-    """Return what a whole program cuts free of a sheet; ends_s: the end of every row, float64[n], where it is known."""
+    """Return the pieces that a program cuts free of a sheet; ends_s: the end of every row, float64[n], where known."""
     cuts = SheetCuts(cutting, tools, stock)
     cuts.see(subject, ends_s)
     return SheetVerdict(cuts, freed_pieces(cuts))
 
 
 def freed_pieces(sheet_cuts: SheetCuts) -> Freed | None:
-    """Return what a program cuts free; None where it is too long for that to be known."""
+    """Return the pieces that a program cuts free; None for a program that is too long."""
     if not sheet_cuts.is_complete:
         return None
     path = sheet_cuts.moving
@@ -264,7 +264,7 @@ class _Sets:
         self.unit = np.r_[np.full(len(sheet.pieces), len(sheet.firsts)), sheet.own_unit]
         pairs = sheet.neighbours()
         both = np.vstack([pairs, pairs[:, ::-1]])
-        both = both[self.unit[both[:, 1]] >= self.unit[both[:, 0]]]  # to what is given back before, or at once
+        both = both[self.unit[both[:, 1]] >= self.unit[both[:, 0]]]  # to pieces joined before, or at the same time
         both = both[np.argsort(both[:, 0], kind="stable")]
         self.begin = np.searchsorted(both[:, 0], np.arange(count + 1))
         self.touched = both[:, 1]
@@ -292,7 +292,7 @@ class _Sets:
                 yield unit, members
 
     def root(self, node: int) -> int:
-        """Return the node that stands for the set of a node."""
+        """Return the representative of a node's set."""
         while self.of[node] != node:
             self.of[node] = self.of[self.of[node]]
             node = self.of[node]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How deep the tool enters what is to stay.
+"""How deep the tool enters material that must stay.
 
 What is to stay is the stock without the removals. At height z the tool may be in U(z): every removal
 whose bottom lies at or below z, and the air beside the stock. A point q of the tool at height z lies
@@ -32,8 +32,8 @@ SMALL_MM = 0.0003  # what flattening may add; less is no gouge
 FIELD_STEP_MM = 1.0  # over a height field a piece counts with the highest top near parts of this length
 RAMP_STEP_MM = 0.05  # a ramp counts with the lower end of parts of this height
 WORST_PIECES = 64
-FEW_PIECES = 4  # of these are looked at first: they often show that no other can be worse
-COARSE_DISCS = 32  # with which the pieces that enter nothing are told from the rest
+FEW_PIECES = 4  # of these are computed first: they often show that no other can be worse
+COARSE_DISCS = 32  # by which pieces that enter nothing are sorted out
 FACE_RINGS = 12  # on the face of a cutter that is not flat
 MOST_AT_ONCE = 2_000_000  # discs of pieces
 MOST_PARTS = 500_000  # into which ramps are cut at once
@@ -68,11 +68,11 @@ class ProtectedMaterial:
         return self.field.highest_mm(low, np.maximum(pieces.begin, pieces.end)[:, :2] + radius_mm)
 
     def depth(self, points: np.ndarray, z_mm: np.ndarray) -> np.ndarray:
-        """Return how deep points float64[n, 2] at heights z lie in what is to stay."""
+        """Return how deep points float64[n, 2] at heights z lie in material that must stay."""
         depth = (self.top_mm if self.field is None else self.field.tops_at(points)) - z_mm
         for bottom_mm, region in zip(self.bottoms_mm, self.regions, strict=True):
             up_mm = np.maximum(bottom_mm - z_mm, 0)
-            open_ = np.flatnonzero(depth > up_mm)  # the way up to the floor is too long for the others
+            open_ = np.flatnonzero(depth > up_mm)  # the distance up to the floor is too long for the others
             depth[open_] = np.minimum(depth[open_], np.hypot(region.beyond(points[open_]), up_mm[open_]))
         return np.maximum(depth, 0.0)
 
@@ -94,7 +94,7 @@ class Entries:
 
 @dataclass(frozen=True)
 class PathEntries:
-    """The entries of one cutter's path, made anew block after block each time that they are asked for.
+    """The entries of one cutter's path, computed again block after block at each iteration.
 
     engraves: which of some entries are no gouge, but engrave, bool[n].
     """

@@ -68,7 +68,7 @@ class _Cover:
     parts: list[tuple[Cutter, Trees]]
 
     def thickness(self, points: np.ndarray, alone: bool) -> np.ndarray:
-        """Return the distance of floor points to the cut; `alone` counts the way across an island twice."""
+        """Return the distance of floor points to the cut; `alone` counts the distance across an island twice."""
         thickness = np.full(len(points), np.inf)
         for cutter, trees in self.parts:
             beside = trees.distance(points)
@@ -78,7 +78,7 @@ class _Cover:
         return thickness
 
     def clearance(self, points: np.ndarray) -> np.ndarray:
-        """Return what grows with the thickness, and goes on falling below zero under a flat floor."""
+        """Return a measure that grows with the thickness, and keeps falling below zero under a flat floor."""
         clearance = np.full(len(points), np.inf)
         for cutter, trees in self.parts:
             beside = trees.distance(points)
@@ -162,7 +162,7 @@ def _meeting(region: BaseGeometry, cutter: Cutter, pieces: Segments) -> Segments
 
 
 def _covers(removal: Removal, cuts: Cuts) -> Iterator[_Cover]:
-    """Yield what is cut at the floor, then at each level above it where a piece of path ends.
+    """Yield the cut at the floor, then at each level above it where a piece of path ends.
 
     Where a point went deeper than the floor, it is wider there: those levels come first.
     """
@@ -256,14 +256,14 @@ def _coarse(cutter: Cutter, blocks: Blocks) -> Iterator[tuple[BaseGeometry, np.n
 
 
 def _spread_mm(cutter: Cutter) -> float:
-    """Return the way between the points that stand for a path, at most."""
+    """Return the largest distance between the sample points of a path."""
     return max(VORONOI_STEP * cutter.radius_mm, 0.01)
 
 
 def _runs(blocks: Blocks) -> Iterator[list[np.ndarray]]:
     """Yield for each block its chains in runs of at most RUN_POINTS points that share their ends.
 
-    The last run of a block goes on in the next one, so that blocks of any length have the same runs.
+    The last run of a block continues in the next one, so that blocks of any length have the same runs.
     """
     waiting: Segments | None = None
     for pieces in blocks:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The path of a cutter in blocks, which are made or read anew each time that they are asked for.
+"""The path of a cutter in blocks, which are computed or read again at each iteration.
 
 A short path is held and is one block; of a long one, one block is in memory at a time.
 """
@@ -45,7 +45,7 @@ Cuts = list[tuple[Cutter, Blocks]]  # the path below the stock's top, by cutter
 class Trees:
     """What answers how near a path is: trees over its blocks, held until MOST_HELD segments are, then grown each time.
 
-    room: of all paths that are looked at together, how many segments are not held yet.
+    room: how many more segments all paths together may hold in memory.
     """
 
     def __init__(self, blocks: Blocks, room: list[int]):

@@ -24,13 +24,13 @@ from CNCStepper.simulation.exact.beams import beam_rows
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.simulation.tip_segments import Segments, segments
 from CNCStepper.state import State
+from CNCStepper.tolerances import NO_LENGTH_MM
 from CNCStepper.toolpath import RAPID
 
 FLATTEN_MM = 0.01
 MOST_SEGMENTS = 1_000_000
 MARKING_SHARE = 0.5  # of the chart's power
 BESIDE_MM = 1000.0  # how far a sheet that is not known reaches beyond the path
-NO_LENGTH_MM = 1e-6
 TORCH = 0  # of $ behind M3
 
 
@@ -74,7 +74,7 @@ class PathPieces:
 
 
 def is_torch(state: State) -> bool:
-    """Return whether what is on is the torch: QtPlasmaC's scribe ($1) and its spots ($2) do not go through."""
+    """Return whether the torch is on: QtPlasmaC's scribe ($1) and its spots ($2) do not go through."""
     return state.spindle_number == TORCH
 
 
@@ -139,7 +139,7 @@ class SheetCuts:
 
     @cached_property
     def moving(self) -> PathPieces:
-        """The cutting segments that go sideways: their kerf is what the sheet loses."""
+        """The cutting segments that move sideways: the sheet loses their kerf."""
         return self.cuts[_lengths(self.cuts) > NO_LENGTH_MM]
 
     def _rows_that_cut(self, subject: CheckContext) -> tuple[np.ndarray, np.ndarray]:

@@ -4,7 +4,7 @@
 A point of the tool at height z touches when it lies inside the stock and no earlier move has cut it
 down to z. The points lie on the front of the tool's rim, along the move, close together, and RUB_MM inside the
 tool, so that a tool that only rubs along a wall it has cut itself touches nothing. To them come the
-corners of what the move and the stock share, so that a corner of the stock between the points is met too.
+corners of the common area of move and stock, so that a corner of the stock between the points counts too.
 """
 
 from __future__ import annotations
@@ -23,21 +23,19 @@ from CNCStepper.tolerances import SAME_HEIGHT_MM
 
 RUB_MM = 0.005  # contact that is no deeper is no contact
 STEP_MM = 0.25  # between the places of the tool on a move
-LEVEL_STEP_MM = (
-    0.05  # places on a ramp are looked at together within this height: all at its upper end, then the lowest
-)
-DISCS = 9  # of a cutter that is not flat are looked at, spread over what is below the stock's top
+LEVEL_STEP_MM = 0.05  # places on a ramp are checked together within this height: all at its upper end, then the lowest
+DISCS = 9  # of a cutter that is not flat are checked, spread over its part below the stock's top
 RIM_STEP_MM = 0.25  # between the points of a disc's rim, at most; the places of a move close the gaps
 ALONE_STEP_MM = 0.02  # between those of a disc that has one place only
 FEWEST_POINTS = 64
-MISSES = 64  # as many places that no edge has cut are looked at one by one; an index finds the others faster
+MISSES = 64  # as many places that no edge has cut are checked one by one; an index finds the others faster
 INNER = (0.7, 0.4, 0.1)  # of the radius, at which points lie inside a rim
 
 Cuts = Iterable[tuple[Cutter, Segments]]  # the tip's path below the stock's top, by cutter, in the order of its rows
 
 
 class Remaining:
-    """The stock and the path that cuts it, asked what is left before a given row.
+    """The stock and the path that cuts it, for queries of the material left before a given row.
 
     before: paths whose every move comes before `path`, perhaps read from the disk each time.
     """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The cutting paths of a program's earlier parts, kept on the disk: what is asked of them is read when it is asked.
+"""The cutting paths of a program's earlier parts, on the disk, read on demand.
 
     blocks    (cutter, where in the file, how many segments)     float64[n, 7] each: begin, end and row
 

@@ -48,7 +48,7 @@ class Level:
 
 @dataclass(frozen=True)
 class Judgement:
-    """The verdict on a program: the deepest gouge into what is to stay and the thickest material left.
+    """The verdict on a program: the deepest gouge into material that must stay, and the thickest material left.
 
     gouge_tolerance_mm: what the removal nearest to the gouge allows. removals: what each of them leaves,
     in their order. levels: from the top downwards.
@@ -88,7 +88,7 @@ def judge(
 
 
 def judge_cuts(cuts: Cuts, removals: Sequence[Removal], stock: Stock | None = None) -> Judgement:
-    """Return the same of the tip's path below z = 0, as `cutting_path` gives it; a block of it is looked at at once."""
+    """Return the same of the tip's path below z = 0, as `cutting_path` gives it, block by block."""
     _, lines = _areas_and_lines(removals)  # drawn lines may leave the stock: beside it the tool cuts air
     removals = [_inside_stock(removal, stock) for removal in removals]
     areas, _ = _areas_and_lines(removals)
@@ -178,7 +178,7 @@ def _areas_and_lines(removals: Sequence[Removal]) -> tuple[list[Removal], list[R
 
 
 def _kept(areas: list[Removal], stock: Stock | None) -> ProtectedMaterial:
-    """Return what is to stay: by falling bottom the union of removals and air at or below it."""
+    """Return the material that must stay: by falling bottom the union of removals and air at or below it."""
     beside = []
     if stock is not None:
         beside = [shapely.box(-FAR_MM, -FAR_MM, FAR_MM, FAR_MM).difference(stock.outline)]

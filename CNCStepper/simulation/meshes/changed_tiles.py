@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A part tile by tile as faces: of a part at another moment only those tiles are drawn that look different.
+"""A part tile by tile as faces: for a part at another time only the changed tiles are drawn.
 
 +------+------+        A tile that a move has reached is another object than before. Where heights of it differ,
 |      |  /// |        the tiles are drawn again whose faces depend on them: walls stand between tiles, and a wall's

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The top faces of the pieces that a program cuts free of a sheet, each with the moment at which nothing holds it.
+"""The top faces of the pieces that a program cuts free of a sheet, each with the time at which it is free.
 
 +-----------+       A face of a 3D view has no holes: a piece is cut into
 |  .-----.  |       strips at the middle of each of its holes.
@@ -53,7 +53,7 @@ class FallenFaces:
             yield self.points[begin : begin + int(counts.sum())], counts
 
     def fallen_at(self, time_s: float) -> int:
-        """Return how many pieces, from the first on, are free at a moment."""
+        """Return how many pieces, from the first on, are free at a time."""
         return int(np.searchsorted(self.falls_s, time_s, side="right"))
 
     def save(self, path: Path) -> None:

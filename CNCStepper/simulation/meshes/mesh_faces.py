@@ -107,7 +107,7 @@ class Cells:
         return Faces(corners, _unit(np.stack([-gentle[0], -gentle[1], np.ones(len(z))], axis=1)))
 
     def _walls(self, axis: int) -> Faces:
-        """Return the walls between neighbours along an axis (0 is x), joined where they go on unchanged."""
+        """Return the walls between neighbours along an axis (0 is x), joined where they continue unchanged."""
         along_axis = self.heights if axis == 0 else self.heights.T
         lines = along_axis.shape[1] - 2 * RIM + self.last[axis]
         here, there = (along_axis[RIM:-RIM, RIM + k : RIM + k + lines] for k in (-1, 0))
@@ -195,7 +195,7 @@ def _runs_of_walls(here: np.ndarray, there: np.ndarray) -> tuple[np.ndarray, np.
 
 
 def _places(mask: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return row and column of what is set, as `np.nonzero` does, in a third of its time where little is."""
+    """Return row and column of set cells, as `np.nonzero` does, in a third of its time for few cells."""
     flat = np.flatnonzero(mask)
     row = flat // max(mask.shape[1], 1)
     return row, flat - row * mask.shape[1]

@@ -137,7 +137,7 @@ def mesh_of(part: HeightMap) -> Mesh:
 
 
 def _at_corner(corners: np.ndarray, row: int, column: int) -> np.ndarray:
-    """Return for every cell what stands at one of its corners."""
+    """Return for every cell the height at one of its corners."""
     return corners[row : corners.shape[0] - 1 + row, column : corners.shape[1] - 1 + column]
 
 

@@ -15,7 +15,7 @@ from CNCStepper.simulation.cutter_solid import height_at
 
 FLUTES = 3.0  # usual length of the cutting part, in diameters
 SHANK = 2.5  # usual length of the shank above it, in diameters
-SHANK_SHARE = 0.98  # of the cutter's radius, so that the two are told apart
+SHANK_SHARE = 0.98  # of the cutter's radius, so that the two look different
 ROUND_STEPS = 8
 
 

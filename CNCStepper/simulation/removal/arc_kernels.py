@@ -16,7 +16,7 @@ from CNCStepper.simulation.removal.line_kernels import lower, share_of
 from CNCStepper.simulation.removal.row_kernels import columns_between
 
 TURN = 2.0 * math.pi
-SCANS = 12  # places at which a pass is looked at before the best of them is refined
+SCANS = 12  # sample places of a pass before the best of them is refined
 GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
 REFINEMENTS = 30
 

@@ -32,19 +32,19 @@ PLACES_A_RADIUS = 4
 MOST_PLACES = 200_000  # that are followed at once
 MOST_PLACES_A_MOVE = 1_000_000
 ANGLE_STEP_DEG = 5.0
-WIDEST_DEG = 80.0  # to each side; beyond it the cells cannot tell the side from the front
+WIDEST_DEG = 80.0  # to each side; beyond it the cells cannot separate side and front
 MATERIAL_MM = 0.01  # higher above the tool's profile is material
 RINGS = ((0.3, 3), (0.6, 2), (0.9, 1))  # of the radius, where material inside a tool or holder is looked for; and step
 INSIDE = 0.75  # cells from the rim, inwards, where the angle is measured: a rim that only touches meets nothing
 AROUND = np.array([(np.cos(turn), np.sin(turn)) for turn in np.arange(72) * np.pi / 36])
-BESIDE = 1.5  # cells from the rim, inwards for what is cut and outwards for the wall beside
+BESIDE = 1.5  # cells from the rim, inwards for cut material and outwards for the wall beside
 TURNS_DEG = np.arange(-WIDEST_DEG, WIDEST_DEG + ANGLE_STEP_DEG / 2, ANGLE_STEP_DEG)
 AHEAD_OF = np.array([(np.cos(turn), np.sin(turn)) for turn in np.radians(TURNS_DEG)])
 
 
 @dataclass(frozen=True)
 class Engagement:
-    """What was met at k places of the tip along the path, in their order.
+    """The engagement at k places of the tip along the path, in their order.
 
     row: int64[k], of the table of moves. place_mm: float64[k, 3]. angle_deg: float64[k], of the rim in material,
     NaN where the tool goes straight down or up, or is too small for the map. uncut_mm, beside_mm, holder_mm:
@@ -67,7 +67,7 @@ class Engagement:
 
 
 def engagement(toolpath: Toolpath, tools: Tools, stock: Stock) -> Engagement:
-    """Return what the tools meet in the stock; rows whose tool is not known, and beams, cut nothing here."""
+    """Return the engagement of the tools in the stock; rows of unknown tools and of beams cut nothing here."""
     path, numbers = path_of(toolpath)
     area = Area(stock, tools)
     area.see(path, numbers)
@@ -120,7 +120,7 @@ class Area:
         return np.flatnonzero(np.diff(np.cumsum(counts) // MOST_PLACES)) + 1
 
     def followed(self, parts: Iterable[tuple[Segments, np.ndarray]]) -> Iterator[Engagement]:
-        """Yield what is met along the parts that were seen, one after the other."""
+        """Yield the engagement along the parts read so far, one after the other."""
         used = list(self.used.values())
         heights, corner, cell_mm = _map(self._stock, self._low, self._high, used)
         bodies = np.array([_body(tool) for tool in used])
@@ -170,7 +170,7 @@ class _Behind:
         self._done_mm = np.zeros(0)  # of the path, at each of them
         self._gone_mm = 0.0
         self._last: tuple[np.ndarray, int, bool] | None = None  # place and tool of the last one, whether it went aside
-        self._chain = 0  # among them, the first from which the path has gone on without a break
+        self._chain = 0  # among them, the first from which the path is unbroken
 
     def with_next(self, pieces: Segments, which: np.ndarray) -> tuple[int, _Window]:
         """Return these and the next places as one window, and which of it is the first of the next."""
@@ -198,7 +198,7 @@ class _Behind:
         self._chain -= count
 
     def _chains(self, pieces: Segments, which: np.ndarray, aside: np.ndarray, first: int) -> np.ndarray:
-        """Return of each next place the first in the window from which the path goes on without a break up to it."""
+        """Return for each next place the first in the window from which the path is unbroken up to it."""
         if not len(pieces):
             return np.zeros(0, np.int64)
         place, tool, went_aside = self._last or (np.full(3, np.nan), -1, False)
@@ -287,7 +287,7 @@ def _cells_within(middle, half, cell, count):
 
 @njit
 def _highest(heights, corner, per_mm, place, radius, step):
-    """Return the highest material on a circle about the tool's axis, looked at in every `step`-th direction."""
+    """Return the highest material on a circle about the tool's axis, sampled in every `step`-th direction."""
     found = -np.inf
     for k in range(0, len(AROUND), step):
         x, y = place[0] + radius * AROUND[k, 0], place[1] + radius * AROUND[k, 1]
@@ -321,7 +321,7 @@ def _angle(heights, corner, cell, place, direction, radius, rise):
 
 @njit
 def _follow(heights, corner, cell, first, places, direction, cut_before, which, bodies, top, met):
-    """Write to `met` what is met at the places from `first` on; return how many places are cut out of the map.
+    """Write the engagement at the places from `first` on to `met`; return how many places are cut out of the map.
 
     It is the angle, and the material over the tip in tool, wall and holder.
     """

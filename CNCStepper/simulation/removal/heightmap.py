@@ -109,7 +109,7 @@ class Grid:
 
 @dataclass(frozen=True)
 class Part:
-    """A stock at one moment: the tiles that moves have reached, by number; nothing of it is ever changed."""
+    """An immutable stock at one time: the tiles that moves have reached, by number."""
 
     grid: Grid
     tiles: Mapping[int, Tile] = field(default_factory=dict)
@@ -140,7 +140,7 @@ class Part:
         return number, Tile(heights, means, bottom_mm)
 
     def changed_since(self, other: Part) -> set[int]:
-        """Return the numbers of the tiles in which this part may differ from another moment of it; tiles are shared."""
+        """Return the numbers of the tiles in which this part may differ from it at another time; tiles are shared."""
         numbers = self.tiles.keys() | other.tiles.keys()
         return {number for number in numbers if self.tiles.get(number) is not other.tiles.get(number)}
 
@@ -182,7 +182,7 @@ class HeightMap:
     """
 
     def __init__(self, stock: Stock, cell_mm: float = 0.0, part: Part | None = None):
-        """cell_mm: the longest side a cell may have. part: what is cut already; its own cells are taken then."""
+        """cell_mm: the longest side a cell may have. part: an already cut part, whose own cells are used then."""
         self.part = part or Part(Grid.of(stock, cell_mm or max(stock.size_mm[:2]) / CELLS))
         self.stock = stock
         self.cell_mm = self.part.grid.cell_mm

@@ -61,7 +61,7 @@ def place_of(foot, beside, length, rise, following, joined, form, cell_mm):
     """
     radius, tip, corner, _ = form
     safe = radius - cell_mm
-    if tip > 0.0 and corner > 0.0:  # asks less than its lead does
+    if tip > 0.0 and corner > 0.0:  # needs less than its lead does
         if climbs(foot, beside, rise, form) > 0.0:
             return LEFT_OUT if joined & AFTER_LAST and is_within(foot, beside, safe) else 0.0
         past = foot - length
@@ -132,7 +132,7 @@ def columns_between(first, last, x0, per_mm, columns):
 
 @njit
 def strip_of(move, direction, turned, feet, joined, form, dx, dy):
-    """Return what the rows of a move have in common: first and last y; the circle that is left out; 1 / direction."""
+    """Return the common values of a move's rows: first and last y; the circle that is left out; 1 / direction."""
     length = move[3]
     ux, uy = direction
     wide = form[0] + 0.5 * (dx + dy)

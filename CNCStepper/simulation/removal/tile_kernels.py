@@ -53,7 +53,7 @@ def tiles_between(first, last, low, size, count):
 
 @njit
 def is_near(x, y, a, b, arc, arcs, distance):
-    """Say whether a move comes as near as `distance` to a point; of an arc its whole circle is looked at."""
+    """Return whether a move comes as near as `distance` to a point; an arc counts as its whole circle."""
     if arc >= 0:
         out = math.hypot(x - arcs[arc, 0], y - arcs[arc, 1])
         return min(arcs[arc, 4], arcs[arc, 5]) - distance <= out <= max(arcs[arc, 4], arcs[arc, 5]) + distance

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The part at any moment of planned time, forwards and backwards, with the same bytes whichever way.
+"""The part at any planned time, forwards and backwards, with the same bytes in both directions.
 
     moves    |--------c--------c--------c------|        c: a check-point, a part that shares all tiles with
     moment                        ^                     the one before it that no move has reached since
@@ -174,7 +174,7 @@ def _check_points(moves: Moves, uncut: Part) -> tuple[np.ndarray, list[Part]]:
 
 
 def _swept_cells(moves: Moves, cell_mm: tuple[float, float]) -> np.ndarray:
-    """Return about how many cells each move looks at."""
+    """Return about how many cells each move computes."""
     radius = moves.forms[moves.form, 0]
     length = np.hypot(*(moves.end - moves.begin)[:, :2].T)
     is_arc = moves.arc >= 0

@@ -7,7 +7,7 @@ import numpy as np
 
 MATERIAL = ("#2f6f9f", "#7fb3d0", "#cfe0dc", "#f3ead7")
 WALL = (214.0, 194.0, 158.0)
-LIGHT = (-0.46, -0.58, 0.67)  # from where it shines: over the left shoulder of who stands before the machine
+LIGHT = (-0.46, -0.58, 0.67)  # direction of the light: over the left shoulder of a person in front of the machine
 CONTRAST = 0.4
 
 

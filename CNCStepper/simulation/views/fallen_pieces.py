@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The pieces of a sheet that have fallen, hatched: at the moment of the picture nothing holds them any more.
+"""The pieces of a sheet that have fallen, hatched: at the time of the picture nothing holds them.
 
 They are drawn where they were cut, on the top face.
 """
@@ -25,7 +25,7 @@ Project = Callable[[np.ndarray], np.ndarray]  # from points float64[n, 3] to the
 
 
 def fallen_until(pieces: Sequence[FreePiece], until: Until | None) -> tuple[BaseGeometry, ...]:
-    """Return the shapes of the pieces that come free before a moment, or by its end; None is before the first move."""
+    """Return the shapes of the pieces that come free before a time, or by the end; None is before the first move."""
     if until is None:
         return ()
     last = until.row if until.share == 1.0 else until.row - 1

@@ -21,7 +21,7 @@ MARGIN = 0.03  # round everything, in shares of its longest side
 
 
 def bounds(box_mm: np.ndarray, seen: tuple[int, int]) -> np.ndarray:
-    """Return low and high corner of what is shown of a box, float64[2, 2]."""
+    """Return low and high corner of the visible part of a box, float64[2, 2]."""
     flat = box_mm[:, list(seen)]
     margin = MARGIN * (flat[1] - flat[0]).max()
     return np.array([flat[0] - margin, flat[1] + margin])
@@ -82,7 +82,7 @@ def _from_above(points: np.ndarray) -> np.ndarray:
 
 
 def _limits_cross(scene: Scene) -> bool:
-    """Return whether a limit of travel lies within what the depth map shows."""
+    """Return whether a limit of travel lies within the depth map."""
     if scene.limits_mm is None:
         return False
     stock = scene.part.stock

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A program on paper: what it is, the work surface with the tool's path, and the text with line numbers.
 
-The work surface is seen from above; a program that never says Y is a lathe's and is seen with Z to the right.
+The work surface is seen from above; a program without Y is a lathe's and is seen with Z to the right.
 
 PDF in A4 pages through matplotlib, or one HTML page that needs nothing beside it.
 """
@@ -183,7 +183,7 @@ def _picture(figure: Figure, sheet: Sheet, box_inch: tuple[float, float, float, 
 
 
 def _shown_mm(axes: Axes) -> np.ndarray:
-    """Widen what is shown where it is narrow, so that it has room for its numbers; return width and height in mm."""
+    """Widen a narrow view, so that it has room for its numbers; return width and height in mm."""
     limits = np.array([axes.get_xlim(), axes.get_ylim()])
     size = limits[:, 1] - limits[:, 0]
     wanted = np.maximum(size, max(LEAST_MM, NARROWEST * size.max()))

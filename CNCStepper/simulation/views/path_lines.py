@@ -24,7 +24,7 @@ class Lines:
     counts: np.ndarray
 
     def pieces(self, most: int) -> Iterator[Lines]:
-        """Yield the same polylines, at most `most` points at a time; one that is cut goes on from its last point."""
+        """Yield the same polylines, at most `most` points at a time; one that is cut continues from its last point."""
         ends = np.cumsum(self.counts)
         for first in range(0, max(len(self.points) - 1, 0), most - 1):
             last = min(first + most, len(self.points))
@@ -48,7 +48,7 @@ class Until:
 
 @dataclass(frozen=True)
 class DrawnPath:
-    """Polylines float64[k, 3] by what the tool does on them; the last point of a plunge is its lower end."""
+    """Polylines float64[k, 3] by kind of motion; the last point of a plunge is its lower end."""
 
     rapids: list[np.ndarray]
     feeds: list[np.ndarray]

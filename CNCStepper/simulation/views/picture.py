@@ -37,7 +37,7 @@ MOST_INCH = 6.1
 def save_picture(file: Path, scene: Scene, title: str = "", facts: list[str] | None = None) -> None:
     """Write a program's picture as PNG or SVG, 1600 pixels wide and as high as its two views.
 
-    facts: what the head tells below the title, as of `facts_of`.
+    facts: the lines of the head below the title, as of `facts_of`.
     """
     path = scene.path((0, 1))
     frame = isometric_view.frame_of(scene.part)
@@ -112,7 +112,7 @@ def _draw_plan(
 
 
 def _plan_bounds(part: HeightMap, path: DrawnPath) -> np.ndarray:
-    """Return the corners of what the plan shows: the stock, and the path beside it up to half the stock's length."""
+    """Return the corners of the plan view: the stock, and the path beside it up to half the stock's length."""
     low, high = np.array(part.stock.low_mm[:2]), np.array(part.stock.high_mm[:2])
     span = float(max(high - low))
     points = np.vstack([path.points_mm[:, :2], low, high])

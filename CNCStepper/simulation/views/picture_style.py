@@ -81,13 +81,13 @@ STYLES: dict[str, dict[str, Any]] = {
 
 
 def heights_scale(part: HeightMap, deepest_mm: float = 0.0) -> Normalize:
-    """Return the scale of a part's colours, from its deepest cut, or that of a later moment, to its top."""
+    """Return the scale of a part's colours, from its deepest cut, or that of a later time, to its top."""
     lowest = deepest_shown_mm(min(float(part.heights_mm.min()), deepest_mm), part.stock.bottom_mm, part.stock.top_mm)
     return Normalize(lowest, part.stock.top_mm)
 
 
 def head(figure: Figure, title: str, facts: Iterable[str], left_inch: float = 0.32) -> None:
-    """Write the title and, below it, what is known in figures."""
+    """Write the title and, below it, the figures."""
     width, height = figure.get_size_inches()
     figure.text(left_inch / width, 1 - 0.42 / height, title, fontsize=17, fontweight="bold", color=INK)
     line = "   ·   ".join(fact for fact in facts if fact)
@@ -95,7 +95,7 @@ def head(figure: Figure, title: str, facts: Iterable[str], left_inch: float = 0.
 
 
 def legend(figure: Figure, names: Iterable[str], centre: float, bottom_inch: float) -> None:
-    """Tell what is shown, and no more, around `centre` (a share of the width) above `bottom_inch`."""
+    """Write the legend of the shown elements around `centre` (a share of the width) above `bottom_inch`."""
     handles = [
         Line2D([], [], color=COLOURS[name], lw=1.4, ms=9, label=TEXTS[name], **STYLES[name])
         for name in STYLES

@@ -52,7 +52,7 @@ class Scene:
 
     @property
     def deepest_mm(self) -> float:
-        """The lowest height that the tip has at any moment of the program, not above the stock's top."""
+        """The lowest height of the tip in the program, not above the stock's top."""
         return float(self._whole_path_mm[:, 2].min(initial=self.part.stock.top_mm))
 
     @cached_property
@@ -76,7 +76,7 @@ def scene_at(
     machine: Machine | None = None,
     pieces: Sequence[FreePiece] = (),
 ) -> Scene:
-    """Return the scene of a moment, or of the program's end; `part` is the stock at that moment.
+    """Return the scene at a time, or at the program's end; `part` is the stock at that time.
 
     machine: its travel is the work surface, where the work zero is known. pieces: what the program cuts free.
     """

@@ -50,7 +50,7 @@ class _ImageWriter(PillowWriter):
 
 
 MOVIES: dict[str, Any] = {".gif": _ImageWriter, ".apng": _ImageWriter, ".webp": _ImageWriter, ".mp4": FFMpegWriter}
-Captioned = tuple[Scene, list[str]]  # a scene and the facts that its head tells
+Captioned = tuple[Scene, list[str]]  # a scene and the facts of its head
 
 
 def save_view(file: Path, view: str, scene: Scene, title: str, facts: Iterable[str]) -> None:
@@ -95,7 +95,7 @@ def _writer(file: Path) -> AbstractMovieWriter:
 
 
 def _bounds(view: str, scene: Scene) -> np.ndarray:
-    """Return low and high corner of the view, float64[2, 2]: the same at every moment of a program."""
+    """Return low and high corner of the view, float64[2, 2]: the same at every time of a program."""
     if view == "isometric":
         return isometric_view.bounds(scene.box_mm, isometric_view.frame_of(scene.part, scene.limits_mm))
     stock = scene.part.stock

@@ -12,10 +12,10 @@ import os
 from typing import Any
 
 from CNCStepper.drawing.solids.process_limits import answer, limit_process, refuse
+from CNCStepper.tolerances import SAME_MM
 
 QUESTION = "CNCSTEPPER_SOLID"
 LEVEL = 1e-9  # of a face's direction
-SAME_MM = 1e-6
 
 
 def main(path: str, height: str, tolerance: str) -> None:

@@ -31,17 +31,21 @@ SETTLED_S = 0.5
 class SecondGo:
     """The restart after `first`; `said` is what the journal and the restart state.
 
+    seen_line: from which on a person sees that the part is not cut, where the machine was not where it counted.
+
     homes: whether the machine homes itself first, since its place is not known. is_well_advised: whether the journal
     says so too.
     """
 
-    def __init__(self, bench: FaultBench, first: Run):
+    def __init__(self, bench: FaultBench, first: Run, seen_line: int | None = None):
         story = story_of(bench)
         has_switches = bench.board.memory.settings.on(HOMING)
         self.homes = has_switches and not is_known(first)
         self.is_well_advised = story is None or ("home it" in dict(summary_of(story))["position"]) == has_switches
         lines = bench.lines
         self.said = Interval(story.finished, story.may_be_sent, story.finished) if story else Interval(0, 0, 0)
+        if seen_line is not None:
+            self.said = Interval(seen_line, self.said.last, seen_line)
         self.rows: list[Row] = []
         self.claim: Claim | None = None
         if job := self._job(lines):

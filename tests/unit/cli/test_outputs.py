@@ -66,6 +66,8 @@ def test_every_path_of_every_verb_is_an_input_or_under_the_rule(names: tuple[str
 
 def test_the_walk_finds_the_verbs_that_write() -> None:
     writers = {
+        "drawing",
+        "job",
         "run",
         "check",
         "steps",
@@ -101,7 +103,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 def inputs(command: click.Command) -> dict[str, str]:
     """Return the files that a call of `call` reads, by the option or argument that names them."""
-    named = {"program": "p.nc", "job": "j.toml", "job_path": "j.toml", "file": "i.tbl"}
+    named = {"program": "p.nc", "job": "j.toml", "job_path": "j.toml", "file": "i.tbl", "template": "j.toml"}
     files = {}
     for param in command.params:
         if isinstance(param.type, InputPath):

@@ -250,6 +250,30 @@ def test_an_open_door_holds_until_it_is_closed(with_switches: Talk) -> None:
     assert talk.output.position_steps == (800, 0, 0) and talk.output.on == {"flood"}
 
 
+@pytest.mark.parametrize("processes", [["plasma"], ["milling"]])
+def test_a_torch_on_an_output_goes_off_behind_an_open_door_and_comes_back(processes: list[str]) -> None:
+    """grbl leaves M62 on there; on a mill the output may be a clamp."""
+    talk = Talk(wired(input=SWITCHES, processes=processes), wired=RELAYS)
+    press(talk, set())
+    talk.send("M62P0")
+    talk.line("G21G91G1X20F900")
+    talk.pass_time(0.5)
+    press(talk, {13})
+    assert talk.output.rate_mm_min > 0 and "output_0" in talk.output.on, "it still brakes"
+    talk.pass_time(0.5)
+    is_mill = processes == ["milling"]
+    assert talk.status()[""] == "Door:1" and talk.output.on == ({"output_0"} if is_mill else set())
+    press(talk, set())
+    assert talk.output.on == ({"output_0"} if is_mill else set()), "until somebody resumes"
+    talk.say("~")
+    assert talk.output.on == {"output_0"} and talk.status()[""] == ("Run" if is_mill else "Door:3")
+    here = talk.output.position_steps
+    talk.pass_time(3.5)
+    assert is_mill or talk.output.position_steps == here
+    talk.until_idle()
+    assert talk.output.position_steps == (800, 0, 0) and talk.output.on == {"output_0"}
+
+
 def test_a_button_for_the_way_back_is_reported_to_the_sender(with_switches: Talk) -> None:
     press(with_switches, {15})
     assert with_switches.status()["Pn"] == "A"

@@ -223,3 +223,82 @@ def test_cycles_are_told_the_stock_and_the_parts_that_stand(tmp_path: Path) -> N
     setup = job.setup(job.operation[0])
     assert setup.stock is not None and setup.stock.area_mm2 == 3600.0 and setup.keep == ()
     assert np.array_equal(setup.stock.xy[0], (0.0, 0.0))
+
+
+@pytest.mark.parametrize(
+    ("keys", "areas_mm2"),
+    [
+        ({}, (100 * math.pi, 400.0)),
+        ({"layer": "C*"}, (100 * math.pi, 400.0)),
+        ({"without": [{"layer": "corte 2"}]}, (400.0,)),
+        ({"layer": "corte*", "nesting": 1}, (100 * math.pi,)),
+        ({"nesting": 0, "offset_mm": [5, 7], "rotation_deg": 90}, (400.0,)),
+    ],
+)
+def test_chains_of_a_drawing_are_selected_and_placed(tmp_path: Path, keys: dict[str, Any], areas_mm2: tuple) -> None:
+    document = ezdxf.new(units=ezdxf.units.MM)
+    space = document.modelspace()
+    space.add_lwpolyline([(0, 0), (20, 0), (20, 20), (0, 20)], close=True, dxfattribs={"layer": "Corte"})
+    space.add_circle((10, 10), 10, dxfattribs={"layer": "Corte 2"})
+    document.saveas(tmp_path / "part.dxf")
+    table = {"name": "part", "drawing": {"file": "part.dxf", **keys}}
+    curves = shapes_of(table, folder=tmp_path).curves["part"]
+    assert sorted(abs(curve.area_mm2) for curve in curves) == pytest.approx(sorted(areas_mm2))
+    if "offset_mm" in keys:
+        assert curves[0].box_mm == pytest.approx((-15, 7, 5, 27))
+
+
+def test_a_drawing_without_what_a_shape_wants_names_what_it_has(tmp_path: Path) -> None:
+    drawing(tmp_path / "part.dxf")
+    with pytest.raises(JobError) as refusal:
+        shapes_of({"name": "a", "drawing": {"file": "part.dxf", "layer": "x*"}}, folder=tmp_path)
+    assert refusal.value.code == "drawing-selection" and "'Corte'" in refusal.value.advice
+    with pytest.raises(JobError, match=r"cannot be read"):
+        shapes_of({"name": "a", "drawing": {"file": "part.xyz"}}, folder=tmp_path)
+
+
+def test_a_drawing_is_mended_where_the_shape_says_so_and_the_notes_tell(tmp_path: Path) -> None:
+    drawing(tmp_path / "part.dxf")
+    table = {"name": "a", "drawing": {"file": "part.dxf", "layer": "Aberto", "mend": {"close_mm": 0.1}}}
+    shapes = shapes_of(table, folder=tmp_path)
+    assert [curve.length_mm for curve in shapes.curves["a"]] == pytest.approx([20])
+    assert any("gaps were closed: 1" in note for note in shapes.notes)
+
+
+def test_a_shape_of_the_library_is_drawn_by_its_dimensions() -> None:
+    keys = {"kind": "flange", "holes": 4, "bore_diameter_mm": 0, "offset_mm": [50, 40], "rotation_deg": 45}
+    every, holes = (shapes_of({"name": "f", "library": keys | {"part": part}}).curves["f"] for part in ("all", "holes"))
+    assert len(every) == 5 and len(holes) == 4 and every[0].box_mm == pytest.approx((10, 0, 90, 80))
+    assert holes[0].centres[0].tolist() == pytest.approx([50 + 30 * math.sqrt(0.5), 40 + 30 * math.sqrt(0.5)])
+
+
+@pytest.mark.parametrize(
+    ("library", "words"),
+    [
+        ({"kind": "blob"}, "no shape 'blob'"),
+        ({"kind": "ring", "inner_diameter_mm": 50}, "must be larger than"),
+        ({"kind": "ring", "thickness_mm": 50}, "no dimension 'thickness_mm'"),
+        ({"kind": "slot", "part": "holes"}, "has no holes"),
+        ({"kind": "slot", "offset_mm": "x"}, "offset_mm"),
+        ({}, "kind"),
+    ],
+)
+def test_a_library_shape_that_cannot_be_is_refused(library: dict[str, Any], words: str) -> None:
+    with pytest.raises(JobError) as refusal:
+        shapes_of({"name": "f", "library": library})
+    assert words in str(refusal.value)
+
+
+def test_freehand_points_become_few_arcs_within_the_tolerance(tmp_path: Path) -> None:
+    chance = np.random.default_rng(4)
+    angles = np.linspace(0, 2 * np.pi, 400)
+    points = np.column_stack([40 * np.cos(angles), 25 * np.sin(angles)]) + chance.uniform(-0.08, 0.08, (400, 2))
+    (tmp_path / "hand.csv").write_text("".join(f"{x:.4f},{y:.4f}\n" for x, y in points), "ascii")
+    drawn, smooth = (
+        shapes_of({"name": "h", "points": "hand.csv", "smooth_mm": mm}, folder=tmp_path).curves["h"][0]
+        for mm in (0, 0.2)
+    )
+    assert len(drawn) == 399 and len(smooth) < 40 and smooth.bulge.any()
+    assert float(smooth.distances_mm(drawn.xy).max()) <= 0.2 + 1e-9
+    with pytest.raises(JobError, match="smooth_mm belongs to points"):
+        shapes_of({"name": "c", "circle_mm": {"centre": [0, 0], "radius": 3}, "smooth_mm": 0.1})

@@ -100,8 +100,8 @@ def test_what_is_not_cut_before_the_place_is_found(monkeypatch: pytest.MonkeyPat
         lift = type(chunk)(0, *(getattr(chunk, column)[rows:] for column in COLUMNS))
         return replace(one, cut=replace(one.cut, chunks=[lift], events=[], spans=[]))
 
-    restart_module_restart = restart_module.restart
-    monkeypatch.setattr(restart_module, "restart", forgets)
+    restart_module_restart = restart_module.restart_of
+    monkeypatch.setattr(restart_module, "restart_of", forgets)
     proven = restart_job(job, machine, text, RequestedPlace(line=120), file="p.nc")
     assert proven.proof.refused
     assert {"left-over", "restart-incomplete"} & {finding.code for finding in proven.proof.findings}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Alarm and error codes in words: what a number means and what to do, and those of grbl 1.1.
+"""Alarm and error codes as texts: meaning and remedy of a number; those of grbl 1.1.
 
 gnea/grbl `doc/csv`; ALARM:10 is that of its double axes. Each other firmware has its own table beside this one.
 """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a controller of ours cannot do, in words: it says so itself when it is met, before the first line is sent.
+"""Functions that a CNCStepper controller lacks, as texts: the controller reports them at connection.
 
 [CANNOT:hold] of `$I`  ──►  driver.cannot  ──►  SenderStatus.cannot, `check_can`, warnings before a job
 """
@@ -28,7 +28,7 @@ REASONS: dict[str, tuple[str, str]] = {  # of each word of [CANNOT:...]: why not
     "position": ("this machine does not report its position: it is counted from what was sent", "look at the machine"),
 }
 OF_PROGRAMS = frozenset(REASONS) - {"home", "probe", "jog"}  # that matter while a program runs
-NEEDS: dict[str, tuple[str, ...]] = {  # of each command: what the machine must be able to do for it
+NEEDS: dict[str, tuple[str, ...]] = {  # the ability that each command needs
     "hold": ("hold",),
     "resume": ("resume",),
     "stop": ("stop",),
@@ -43,7 +43,7 @@ NEEDS: dict[str, tuple[str, ...]] = {  # of each command: what the machine must 
 
 
 def reason(word: str) -> str:
-    """Return in a sentence why a machine cannot do what a word of [CANNOT:...] names, for a button's tooltip."""
+    """Return why a machine lacks the function that a word of [CANNOT:...] names, for a button's tooltip."""
     why, what_to_do = _reason(word)
     return Text("{why}: {what_to_do}", why=why, what_to_do=what_to_do)
 

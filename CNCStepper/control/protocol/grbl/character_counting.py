@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Character counting: which lines the controller has not answered, and whether its receive buffer has room for more.
+"""Character counting: lines that the controller has not answered, and the room in its receive buffer.
 
 The controller keeps `window` bytes of lines that it has not read. Every line sent is remembered with its length until
 its answer comes; answers come in the order of the lines.
@@ -37,7 +37,7 @@ class CharacterCounting:
         self.unanswered: deque[Sent] = deque()
         self.bytes_under_way = 0
         self.to_write = bytearray()
-        self._free_bytes = 0  # with nothing under way: what the controller says of its whole buffer
+        self._free_bytes = 0  # with nothing under way: the controller's report of its whole buffer
 
     def fits(self, text: str) -> bool:
         """Return whether the receive buffer has room for one more line."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Meeting a controller: wait until it is awake, learn what it is and how it is set, change nothing."""
+"""Connects to a controller: waits until it is awake, reads its version and settings, changes nothing."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class ControllerInfo:
 def handshake(driver: Grbl, timing: Timing) -> ControllerInfo:
     """Wake the controller up, refuse it unless it is idle, and read what it is (`$I $$ $# $G`).
 
-    Raises LinkError when nothing there speaks grbl 1.1, MachineRefusal when it is not idle.
+    Raises LinkError when no grbl 1.1 answers, MachineRefusal when it is not idle.
     """
     woken = wake_up(driver, timing)
     check_state(driver.status)
@@ -66,7 +66,7 @@ def learn(driver: Grbl, timing: Timing, greeted: bool = False) -> ControllerInfo
 
 
 def look_again(driver: Grbl, timing: Timing) -> ControllerInfo:
-    """Ask a controller that is idle what may have changed since it was met: its offsets and modes."""
+    """Read the offsets and modes of an idle controller, which may have changed since the connection."""
     offsets, modes = read_offsets(driver, timing), read_modes(driver, timing)
     return ControllerInfo("", driver.firmware, dict(driver.settings), offsets, modes)
 
@@ -150,7 +150,7 @@ def wake_up(driver: Grbl, timing: Timing, locked: bool = False) -> list[Received
 def discard_half_line(driver: Grbl, timing: Timing) -> None:
     """Make a line refused that an earlier sender left unfinished in the controller.
 
-    A `$` at its end spoils the whole line, so that nothing of it is run; alone it asks for help.
+    A `$` at its end makes the whole line invalid, so that nothing of it runs; alone it requests help.
     """
     driver.send("$")
     _answer(driver, timing)
@@ -181,7 +181,7 @@ def alarm_refusal(alarm: Alarm, firmware: Firmware) -> MachineRefusal:
 
 
 def restart_refusal(greeting: Greeting) -> MachineRefusal:
-    """Return what a greeting in the middle of a job means."""
+    """Return the error of a greeting in the middle of a job."""
     return MachineRefusal(
         RESTARTED,
         "the controller restarted in the middle of the job",

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The protocol driver of grbl 1.1: what is written, what is answered, and how much may be under way.
+"""The protocol driver of grbl 1.1: lines written, answers, and the number of bytes under way.
 
-How many lines may be under way says `character_counting.py`.
+`character_counting.py` limits the lines under way.
 
 Of these at most the link's `queue_bytes` wait in this computer; the others are kept here until there is room.
 
@@ -38,7 +38,7 @@ from CNCStepper.safe_text import printable
 from CNCStepper.units import mm_from_inch
 
 LINES_PER_S = 50.0  # for good; controllers that report by themselves do so 20 times a second
-MOST_LINES = 400  # at a time: what FluidNC says when it starts is a quarter of that
+MOST_LINES = 400  # at a time: FluidNC's start-up text is a quarter of that
 MOST_OF_AN_ANSWER = 10_000  # to a `$` command, which may list all settings
 
 
@@ -197,7 +197,7 @@ class Grbl:
     def receive(self, wait_s: float) -> list[Received]:
         """Return the controller's messages, waiting up to `wait_s` for the first byte.
 
-        Raises LinkError when the link broke, an answer comes to which there is no line, or nobody asked for so much.
+        Raises LinkError for a broken link, an answer without a line, or a flood of text.
         """
         questions = self._questions
         received = [self._taken(report) for report in map(status_reports.parse, self._lines(self._read(wait_s)))]
@@ -241,7 +241,7 @@ class Grbl:
         return min(self.link.waiting_bytes(), self.counting.written())
 
     def _read(self, wait_s: float) -> bytes:
-        """Return what came, and write what is queued as the line takes it."""
+        """Return the text received, and write queued bytes as the line takes them."""
         end_s = self.clock() + wait_s
         if self.counting.bytes_under_way > self._rest_bytes():
             if not self._rested(min(self.link.leaving_s(self._rest_bytes()), LONGEST_REST_S, wait_s)):

@@ -28,8 +28,8 @@ TOOL = "Tool"  # the state in which grblHAL waits for a person at its M6
 TOOL_CHANGED = b"\xa3"  # to grblHAL in that state: nothing else comes, so that it takes jogs and a new zero
 LOOK_UP = "look the number up in the documentation of the controller's version"
 GRBLHAL_TAGS = ("NEWOPT", "AXS")  # of `$I`, which grbl does not have
-OWN_NAME = "cncstepper "  # begins the name of a controller of ours in [FIRMWARE:...]
-CANNOT = "CANNOT"  # of `$I`: what a controller of ours cannot do
+OWN_NAME = "cncstepper "  # begins the name of a CNCStepper controller in [FIRMWARE:...]
+CANNOT = "CANNOT"  # of `$I`: functions that a CNCStepper controller lacks
 TOO_FAST = Code(
     "this computer cannot keep the pulse rate of this program",
     "look at what it says, end other programs, or choose lower speeds",

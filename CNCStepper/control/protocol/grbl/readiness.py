@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Whether a machine may be given a program: its state, and its settings against the profile."""
+"""Whether a machine is ready for a program: its state, and its settings against the profile."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ def check_state(status: Status | None) -> None:
 
 
 def state_refusal(status: Status | None) -> MachineRefusal:
-    """Return what is wrong with a state in which no program can be cut, and what to do."""
+    """Return the error and the remedy of a state in which no program can be cut."""
     state = status.state if status else "silent"
     return MachineRefusal(
         f"machine-{state.lower()}",

@@ -79,7 +79,7 @@ STATES = (
 
 @dataclass(frozen=True)
 class Answer:
-    """`ok` (error 0) or `error:n`; -1 stands for an error without a number."""
+    """`ok` (error 0) or `error:n`; -1 for an error without a number."""
 
     error: int = 0
     text: str = "ok"

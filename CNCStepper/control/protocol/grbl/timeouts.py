@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How long a sender waits for what, in seconds."""
+"""The time limits of a sender, in seconds."""
 
 from __future__ import annotations
 

@@ -62,7 +62,7 @@ class JogGuard:
 
     def _tell(self, what: bytes) -> None:
         assert self._process.stdin
-        with suppress(OSError):  # a guard that is gone is no reason to stop a jog that is watched
+        with suppress(OSError):  # an ended guard is no reason to stop a watched jog
             self._process.stdin.write(what)
 
 

@@ -33,7 +33,7 @@ NO_PARITY = "the port is opened 8N1: neither a socket nor a pseudo-terminal has 
 
 
 class LathePort(Protocol):
-    """Where the lathe's bytes go; note: what a person should know of the port, or ""."""
+    """The output for the lathe's bytes; note: a warning about the port, or ""."""
 
     note: str
 
@@ -66,7 +66,7 @@ class SerialPort:
             self._guard.after(data)
 
     def check(self) -> None:
-        """Raise LinkError where the port is gone; what comes in is thrown away, since the lathe says nothing."""
+        """Raise LinkError where the port is closed; input is discarded, since the lathe sends nothing."""
         try:
             self._port.read(READ_BYTES)
         except (OSError, ValueError) as error:
@@ -74,7 +74,7 @@ class SerialPort:
 
     def close(self) -> None:
         """Send what waits, and give the port back."""
-        with suppress(Exception):  # termios' own errors are no OSError; the port may be gone
+        with suppress(Exception):  # termios' own errors are no OSError; the port may be closed
             self._port.flush()
         if self._guard:
             self._guard.close()
@@ -109,7 +109,7 @@ class RecordingPort:
 def open_port(name: str) -> LathePort:
     """Open a serial device, URL of pyserial, pseudo-terminal or `record:FILE`.
 
-    Raises LinkError that says what to do where it cannot be had, MissingPackage without pyserial.
+    Raises LinkError with advice where it cannot be opened, MissingPackage without pyserial.
     """
     if name.startswith(RECORD):
         return _recording(Path(name.removeprefix(RECORD)))

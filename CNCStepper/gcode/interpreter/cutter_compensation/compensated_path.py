@@ -35,10 +35,10 @@ from CNCStepper.gcode.interpreter.cutter_compensation.move_queue import (
 )
 from CNCStepper.gcode.interpreter.motion.arcs import Arc
 from CNCStepper.gcode.interpreter.state import stand_alone_position
+from CNCStepper.tolerances import TANGENT_ENTRY
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, PLANE_AXES, PLANE_NAMES, RAPID
 
 SMALL = 0.05  # rad: corners flatter than this are none (LinuxCNC's TOLERANCE_CONCAVE_CORNER)
-TOUCHING = 1e-4  # cosine of the angle at which the entry arc would be a line
 GOUGE = "the compensated tool cannot reach this corner without gouging"
 
 
@@ -95,7 +95,7 @@ def _here(block: Block) -> tuple[complex, float]:
 
 
 def _enter_straight(block: Block, motion: int, goal: Path3, feed: float) -> None:
-    """The first move ends beside its goal, perpendicular to the way there."""
+    """The first move ends offset from its goal, perpendicular to the programmed move."""
     ours = _ours(block)
     here, _ = _here(block)
     way = complex(*goal[:2]) - here
@@ -217,7 +217,7 @@ def _enter_arc(block: Block, goal: Path3, centre: complex, turns: int, feed: flo
     end += rect(radius, gamma)
     direction = phase(centre - end)
     angle = phase(here - end) - direction
-    if abs(cos(angle)) < TOUCHING:
+    if abs(cos(angle)) < TANGENT_ENTRY:
         raise _gouges()
     centre = end + rect(abs(here - end) / 2 / cos(angle), direction)
     if ours.orientation not in (0, 9):  # a lathe tool's own point moves first, else the arc is none

@@ -14,8 +14,9 @@ from CNCStepper.gcode.dialects.codes import Code
 from CNCStepper.gcode.interpreter.block import Block
 from CNCStepper.gcode.interpreter.cutter_compensation.compensation_state import Compensation, Path3
 from CNCStepper.gcode.interpreter.cutter_compensation.move_queue import end_queue_at, release
-from CNCStepper.gcode.interpreter.functions.tools import NEAR, entry_of
+from CNCStepper.gcode.interpreter.functions.tools import entry_of
 from CNCStepper.gcode.interpreter.state import stand_alone_position
+from CNCStepper.tolerances import WHOLE_NUMBER
 from CNCStepper.toolpath import PLANE_AXES, PLANE_NAMES
 
 PLANES = ("XY", "ZX")
@@ -27,7 +28,7 @@ def compensation_by_tool(block: Block, code: Code) -> None:
     entry = block.model.loaded
     if "D" in block.plan.slots:
         number = block.value("D")
-        if abs(round(number) - number) >= NEAR or number < 0:
+        if abs(round(number) - number) >= WHOLE_NUMBER or number < 0:
             what: str = Text("D of {code} is the number of a tool", code=code.name)
             raise ProgramError("bad-value", what, value="D", limit="a whole number from 0", advice="correct D")
         entry = entry_of(block, round(number), "D") if round(number) else block.model.loaded
@@ -79,7 +80,7 @@ def compensation_off(block: Block, code: Code) -> None:
     block.call('COMMENT("interpreter: cutter radius compensation off")')
     ours = block.model.compensation
     if ours and ours.entered and ours.radius:
-        block.model.arc_allowed = False  # the way off the contour is a line
+        block.model.arc_allowed = False  # the move off the contour is a line
     end_compensation(block)
 
 

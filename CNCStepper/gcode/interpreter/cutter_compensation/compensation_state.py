@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What cutter compensation remembers from block to block: its radius and side, and the moves that wait."""
+"""The state of cutter compensation between blocks: its radius and side, and the moves that wait."""
 
 from __future__ import annotations
 

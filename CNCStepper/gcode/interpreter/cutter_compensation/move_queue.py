@@ -16,9 +16,9 @@ from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpreter.block import Block
 from CNCStepper.gcode.interpreter.cutter_compensation.compensation_state import Path3, QueuedMove
 from CNCStepper.gcode.interpreter.motion.arcs import Arc
+from CNCStepper.tolerances import SAME_TEXT_RADIUS
 from CNCStepper.toolpath import PLANE_AXES, PLANE_NAMES
 
-SAME_RADIUS = 0.01  # units of the text: an arc whose ends differ more in radius is none
 MORE_SWEEP = 0.001  # rad
 LEFT_OF_TIP, RIGHT_OF_TIP = (2, 6, 1), (3, 8, 4)  # orientations of lathe tools, along X
 BEHIND_TIP, BEFORE_TIP = (2, 7, 3), (1, 5, 4)  # along Z
@@ -59,7 +59,7 @@ def end_queue_at(block: Block, end: complex) -> None:
 def _ended(block: Block, move: QueuedMove, end: complex, begin: complex | None) -> QueuedMove:
     if move.is_arc:
         difference = abs(abs(complex(*move.end[:2]) - move.centre) - abs(end - move.centre))
-        if difference > SAME_RADIUS * block.model.scale:
+        if difference > SAME_TEXT_RADIUS * block.model.scale:
             raise _gouges("the compensated arc would have two radii")
         if move.sweep and begin is not None:
             sweep = turned(begin, move.centre, move.turns, end)

@@ -3,7 +3,7 @@
 
     bytes ──► run_lines ──► columns ──► table        a run: N, G0-G3, X Y Z, I J K R and F, in the modes that stand
                  │ stops before any other line
-                 └──► Interpreter.line ──► table     executes or refuses that line; then the kernel goes on
+                 └──► Interpreter.line ──► table     executes or refuses that line; then the kernel continues
 
 What a line of the run may hold is asked of the interpreter's own grammar, once for each shape; modes, offsets and the
 dialect's limits are copied from the model before each run.
@@ -54,7 +54,7 @@ FEED, RADIUS, CENTRE = LETTERS.index("F"), LETTERS.index("R"), LETTERS.index("I"
 length, centre_by_radius = njit_in_place(arcs.length), njit_in_place(arcs.centre_by_radius)
 radii_agree, sweep_rad = njit_in_place(arcs.radii_agree), njit_in_place(arcs.sweep_rad)
 
-FACTS = np.dtype(  # what the lines of a run cannot change
+FACTS = np.dtype(  # state that the lines of a run cannot change
     [
         ("scale", "f8"),  # mm per unit of the text
         ("absolute", "i8"),  # G90
@@ -206,7 +206,7 @@ def run_lines(data, now, facts, offset, position, target, roles, verdicts, value
 
 
 NO_LIMIT = 2**40
-MOST_FEEDS = CHUNK_ROWS  # set in one run, before the table is told
+MOST_FEEDS = CHUNK_ROWS  # set in one run, before the table gets them
 MOST_SKIPPED = 63  # lines that are not offered to the kernel after it took none
 _LINE_END = re.compile(rb"[\r\n]")
 _TURNS = 4  # place among the columns; centre, plane and turns stand side by side
@@ -232,7 +232,7 @@ class CompiledReader:
         return self.interpreter.lines(self._others(data, encoding))
 
     def refused(self, data: bytes, encoding: str = "utf-8") -> Generator[ProgramError, None, bool]:
-        """Read `data` as `read` does; yield why lines are refused, which change nothing, and go on after them."""
+        """Read `data` as `read` does; yield the errors of refused lines, which change nothing, and continue."""
         return (yield from self.interpreter.refusals(self._others(data, encoding)))
 
     def _others(self, data: bytes, encoding: str) -> Iterator[str]:
@@ -282,7 +282,7 @@ class CompiledReader:
         return int(now.at)
 
     def _begin(self, at: int) -> np.recarray:
-        """Note where the model stands, for the kernel; return the record of the run."""
+        """Copy the model's state for the kernel; return the record of the run."""
         reader, facts, now = self.interpreter, self._facts, self._now
         model, dialect = reader.model, reader.dialect
         state = model.state
@@ -333,7 +333,7 @@ def _new_columns(axes: int) -> tuple[np.ndarray, ...]:
 
 
 class _Verdicts:
-    """What the grammar says of each shape of line, asked when a shape is first met: uint8[motion, shape]."""
+    """The grammar's verdict on each shape of line, filled at the shape's first line: uint8[motion, shape]."""
 
     def __init__(self, grammar: Grammar):
         self._grammar = grammar

@@ -43,6 +43,6 @@ def read_runs(interpreter: Interpreter, text: str) -> Generator[None, None, bool
 
 
 def refused_runs(interpreter: Interpreter, text: str) -> Generator[ProgramError, None, bool]:
-    """Read as `read_runs` does; yield why lines are refused, which change nothing, and go on after them."""
+    """Read as `read_runs` does; yield the errors of refused lines, which change nothing, and continue after them."""
     reader = compiled_reader(interpreter, len(text))
     return reader is not None and (yield from reader.refused(as_bytes(text)))

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The labels of a program, and its branches and loops: which lines are skipped, and when the text goes back.
 
-A branch that is not taken, a loop that is over, what stands behind a break: *skipped*, line by line, up to the line
-with the label that ends it. As LinuxCNC has it, a label of a branch or a loop stands at one place only.
+Lines of a branch that is not taken, after a loop's end or after a break are *skipped*, one by one, up to the line
+with the label that ends it. As in LinuxCNC, a label of a branch or a loop has one place only.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ MOST_LABELS = 20_000  # they may be computed: o[#1] if [...]
 
 @dataclass
 class Label:
-    """Where a label was met first, and what it is. repeats: how many are left, -1 while it is not running."""
+    """A label's first line and its kind. repeats: how many are left, -1 while it is not running."""
 
     keyword: str
     source: Source
@@ -29,7 +29,7 @@ class Label:
 
 
 class Blocks:
-    """Knows every label met, and whether lines are being skipped (`skipping` is the label that ends it)."""
+    """Holds all labels read so far, and whether lines are being skipped (`skipping` is the label that ends it)."""
 
     def __init__(self) -> None:
         self.labels: dict[str, Label] = {}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The lines that lead through a program: O-words, and M98 and M99 as Fanuc and Mach have them.
+"""Lines of flow control: O-words, and M98 and M99 as Fanuc and Mach have them.
 
 o100 sub · endsub [value] · return [value] · call [1] [2]
 o<name> if [..] · elseif [..] · else · endif · while [..] · endwhile · do · repeat [..] · endrepeat · break · continue
@@ -64,7 +64,7 @@ def is_plain(text: str) -> bool:
 class FlowLine:
     """One such line. keyword: of `KEYWORDS`, "" (O1234 alone), "m98" or "m99". column: where it begins.
 
-    scanner: stands behind what is read so far; conditions and arguments are read only when they count.
+    scanner: at the end of the text read so far; conditions and arguments are read only when they count.
     """
 
     keyword: str
@@ -118,7 +118,7 @@ def has_profile(text: str) -> bool:
 
 
 def read_flow_line(text: str, known: SystemParameters, strict_comments: bool) -> FlowLine | None:
-    """Return what a line is if it leads elsewhere; raises ProgramError with its column."""
+    """Return the flow control of a line, None for another line; raises ProgramError with its column."""
     line = split_line(text, strict_comments)
     packed, columns = pack(line.code)
     scanner = Scanner(packed, columns, known)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs a whole program: line after line, or where its O-words lead.
+"""Runs a whole program: line after line, or as its O-words branch.
 
     line ──► leads elsewhere?  no ──► Interpreter.line            (unless lines are being skipped)
                               yes ──► jump · skip to a label · call · return
@@ -35,7 +35,7 @@ class Limits:
 
 @dataclass
 class _Call:
-    """A subroutine that runs: its name, the line of its call, and where the text goes on after it."""
+    """A subroutine that runs: its name, the line of its call, and its return address in the text."""
 
     name: str
     fanuc: bool
@@ -67,7 +67,7 @@ def run_whole(
 def run_on(
     interpreter: Interpreter, lines: Sequence[str], library: Library | None = None, limits: Limits | None = None
 ) -> Iterator[None]:
-    """Read what comes after the lines that an interpreter has read of a program, none of which led elsewhere."""
+    """Read the rest of a program of which an interpreter has read the first lines, all without flow control."""
     if interpreter.dialect.o_words:
         yield from Flow(interpreter, lines, library or Library(), limits or Limits()).run()
         return
@@ -289,7 +289,7 @@ class Flow:
         return left != 0
 
     def _go(self, label: str) -> None:
-        """Go to the line of a label; one that was never met is looked for in a file, then further on."""
+        """Go to the line of a label; an unknown one is searched for in a file, then in the following lines."""
         known = self.blocks.labels.get(label)
         if known:
             self.source, self.index = known.source, known.index

@@ -106,7 +106,7 @@ def _set_system(block: Block, name: str, kind: int) -> None:
 
 
 def _turn_in_force(model: Model, name: str) -> None:
-    """Take the new origin and rotation; as LinuxCNC does, the text goes on as if G92 had not turned with them."""
+    """Set the new origin and rotation; as in LinuxCNC, G92 does not turn with them."""
     x, y, z = model.work(model.position)
     before = complex(x, y) * (model.turn or 1.0) + complex(*model.origin[:2])
     z += model.origin[2]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The codes that speak to the machine's inputs and outputs (M62 to M68) and to its overrides (M48 to M53)."""
+"""The codes for the machine's inputs and outputs (M62 to M68) and for its overrides (M48 to M53)."""
 
 from __future__ import annotations
 

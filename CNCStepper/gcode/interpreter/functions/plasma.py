@@ -3,7 +3,7 @@
 
     M3 $0 S1        torch; $1 scribe, $2 spotting; M5 $n stops it, M5 $-1 all     State.spindle, spindle_number
     M67 E3 Q60      60 % of the feed in force from the next move on, 0 all of it   State.feed_mm_min
-    M62 P3          the torch goes off, the motion goes on; M63 P3 releases it     State.spindle
+    M62 P3          the torch is off, the motion continues; M63 P3 releases it     State.spindle
     M190 P7         material 7; M66 P3 L3 Q1 waits until it is taken               event "material"
 
 The height control and the pierce are QtPlasmaC's own: no program moves Z or waits. Where the text has the material, the

@@ -19,7 +19,6 @@ from CNCStepper.gcode.interpreter.state.parameters import length_scale
 from CNCStepper.state import ZERO9, ToolEntry
 
 LARGEST_ORIENTATION = 9
-NEAR = 1e-4  # how far from a whole number a word may be that means one
 _ITEM = re.compile(r"([A-Z])\s*([+-]?[0-9]*\.?[0-9]+)")
 USE_LENGTH = "USE_TOOL_LENGTH_OFFSET({} {} {}, {} {} {}, {} {} {})"
 
@@ -86,7 +85,7 @@ def tool_change(block: Block, code: Code) -> None:
 
 
 def tool_is(block: Block, code: Code) -> None:
-    """M61: another tool is in the spindle than was thought; LinuxCNC's bare interpreter goes on with its length."""
+    """M61: sets the number of the tool in the spindle; LinuxCNC's stand-alone interpreter continues with its length."""
     block.must_have("Q", code.name)
     tool = round(block.not_negative("Q"))
     if tool:
@@ -148,7 +147,7 @@ def _given_offset(block: Block) -> tuple[float, ...]:
 
 
 def _more_offset(block: Block) -> tuple[float, ...]:
-    """G43.2: the offset of the tool H comes on top of what is in force."""
+    """G43.2: adds the offset of the tool H to the one in force."""
     block.must_have("H", "G43.2")
     if block.axis_words():
         what = "G43.2 takes H, and a line with it takes no axis words"

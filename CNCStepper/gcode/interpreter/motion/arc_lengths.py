@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How long the way of every row of a table is, and through which angle it goes about a centre."""
+"""The path length of every row of a table, and its angle about a centre."""
 
 from __future__ import annotations
 

@@ -2,7 +2,7 @@
 """Splines in the plane XY: G5 (cubic), G5.1 (quadratic), and NURBS, G5.2 to G5.3, as arcs within a tolerance.
 
 p1 o . . . . o p2          G5: p0 + (I, J) and p3 + (P, Q);  G5.1: one control point, p0 + (I, J)
-  .            .           Without I and J, G5 goes on smoothly: they are what P and Q were, turned round.
+  .            .           Without I and J, G5 continues smoothly: they are the former P and Q, negated.
  .              .
 p0 *            * p3       A Bezier curve is a NURBS of its control points with equal weights.
 """

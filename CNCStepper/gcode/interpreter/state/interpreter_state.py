@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the interpreter remembers from line to line; a block changes a copy, which replaces it when all went well.
+"""The state of the interpreter between lines; a block changes a copy, which replaces it when all went well.
 
 The modes that M70 and M73 keep.
 
@@ -102,7 +102,7 @@ Point = tuple[float, float, float]
 ZERO: Point = ZERO3
 FIRST_PATH_CALLS = ("SET_MOTION_CONTROL_MODE(CANON_CONTINUOUS, 0.000000)", "SET_NAIVECAM_TOLERANCE(0.0000)")
 NO_FURTHER = (0.0,) * 6
-POWER_ON = 1.0  # the speed that stands for "on" where there is no S
+POWER_ON = 1.0  # the speed of "on" without S
 
 
 class Model:
@@ -229,7 +229,7 @@ class Model:
 
     @property
     def feed_share(self) -> float:
-        """The share of what F says with which the tool moves."""
+        """The share of F at which the tool moves."""
         return self.plasma.share if self.plasma else 1.0
 
     @property
@@ -374,7 +374,7 @@ def saved_g92(model: Model) -> tuple[float, ...]:
 
 
 def rpm_at(model: Model, end: Point) -> float:
-    """Return the speed in turns a minute at a place: the one commanded, or what the surface speed asks for there."""
+    """Return the speed in turns a minute at a place: the one commanded, or that of the surface speed."""
     if not model.state.surface_m_min:
         return model.state.spindle_rpm
     radius = abs(model.work(end)[0])

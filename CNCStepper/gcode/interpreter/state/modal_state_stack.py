@@ -20,7 +20,7 @@ from CNCStepper.gcode.syntax.line_grammar import Grammar
 from CNCStepper.gcode.syntax.words import words_of
 
 FEED_MODES = {"inverse_time": "G93", "per_minute": "G94", "per_turn": "G95"}
-PATHS = {"CANON_EXACT_PATH": "G61", "CANON_EXACT_STOP": "G61.1"}  # by what is told of them
+PATHS = {"CANON_EXACT_PATH": "G61", "CANON_EXACT_STOP": "G61.1"}  # by the name of their canonical call
 SPINDLE = {"cw": "M3", "ccw": "M4", "off": "M5"}
 
 
@@ -40,12 +40,12 @@ def keep_modes(block: Block, code: Code) -> None:
 
 
 def forget_modes(block: Block, code: Code) -> None:
-    """M71: forget what is kept on this level."""
+    """M71: discard the modes stored on this level."""
     block.model.saved = {level: modes for level, modes in block.model.saved.items() if level != _level(block)}
 
 
 def restore_modes(block: Block, code: Code) -> None:
-    """M72: bring back what is kept on this level; raises ProgramError where nothing is."""
+    """M72: restore the modes stored on this level; raises ProgramError where there are none."""
     if _level(block) not in block.model.saved:
         what = "no modes are kept here"
         raise ProgramError("no-modes", what, value=code.name, advice="write M70 before, in the same subroutine")

@@ -9,7 +9,7 @@ What a block assigns is pending until the block is good: `commit` keeps it, `rol
 
 Points that parameters hold: nine numbers in a row for X Y Z A B C U V W, lengths in the machine's own unit.
 
-LinuxCNC's parameter file (.var): what a machine remembers over night, and the start state that follows from it.
+LinuxCNC's parameter file (.var): the persistent parameters of a machine, and the start state that follows from them.
 
 5161  10.000000     number and value, one parameter a line, in the order of their numbers
 5221  -3.500000     lengths in the machine's own unit
@@ -43,7 +43,7 @@ class Parameters:
         self._values: dict[Key, float] = {number: float(value) for number, value in (numbers or {}).items()}
         self._pending: dict[Key, float] = {}
         self._kept: list[dict[int, float]] = []  # the callers' #1 to #30
-        self.returned: float | None = None  # what the last subroutine returned
+        self.returned: float | None = None  # the return value of the last subroutine
 
     @property
     def level(self) -> int:
@@ -61,7 +61,7 @@ class Parameters:
         return self._values.get(number, 0.0) if value is None else value
 
     def set(self, number: int, value: float) -> None:
-        """Give `#number` a value, pending until `commit`; what a program may assign is checked by its reader."""
+        """Set `#number`, pending until `commit`; the reader checks which parameters a program may set."""
         self._pending[number] = value
 
     # by name

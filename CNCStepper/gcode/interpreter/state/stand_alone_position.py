@@ -17,7 +17,7 @@ BACK_OFF = {"mm": 0.254, "inch": 0.01}  # of the probe, in the unit of the text
 
 
 def offset_changes(model: Model, offset: tuple[float, ...]) -> None:
-    """Note that a tool offset moves the coordinates, which the bare interpreter's idea does not heed."""
+    """Note that a tool offset moves the coordinates, which the stand-alone interpreter's position does not follow."""
     if model.bare:
         x, y, z = (
             here + offset[axis] - model.tool_offset[axis] for axis, here in enumerate(machine_position_at(model))

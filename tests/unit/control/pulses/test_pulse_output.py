@@ -323,6 +323,25 @@ def test_a_player_whose_parent_is_killed_ends_with_everything_off(tmp_path: Path
 
 if hasattr(signal, "SIGSTOP"):
 
+    def test_a_player_that_is_stopped_is_noticed_while_it_stands(
+        tmp_path: Path, launch: Callable[..., PulseOutput], monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        monkeypatch.setattr(pulse_output, "STILL_S", 0.7)
+        output = launch(f"record:{tmp_path / 'port.csv'}")
+        output.switch("spindle_cw", True)
+        output.append(*pulses(100_000, 1000.0))
+        while output.sent < 200:
+            output.check()
+            time.sleep(0.01)
+        os.kill(output.process, signal.SIGSTOP)
+        with pytest.raises(LinkError, match=r"stood still.*home the machine") as caught:
+            wait_for(output, "never")
+        assert caught.value.code == "pulse-worker" and output.state == "failed"
+        assert 200 <= output.sent < 100_000
+        with pytest.raises(ProcessLookupError):
+            os.kill(output.process, 0)
+        assert tuple(rows_of(tmp_path / "port.csv")[-1][1:]) == IDLE
+
     def test_a_player_that_was_stopped_for_long_says_that_it_was_late(launch: Callable[..., PulseOutput]) -> None:
         with socket.create_server(("127.0.0.1", 0)) as server:
             output = launch(f"socket://127.0.0.1:{server.getsockname()[1]}")

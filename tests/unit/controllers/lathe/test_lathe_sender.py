@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
 
 import pytest
 
@@ -12,65 +11,12 @@ from CNCStepper.control.operator.zero_and_unlock import set_zero
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.protocol.grbl.connect import handshake
 from CNCStepper.control.protocol.grbl.driver import Grbl
-from CNCStepper.control.protocol.grbl.readiness import expected_settings
 from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.control.service.sender import Sender
-from CNCStepper.control.session.status import DONE, REFUSED, STOPPED, Outcome
-from CNCStepper.errors import LinkError
-from CNCStepper.gcode.wire.encoder import prepare
-from CNCStepper.machine.profile import load_machine
-from helpers.control.fake_controller import FakeClock, Unqueued
-from helpers.controllers.lathe_judge import LatheBench
+from CNCStepper.control.session.status import DONE, REFUSED, STOPPED
+from helpers.controllers.lathe_desk import LatheDesk, sent
 
 PUBLISHED = "N30 G01X-1. F1. # N40 Z-5. # N50 X5000 Z5. F2.0 #\nG00 X-.5 #\nM02 #\n"
-STEP_S = 0.005
-
-
-class Desk(Unqueued):
-    """A link to a board at a judge, in simulated time; during: called at each look with the time in s."""
-
-    name = "lathe"
-
-    def __init__(self, during: Callable[[float], None] = lambda time_s: None):
-        self.clock = FakeClock()
-        self.bench = LatheBench()
-        self._during = during
-        self._heard = self.bench.said.encode("ascii")
-        self.begin_s = self.clock()
-
-    def read(self, wait_s: float) -> bytes:
-        end_s = self.clock() + wait_s
-        while not self._heard and self.clock() < end_s:
-            self._heard = self.bench.wait(STEP_S, STEP_S).encode("ascii")
-            self.clock.now_s += STEP_S
-            self._during(self.clock() - self.begin_s)
-            if self.clock() - self.begin_s > 300:
-                raise LinkError("test", "the test takes too long")
-        heard, self._heard = self._heard, b""
-        return heard
-
-    def write(self, data: bytes) -> None:
-        self.bench.board.receive(data)
-
-    def wake(self) -> None:
-        """Nobody waits."""
-
-    def close(self) -> None:
-        self.bench.board.close()
-
-
-def sent(program: str, told: list[str], during: Callable[[float, Sender], None] | None = None) -> tuple[Desk, Outcome]:
-    lathe = load_machine("mini-lathe")
-    desk = Desk(lambda time_s: during(time_s, sender) if during else None)
-    job = SendJob(
-        "lathe",
-        list(prepare(program, "mini-lathe").lines),
-        zero_confirmed=True,
-        dialect="mini-lathe",
-        expected=expected_settings(lathe),
-    )
-    sender = Sender(job, opener=lambda name, baud: desk, clock=desk.clock, tell=lambda kind, text: told.append(text))
-    return desk, sender.run()
 
 
 def test_a_job_is_cut_to_its_end_on_its_path() -> None:
@@ -121,7 +67,7 @@ def test_an_outcome_says_how_long_a_long_cut_still_takes() -> None:
 
 def test_another_language_is_refused_before_the_first_byte() -> None:
     told: list[str] = []
-    desk = Desk()
+    desk = LatheDesk()
     job = SendJob("lathe", ["G1X1F100"], zero_confirmed=True, dialect="grbl")
     sender = Sender(job, opener=lambda name, baud: desk, clock=desk.clock)
     outcome = sender.run()
@@ -130,7 +76,7 @@ def test_another_language_is_refused_before_the_first_byte() -> None:
 
 
 def test_the_zero_of_both_axes_is_set_by_hand_and_read_back() -> None:
-    desk = Desk()
+    desk = LatheDesk()
     desk.bench.send("$J=G91X-2F120\n$J=G91Z3F120\n", 4.0)
     driver = Grbl(desk, desk.clock)  # type: ignore[arg-type]
     assert handshake(driver, Timing()).firmware.key == "lathe"

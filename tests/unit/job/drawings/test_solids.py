@@ -12,6 +12,7 @@ from pathlib import Path
 
 import pytest
 
+from CNCStepper.cycles.contours.contour_model import Lead
 from CNCStepper.drawing.drawing import Drawing
 from CNCStepper.drawing.read_drawing import ReadOptions
 from CNCStepper.errors import JobError, MissingPackage
@@ -22,6 +23,7 @@ from CNCStepper.job.model import load_job
 
 ROOT = Path(__file__).parents[4]
 BRACKET = ROOT / "examples" / "drawings" / "bracket.step"
+NO_LEAD = Lead(kind="none")
 PLATE = ROOT / "examples" / "jobs" / "plate.toml"
 CACHE = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
 CADQUERY = Path(os.environ.get("CNCSTEPPER_CADQUERIES") or CACHE / "cncstepper-cadquery") / "bin" / "python"
@@ -42,7 +44,7 @@ def program(drawing: Drawing) -> str:
     """Return the program that cuts the chains of a drawing as the contour of the example plate is cut."""
     job, machine = load_job(PLATE)
     curves = tuple(chain.curve for chain in drawing.chains)
-    own = {"curves": curves, "side": "on", "lead_in": None, "lead_out": None, "tabs": None}
+    own = {"curves": curves, "side": "on", "lead_in": NO_LEAD, "lead_out": NO_LEAD}
     contour = job.operation[-1].model_copy(update=own)
     return make_program(job.model_copy(update={"operation": (contour,)}), machine).program
 

@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`cncstepper job`: a drawing and a template of the shop in; a job file out."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from CNCStepper.cli.common.findings_output import save
+from CNCStepper.cli.common.options import FilePath, NumberType
+from CNCStepper.cli.common.path_types import OutputPath
+from CNCStepper.cli.common.progress import Progress
+from CNCStepper.cli.common.verb import Verb
+
+
+@click.command("job", cls=Verb)
+@click.argument("drawing", type=FilePath)
+@click.option("--template", type=FilePath, required=True, help="Machine, tools and rules of the shop, a TOML file.")
+@click.option("-o", "--out", type=OutputPath("job"), required=True, help="The job file that is written.")
+@click.option(
+    "--thickness", "thickness_mm", type=NumberType(kind="depth"), help="Of the stock. [default: the template's]"
+)
+@click.option("--material", default="", help="Of the stock. [default: as the template says]")
+@click.option("--unit-mm", type=NumberType(kind="unit"), help="The length of the drawing's unit, where it is wrong.")
+@click.option("--strict", is_flag=True, help="Refuse a drawing of which no rule takes some chains.")
+def command(
+    drawing: Path,
+    template: Path,
+    out: Path,
+    thickness_mm: float | None,
+    material: str,
+    unit_mm: float | None,
+    strict: bool,
+) -> None:
+    """Make a job file of DRAWING by the rules of a template, which `cncstepper run` then makes a program of.
+
+    The job names the drawing and follows it when it changes. Chains that no rule takes are printed with their number;
+    with --strict they are refused.
+    """
+    from CNCStepper.job.templates.drawing_job import job_of_drawing
+    from CNCStepper.job.templates.template import read_template
+
+    rules = read_template(template)
+    out.parent.mkdir(parents=True, exist_ok=True)
+    with Progress(f"reading {drawing.name}") as progress:
+        made = job_of_drawing(
+            rules, drawing, out, thickness_mm=thickness_mm, material=material, unit_mm=unit_mm, strict=strict,
+            share=progress.share,
+        )  # fmt: skip
+    for title, count in made.counts:
+        click.echo(f"{title}: {count} chains")
+    for note in made.job.notes:
+        click.echo(f"note: {note}")
+    for untaken in made.untaken:
+        layer = f"layer '{untaken.layer}' {untaken.colour}".strip()
+        click.echo(f"warning: no rule takes {untaken.closed + untaken.open} chains: {layer}")
+    save(out, made.text.encode("utf-8"))
+    size = " x ".join(f"{length:g}" for length in made.job.stock.size_mm)
+    click.echo(f"{out}: {len(made.job.operation)} operations, stock {size} mm")
