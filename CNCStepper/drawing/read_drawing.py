@@ -46,6 +46,8 @@ READERS = {  # suffix: the module whose function `read` is the reader
     ".jpeg": "CNCStepper.drawing.trace.picture_tracer",
     ".jpg": "CNCStepper.drawing.trace.picture_tracer",
     ".png": "CNCStepper.drawing.trace.picture_tracer",
+    ".svg": "CNCStepper.drawing.svg.svg_reader",
+    ".svgz": "CNCStepper.drawing.svg.svg_reader",
 }
 
 

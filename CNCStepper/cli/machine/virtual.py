@@ -5,10 +5,9 @@ from __future__ import annotations
 
 import click
 
-from CNCStepper.cli.common.options import FilePath, machine_option
-from CNCStepper.cli.common.path_types import InputPath, OutputPath
+from CNCStepper.cli.common.options import machine_option
 from CNCStepper.cli.common.verb import Verbs
-from CNCStepper.cli.machine.virtual_options import hand_at
+from CNCStepper.cli.machine.virtual_options import check_address, hand_at, pin_options, server_options, speed_option
 from CNCStepper.cli.machine.virtual_twins import board, lathe, parport
 from CNCStepper.machine.profile import Machine, load_machine
 
@@ -19,19 +18,11 @@ def command() -> None:
 
 
 @command.command("grbl")
-@click.option("--pty", type=OutputPath(""), help="Make this path a link to a pseudo-terminal (not on Windows).")
-@click.option("--tcp", metavar="HOST:PORT", help="Listen there, for example 127.0.0.1:2217; port 0 picks a free one.")
-@click.option(
-    "--speed",
-    type=click.FloatRange(min=0.01, max=1000),
-    default=1.0,
-    show_default=True,
-    help="How many times faster than real time its clock runs.",
-)
+@server_options("t_s,x_mm,y_mm,z_mm", records=False)
+@speed_option
 @click.option(
     "--baud", type=click.IntRange(min=300), default=115200, show_default=True, help="Rate of its serial link."
 )
-@click.option("--trace", type=OutputPath("path"), help="Save the path of the axes: t_s,x_mm,y_mm,z_mm.")
 @click.option("--homing", is_flag=True, help="Start in alarm until homed, as with $22=1.")
 @click.option(
     "--firmware",
@@ -40,17 +31,10 @@ def command() -> None:
     show_default=True,
     help="Greet, answer and refuse as this one does, with its buffer and line length.",
 )
-@click.option("--until-left", is_flag=True, help="End when its client has left, or when none has come within 30 s.")
 @click.option(
     "--restarts", is_flag=True, help="Restart whenever its port is opened anew, as boards do where DTR is their reset."
 )
-@click.option(
-    "--faults",
-    type=InputPath(exists=False),
-    help="Make the faults that this TOML or JSON file lists, and report each; see docs/user-guide/sending/faults.md.",
-)
-@click.option("--press", type=FilePath, help="Press its input pins when this TOML file says so.")
-@click.option("--typed", is_flag=True, help="Press its input pins by what is typed here.")
+@pin_options
 @machine_option(required=False)
 def grbl(
     pty, tcp, speed, baud, trace, homing, firmware, until_left, restarts, faults, press, typed, machine: Machine | None
@@ -74,8 +58,7 @@ def grbl(
       at_s = 2.5
       for_s = 0.3
     """
-    if bool(pty) == bool(tcp):
-        raise click.UsageError("give either --pty PATH or --tcp HOST:PORT")
+    check_address(pty, tcp)
     from CNCStepper.virtual.faults.host_faults import plan_for_server
     from CNCStepper.virtual.grbl.firmware import FIRMWARES
     from CNCStepper.virtual.server.grbl_server import serve

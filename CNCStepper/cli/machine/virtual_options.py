@@ -3,12 +3,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
+from CNCStepper.cli.common.options import FilePath
 from CNCStepper.cli.common.path_types import InputPath, OutputPath
 
 if TYPE_CHECKING:
@@ -17,35 +18,57 @@ if TYPE_CHECKING:
 MARGIN = 1.5
 
 
-def server_options(columns: str) -> Callable[[Any], Any]:
-    """Return the decorator that adds what all three have; columns: of the trace."""
+def server_options(columns: str, records: bool = True) -> Callable[[Any], Any]:
+    """Return the decorator that adds what all of them have; columns: of the trace; records: whether bytes are saved."""
+    record = click.option("--record", type=OutputPath(""), help="Save the bytes as they come.")
+    options = [
+        click.option(
+            "--faults",
+            type=InputPath(exists=False),
+            help="Make the faults that this TOML or JSON file lists, and report each; see "
+            "docs/user-guide/sending/faults.md.",
+        ),
+        click.option(
+            "--until-left", is_flag=True, help="End when its client has left, or when none has come within 30 s."
+        ),
+        click.option("--trace", type=OutputPath("path"), help=f"Save the path of the axes: {columns}."),
+        *[record] * records,
+        click.option(
+            "--tcp", metavar="HOST:PORT", help="Listen there, for example 127.0.0.1:2217; port 0 picks a free one."
+        ),
+        click.option("--pty", type=OutputPath(""), help="Make this path a link to a pseudo-terminal (not on Windows)."),
+    ]
+    return lambda function: _with(function, options)
 
-    def add(function: Any) -> Any:
-        for option in (
-            click.option(
-                "--faults",
-                type=InputPath(exists=False),
-                help="Make the faults that this TOML or JSON file lists, and report each; see "
-                "docs/user-guide/sending/faults.md.",
-            ),
-            click.option(
-                "--until-left",
-                is_flag=True,
-                help="End when its client has left and it rests, or when none has come within 30 s.",
-            ),
-            click.option("--trace", type=OutputPath("path"), help=f"Save the path of the axes: {columns}."),
-            click.option("--record", type=OutputPath(""), help="Save the bytes as they come."),
-            click.option(
-                "--tcp", metavar="HOST:PORT", help="Listen there, for example 127.0.0.1:2217; port 0 picks a free one."
-            ),
-            click.option(
-                "--pty", type=OutputPath(""), help="Make this path a link to a pseudo-terminal (not on Windows)."
-            ),
-        ):
-            function = option(function)
-        return function
 
-    return add
+speed_option = click.option(
+    "--speed",
+    type=click.FloatRange(min=0.01, max=1000),
+    default=1.0,
+    show_default=True,
+    help="How many times faster than real time its clock runs.",
+)
+
+
+def pin_options(function: Any) -> Any:
+    """Add what presses its input pins."""
+    options = [
+        click.option("--typed", is_flag=True, help="Press its input pins by what is typed here."),
+        click.option("--press", type=FilePath, help="Press its input pins when this TOML file says so."),
+    ]
+    return _with(function, options)
+
+
+def check_address(pty: Path | str | None, tcp: str | None) -> None:
+    """Refuse a server without an address, and one with two."""
+    if bool(pty) == bool(tcp):
+        raise click.UsageError("give either --pty PATH or --tcp HOST:PORT")
+
+
+def _with(function: Any, options: Iterable[Callable[[Any], Any]]) -> Any:
+    for option in options:
+        function = option(function)
+    return function
 
 
 def motor_options(function: Any) -> Any:

@@ -9,9 +9,16 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from CNCStepper.cli.common.options import FilePath, machine_option
+from CNCStepper.cli.common.options import machine_option
 from CNCStepper.cli.common.verb import Verb
-from CNCStepper.cli.machine.virtual_options import hand_at, motor_options, server_options
+from CNCStepper.cli.machine.virtual_options import (
+    check_address,
+    hand_at,
+    motor_options,
+    pin_options,
+    server_options,
+    speed_option,
+)
 from CNCStepper.machine.profile import Machine, load_machine
 
 if TYPE_CHECKING:
@@ -22,8 +29,7 @@ if TYPE_CHECKING:
 @click.command("parport", cls=Verb)
 @server_options("t_s,x_mm,y_mm,z_mm")
 @motor_options
-@click.option("--press", type=FilePath, help="Press its inputs when this TOML file says so.")
-@click.option("--typed", is_flag=True, help="Press its inputs by what is typed here.")
+@pin_options
 @machine_option(required=False)
 def parport(
     motors: str,
@@ -82,13 +88,7 @@ def board(motors: str, margin: float, start_stop: float, machine: Machine | None
 
 @click.command("lathe", cls=Verb)
 @server_options("t_s,x_mm,z_mm, X as a radius")
-@click.option(
-    "--speed",
-    type=click.FloatRange(min=0.01, max=1000),
-    default=1.0,
-    show_default=True,
-    help="How many times faster than real time its clock runs.",
-)
+@speed_option
 @click.option(
     "--buffer",
     "buffer_bytes",
@@ -165,8 +165,7 @@ def _serve(
     hand: Callable[[], Callable[[], None]] = lambda: _nobody,
 ) -> None:
     """Serve a machine, with its faults where there are some."""
-    if bool(options["pty"]) == bool(options["tcp"]):
-        raise click.UsageError("give either --pty PATH or --tcp HOST:PORT")
+    check_address(options["pty"], options["tcp"])
     from CNCStepper.virtual.faults.host_faults import kill_sender, plan_for_server
     from CNCStepper.virtual.server.twin_faults import FaultyTwin
     from CNCStepper.virtual.server.twin_server import serve_twin

@@ -22,6 +22,7 @@ import numpy as np
 from CNCStepper.cancellation import checkpoint
 from CNCStepper.drawing.text.font import Font, find_font, open_font
 from CNCStepper.drawing.text.overlaps import without_overlaps
+from CNCStepper.drawing.text.stroke_font import find_stroke_font
 from CNCStepper.errors import JobError, Text
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.safe_text import printable
@@ -39,6 +40,8 @@ UNSHAPED = {"R", "AL", "AN"}  # classes of direction: scripts that are written f
 class TextStyle:
     """How a text is set. The font is `file`, or else the family `font` of the system in its `style`.
 
+    single_line: the name of a single-line font of our own in their place, whose letters are open curves.
+
     size: whether `height_mm` is that of capitals or the em. letter_spacing_mm: added between letters. line_spacing:
     a factor of the font's own distance of lines; `line_pitch_mm` gives that distance itself. slant_deg: leaning to the
     right. width_factor: of the widths alone.
@@ -47,6 +50,7 @@ class TextStyle:
     font: str = "sans-serif"
     style: str = ""
     file: Path | None = None
+    single_line: str = ""
     height_mm: float = 10.0
     size: Literal["cap", "em"] = "cap"
     align: Align = "left"
@@ -69,6 +73,8 @@ class PlacedGlyph:
 
 def font_of(style: TextStyle) -> Font:
     """Return the font of a style; raises JobError for one that is not there or cannot be read."""
+    if style.single_line:
+        return find_stroke_font(style.single_line)
     return open_font(style.file) if style.file is not None else find_font(style.font, style.style)
 
 
@@ -206,6 +212,7 @@ def _fitted(font: Font, style: TextStyle, character: str, tolerance_mm: float) -
     """Return the curves of a character at the origin; they depend on few words of the style."""
     few = replace(
         TextStyle(),
+        single_line=style.single_line,
         height_mm=style.height_mm,
         size=style.size,
         slant_deg=style.slant_deg,
@@ -222,11 +229,13 @@ def _fitted_glyph(font: Any, style: TextStyle, character: str, tolerance_mm: flo
     shear = math.tan(math.radians(style.slant_deg))
     matrix = np.array([(style.width_factor * scale, shear * scale, 0.0), (0.0, scale, 0.0)])
     curves = [path.transformed(matrix).curve(tolerance_mm) for path in glyph.paths]
-    outlines = _oriented([curve for curve in curves if curve.closed])
+    if style.single_line:
+        return tuple(curves)
+    outlines = oriented([curve for curve in curves if curve.closed])
     return (*without_overlaps(outlines, tolerance_mm), *(curve for curve in curves if not curve.closed))
 
 
-def _oriented(outlines: list[Curve]) -> list[Curve]:
+def oriented(outlines: list[Curve]) -> list[Curve]:
     """Return the outlines of a glyph so that the largest one, and all that run as it does, are counter-clockwise."""
     largest = max((outline.area_mm2 for outline in outlines), key=abs, default=0.0)
     return [outline.reversed() for outline in outlines] if largest < 0.0 else outlines

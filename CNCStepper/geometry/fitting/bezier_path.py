@@ -25,7 +25,9 @@ from CNCStepper.tolerances import SAME_MM
 CHORD_SHARE = 0.1  # of the tolerance: what the chords of the samples may take
 SURE = 1.0 - 1e-9  # of the tolerance: what the kernel computes is rounded
 SMOOTH_RAD = 0.01  # two Bezier curves that meet at a larger angle have a corner there
-MOST_SAMPLES = 2_000_000  # of one path
+MOST_SAMPLES = 300_000  # of one path
+MOST_SAMPLES_OF_ALL = 6_000_000  # of one drawing
+SHORT = 64  # segments: such a path of lines is quicker in plain Python
 THIRD = 1.0 / 3.0
 
 
@@ -60,8 +62,8 @@ class BezierPath:
         turned = self.bulge if a * d - b * c >= 0.0 else -self.bulge
         return BezierPath(placed(self.points), placed(self.controls), turned)
 
-    def curve(self, tolerance_mm: float) -> Curve:
-        """Return lines and arcs along the path, mm, within `tolerance_mm` of it.
+    def curve(self, tolerance_mm: float, budget: SampleBudget | None = None) -> Curve:
+        """Return lines and arcs along the path, mm, within `tolerance_mm` of it; its samples are taken from a budget.
 
         Raises GeometryError for a path of no length, coordinates out of bounds and a path too long for its tolerance.
         """
@@ -71,6 +73,8 @@ class BezierPath:
         if not curved.any():
             return Curve(xy_of(self.points), self.bulge)
         counts = self._counts(curved, CHORD_SHARE * tolerance_mm)
+        if budget is not None:
+            budget.take(int(counts.sum()))
         z, breaks = self._sampled(curved, counts)
         ends, bulges = fit_stretches(z, breaks, (1.0 - CHORD_SHARE) * tolerance_mm * SURE)
         arcs = np.flatnonzero(~curved & (self.bulge != 0.0))
@@ -107,6 +111,23 @@ class BezierPath:
         leaves = np.where(c1 != p0, c1, np.where(c2 != p0, c2, p3)) - p0
         arrives = p3 - np.where(c2 != p3, c2, np.where(c1 != p3, c1, p0))
         return np.asarray(np.abs(np.angle(leaves[1:] * np.conj(arrives[:-1]))) > SMOOTH_RAD)
+
+
+class SampleBudget:
+    """Counts the samples of all paths of a drawing, of which there is a bounded number: half a minute."""
+
+    def __init__(self, most: int = MOST_SAMPLES_OF_ALL):
+        self._left = most
+
+    def take(self, count: int) -> None:
+        """Count these too; raises GeometryError where they are too many with those before."""
+        self._left -= count
+        if self._left < 0:
+            raise GeometryError(
+                "fit-budget",
+                "the curves of the drawing are too many and too wild for the tolerance",
+                advice="take a larger tolerance, or draw lines or arcs in their place",
+            )
 
 
 class PathPen:
@@ -159,6 +180,13 @@ class PathPen:
         else:
             self.line(self._points[0])
 
+    def curve(self, tolerance_mm: float, budget: SampleBudget | None = None) -> Curve:
+        """Return what was drawn as lines and arcs in mm, as `BezierPath.curve` does; quick where it is short."""
+        points, bulge = self._points, self._bulge
+        if len(bulge) <= SHORT and not any(bulge) and all(map(_is_near, points)):
+            return Curve.trusted(np.array([(z.real, z.imag) for z in points]), np.zeros(len(bulge)))
+        return self.path().curve(tolerance_mm, budget)
+
     def path(self) -> BezierPath:
         """Return what was drawn."""
         controls = np.array(self._controls, complex).reshape(-1, 2)
@@ -168,3 +196,8 @@ class PathPen:
         self._points.append(end)
         self._controls.append((control_1, control_2))
         self._bulge.append(bulge)
+
+
+def _is_near(z: complex) -> bool:
+    """Return whether a point is one in mm; false for NaN."""
+    return abs(z.real) <= LIMIT_MM and abs(z.imag) <= LIMIT_MM

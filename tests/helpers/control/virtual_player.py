@@ -15,12 +15,12 @@ import numpy as np
 import pytest
 
 from CNCStepper.control.pulses import pacing, pulse_loop
+from CNCStepper.control.pulses.player_process import writer_of
 from CNCStepper.control.pulses.pulse_loop import PulseLoop
 from CNCStepper.control.pulses.pulse_output import PulseOutput
 from CNCStepper.control.pulses.pulse_ring import PulseRing
 from CNCStepper.machine.profile import Machine, load_machine
 from CNCStepper.motion.planner.buffers import TICKS_PER_S, UNLIMITED
-from CNCStepper.motion.signals.parallel_port import RegisterWriter
 from CNCStepper.motion.signals.pulse_player import SENSE
 
 READ_NS = 100
@@ -63,8 +63,8 @@ class Writes:
     register: int = 0
     waiting: int = 0  # bytes that the device has not taken
 
-    def write(self, data: int, control: int) -> None:
-        """Note a write."""
+    def write(self, data: Any, control: int) -> None:
+        """Note a write, of a board its bytes and their number."""
         self.clock.ns += self.takes_ns.get(len(self.rows), 0)
         self.rows.append((self.clock.ns, data, control, int(self.words[SENSE])))
 
@@ -98,7 +98,7 @@ class VirtualPlayer:
         self.ring = PulseRing.create()
         self.ring.forget_name()
         self.port = Writes(self.clock, words=self.ring.words, **port)
-        self.loop = PulseLoop(self.ring, RegisterWriter(machine.signals, 3), self.port, 0)
+        self.loop = PulseLoop(self.ring, writer_of(machine), self.port, 0)
         self.output = PulseOutput(_Living(), self.ring, "record:none", machine, None)  # type: ignore[arg-type]
 
     def run_for(self, seconds: float) -> None:

@@ -113,6 +113,43 @@ def test_the_published_registers_of_the_circular_dda() -> None:
     assert back[-1].tolist() == [2, 11]
 
 
+def test_the_whole_table_of_figure_13_follows_from_the_published_registers() -> None:
+    """Round by round, as the source states them; the end of an axis at its target is the one rule that is ours."""
+    (x, y), (end_x, end_y), radius, rounds = (2, 11), (11, 2), 10, 0
+    limit, sum_x, sum_y, wanted = (2 * radius**2) ** 0.5, 0.0, 0.0, []
+    while (x, y) != (end_x, end_y):
+        rounds += 1
+        both = x != end_x and y != end_y
+        sum_x += y / radius if both else x != end_x
+        sum_y += x / radius if both else y != end_y
+        pulses = (x != end_x and sum_x >= limit, y != end_y and sum_y >= limit)
+        sum_x, sum_y = sum_x - limit * pulses[0], sum_y - limit * pulses[1]
+        x, y = x + pulses[0], y - pulses[1]
+        wanted += [(rounds, pulses[0] + 2 * pulses[1])] * any(pulses)
+    (made,) = circular_dda((2, 11), (11, 2), (1, 1), clockwise=True, published=True)
+    assert list(zip(made.ticks.tolist(), made.step.tolist(), strict=True)) == wanted
+    assert [tick for tick, _ in wanted] == [
+        13,
+        26,
+        39,
+        44,
+        53,
+        67,
+        69,
+        82,
+        89,
+        99,
+        105,
+        118,
+        121,
+        135,
+        142,
+        149,
+        163,
+        177,
+    ]
+
+
 def test_the_published_registers_end_on_the_point_wherever_the_centre_is() -> None:
     rnd = random.Random(SEED)
     print("seed", SEED)

@@ -1,0 +1,189 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The style of SVG elements: attributes, classes of <style>, the attribute style, and what is inherited.
+
+    weakest                                                                        strongest
+    inherited ──► attribute fill="…" ──► rules: * · tag · .class · #id ──► style="fill:…"
+
+Selectors of tags, classes and ids are known, with ancestors before them ("g.cut path"); others select nothing.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from functools import lru_cache
+
+from CNCStepper.drawing.svg.document import TEXT, Element
+from CNCStepper.errors import JobError
+
+INHERITED = {
+    "stroke", "fill", "color", "visibility", "fill-rule", "stroke-dasharray", "font-family", "font-size", "font-style",
+    "font-weight", "font", "text-anchor", "letter-spacing", "stroke-opacity", "fill-opacity", "stroke-width",
+}  # fmt: skip
+OWN = {"display", "clip-path", "mask", "opacity"}
+KNOWN = INHERITED | OWN
+MOST_RULES = 5_000
+MOST_SHEET = 1_000_000  # characters of all <style> elements
+MOST_SELECTOR = 2_000  # characters
+MOST_TRIALS = 5_000_000  # of rules on elements
+SIMPLE = re.compile(r"(\*|[\w-]+)?((?:[.#][\w-]+)*)")
+PART = re.compile(r"[.#][\w-]+")
+Style = dict[str, str]
+
+
+@dataclass(frozen=True)
+class _Compound:
+    """A selector of one element: tag ("" for any), id and classes."""
+
+    tag: str
+    ids: frozenset[str]
+    classes: frozenset[str]
+
+    def matches(self, element: Element) -> bool:
+        """Return whether it selects an element."""
+        if self.tag and self.tag != element.name:
+            return False
+        if self.ids and self.ids != {element.get("id")}:
+            return False
+        return not self.classes or self.classes <= set(element.get("class").split())
+
+
+@dataclass(frozen=True)
+class _Rule:
+    order: tuple[int, int, int, int]  # ids, classes, tags, place in the sheet
+    chain: tuple[_Compound, ...]  # the element's own last
+    style: tuple[tuple[str, str], ...]
+
+
+class StyleSheet:
+    """The rules of all <style> elements of a drawing."""
+
+    def __init__(self, root: Element):
+        self._rules: dict[str, list[_Rule]] = defaultdict(list)
+        text = "".join(child.text for each in root.all() if each.name == "style" for child in each.children)
+        self._kept: dict[tuple[str, str, str], tuple[tuple[str, str], ...]] = {}
+        self._nested, self._trials = False, 0
+        for number, rule in enumerate(_without_comments(text[:MOST_SHEET]).split("}")[:MOST_RULES]):
+            selectors, _, body = rule.rpartition("{")
+            style = tuple(declarations(body))
+            for selector in selectors[-MOST_SELECTOR:].rpartition("{")[2].split(",") if style else ():
+                self._add(selector, style, number)
+
+    def of(self, element: Element, ancestors: list[Element]) -> tuple[tuple[str, str], ...]:
+        """Return the declarations of the rules that select an element, the weakest first."""
+        if not self._rules:
+            return ()
+        key = element.name, element.get("id"), element.get("class")
+        if self._nested or key not in self._kept:
+            self._kept[key] = self._selecting(element, ancestors)
+        return self._kept[key]
+
+    def _selecting(self, element: Element, ancestors: list[Element]) -> tuple[tuple[str, str], ...]:
+        keys = {"*", element.name, "#" + element.get("id"), *("." + name for name in element.get("class").split())}
+        near = [rule for key in keys & self._rules.keys() for rule in self._rules[key]]
+        self._trials += len(near)
+        if self._trials > MOST_TRIALS:
+            what, advice = "the drawing has too many rules of style", "save it with styles as attributes"
+            raise JobError("svg-large", what, limit=f"{MOST_TRIALS}", advice=advice)
+        found = sorted((rule for rule in near if _selected(rule, element, ancestors)), key=lambda rule: rule.order)
+        return tuple(declaration for rule in found for declaration in rule.style)
+
+    def _add(self, selector: str, style: tuple[tuple[str, str], ...], number: int) -> None:
+        chain = tuple(_compounds(selector))
+        if not chain or None in chain:
+            return
+        compounds = [compound for compound in chain if compound is not None]
+        self._nested = self._nested or len(compounds) > 1
+        last = compounds[-1]
+        ids, classes = sum(len(each.ids) for each in compounds), sum(len(each.classes) for each in compounds)
+        order = ids, classes, sum(bool(each.tag) for each in compounds), number
+        key = "#" + min(last.ids) if last.ids else "." + min(last.classes) if last.classes else last.tag or "*"
+        self._rules[key].append(_Rule(order, tuple(compounds), style))
+
+
+def _without_comments(text: str) -> str:
+    first, *rest = text.split("/*")
+    return first + "".join(part.partition("*/")[2] for part in rest)
+
+
+def _compounds(selector: str) -> Iterator[_Compound | None]:
+    """Yield the parts of a selector; None for one that is not known."""
+    for word in selector.replace(">", " ").split():
+        match = SIMPLE.fullmatch(word)
+        parts = PART.findall(match[2]) if match else []
+        names = {mark: frozenset(part[1:] for part in parts if part[0] == mark) for mark in ".#"}
+        tag = (match[1] or "") if match else ""
+        yield _Compound("" if tag == "*" else tag, names["#"], names["."]) if match else None
+
+
+def _selected(rule: _Rule, element: Element, ancestors: list[Element]) -> bool:
+    if not rule.chain[-1].matches(element):
+        return False
+    left = list(rule.chain[:-1])
+    for ancestor in reversed(ancestors):
+        if left and left[-1].matches(ancestor):
+            left.pop()
+    return not left
+
+
+def declarations(text: str) -> Iterable[tuple[str, str]]:
+    """Return the known properties of a style attribute or a rule's body."""
+    return _declarations(text) if len(text) < 4096 else tuple(_parsed(text))
+
+
+@lru_cache(4096)
+def _declarations(text: str) -> tuple[tuple[str, str], ...]:
+    return tuple(_parsed(text))
+
+
+def _parsed(text: str) -> Iterator[tuple[str, str]]:
+    for declaration in text.split(";"):
+        name, _, value = declaration.partition(":")
+        name = name.strip().casefold()
+        if name in KNOWN:
+            yield name, value.replace("!important", "").strip()
+
+
+def styled(element: Element, inherited: Style, sheet: StyleSheet, ancestors: list[Element]) -> Style:
+    """Return the style of an element; the inherited one is not changed."""
+    if element.name == TEXT:
+        return inherited
+    own: Style = {name: value for name, value in element.attributes.items() if name in KNOWN}
+    own.update(sheet.of(element, ancestors))
+    if text := element.get("style"):
+        own.update(declarations(text))
+    if not own and not OWN & inherited.keys():
+        return inherited
+    result = {name: value for name, value in inherited.items() if name not in OWN}
+    result.update((name, value) for name, value in own.items() if value != "inherit")
+    return result
+
+
+def colour_of(value: str, style: Style) -> str | None:
+    """Return a paint as "#rrggbb", "" where it paints without one colour (a pattern), None where it does not paint."""
+    text = value.strip()
+    if text.casefold() in ("none", "transparent", ""):
+        return None
+    if text.casefold() in ("currentcolor", "context-stroke", "context-fill"):
+        text = style.get("color", "black")
+    if text.startswith("url("):
+        after = text.partition(")")[2].strip()
+        return colour_of(after, style) or "" if after else ""
+    return _colour(text[:64])
+
+
+@lru_cache(4096)
+def _colour(text: str) -> str | None:
+    from PIL import ImageColor
+
+    plain = re.sub(r"\s+(icc-color|device-cmyk)\(.*", "", text)
+    spaced = re.sub(r"(?<=[\d%])\s+(?=[\d.])", ",", plain.strip()).partition("/")[0].replace("deg", "").strip()
+    if spaced.endswith(("rgb", "hsl")) or spaced.count("(") > spaced.count(")"):
+        spaced += ")"
+    try:
+        colour = ImageColor.getrgb(spaced)
+    except ValueError:
+        return "#000000" if text else None
+    return None if len(colour) == 4 and colour[3] == 0 else "#{:02x}{:02x}{:02x}".format(*colour[:3])

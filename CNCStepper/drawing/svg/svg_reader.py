@@ -1,0 +1,401 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""SVG drawings: the curves of each layer in mm, Y up, zero at the lower left of the sheet, joined to chains.
+
+    file ──► document.py: elements ──► sheet.py: mm ──► Walk: transforms, styles, layers, <use> ──► Piece ──► chains
+
+The layer is the label of the nearest layer of Inkscape around, else the id of the outermost group. What cannot be
+read is named with the reason; clip paths, masks, dashes and fonts that are not there are told as warnings.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections import Counter
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from CNCStepper.cancellation import checkpoint
+from CNCStepper.drawing.drawing import Attributes, Drawing, Piece, Share, Skipped, joined_pieces
+from CNCStepper.drawing.read_drawing import ReadOptions
+from CNCStepper.drawing.svg.document import Document, Element, read_document
+from CNCStepper.drawing.svg.matrices import NUMBER, Matrix, fitted, length, transform_of, view_box
+from CNCStepper.drawing.svg.path_data import PathDamage, PlacedPen, draw_path, draw_points, draw_rectangle
+from CNCStepper.drawing.svg.sheet import is_illustrator, sheet_of
+from CNCStepper.drawing.svg.styles import Style, StyleSheet, colour_of, styled
+from CNCStepper.drawing.svg.text_elements import font_size, text_outlines
+from CNCStepper.errors import CNCStepperError, GeometryError, JobError, Place, Text, placed
+from CNCStepper.geometry.curve import Curve, joined
+from CNCStepper.geometry.fitting.bezier_path import SampleBudget
+from CNCStepper.quantities import Bounds
+from CNCStepper.safe_text import printable
+from CNCStepper.tolerances import COINCIDENT_MM
+
+MOST_DRAWN = 250_000  # elements with those of <use> in their places
+MOST_USES = 16  # within each other
+DEEPEST = 200  # elements within each other, with those that are used
+MOST_SKIPPED = 1_000
+MOST_NAME = 255
+READ_SHARE = 0.9
+TOLD_EVERY = 512
+CONTAINERS = {"g", "a", "svg", "switch", "symbol"}
+NOT_DRAWN = {
+    "defs", "title", "desc", "metadata", "style", "script", "clipPath", "mask", "pattern", "linearGradient", "marker",
+    "radialGradient", "filter", "symbol", "tspan", "view", "cursor", "font", "font-face", "meshgradient", "solidcolor",
+    "animate", "animateTransform", "animateMotion", "set", "#text", "",
+}  # fmt: skip
+ESCAPED = re.compile(r"_x([0-9A-Fa-f]{2,4})_")  # what Illustrator makes of blanks and signs in names
+SVG_WARNINGS = {
+    "clip": "{count} clip paths and masks are not applied: what they hide is read too",
+    "dash": "{count} dashed strokes are read as whole lines",
+    "font": "{count} texts are set in another font or style than the file names: {names}",
+    "path": "{count} paths are damaged and read up to the damage",
+    "transform": "{count} transforms are damaged and not applied",
+}
+
+
+def read(path: Path, options: ReadOptions, share: Share) -> Drawing:
+    """Return the drawing in an SVG file, as `read_drawing` wants it."""
+    if not options.tolerance_mm > 0:
+        raise JobError("tolerance", "the tolerance must be above 0", value=f"{options.tolerance_mm:g} mm")
+    place = Place(str(path))
+    document = read_document(path)
+    with placed(place):
+        matrix, viewport, unit_mm, warning = sheet_of(document, options.unit_mm)
+        Bounds("unit").require(unit_mm, "the drawing's unit", place)
+        walk = _Walk(document, options.tolerance_mm, viewport, share)
+        walk.root(matrix)
+        if not walk.pieces:
+            raise _empty(walk.skipped, place)
+        chains, gaps = joined_pieces(
+            walk.pieces,
+            options.same_mm,
+            options.near_mm,
+            options.by_colour,
+            lambda done: share(READ_SHARE + (1.0 - READ_SHARE) * done),
+        )
+    warnings = (*((warning,) if warning else ()), *walk.warnings())
+    return Drawing(chains, gaps, tuple(walk.skipped), unit_mm, warnings=warnings)
+
+
+def _empty(skipped: list[Skipped], place: Place) -> JobError:
+    return JobError(
+        "svg-empty",
+        "the drawing holds no curves",
+        value=Text("{skipped} other things, the first: {why}", skipped=len(skipped), why=skipped[0].why)
+        if skipped
+        else "",
+        advice="draw visible shapes, paths or texts; convert pictures to paths in the drawing program",
+        place=place,
+    )
+
+
+@dataclass(frozen=True)
+class _Context:
+    """What an element takes from those around it."""
+
+    matrix: Matrix
+    style: Style
+    layer: str
+    name: str
+    groups: tuple[str, ...]
+    viewport: tuple[float, float]
+    uses: tuple[int, ...] = ()
+    is_layer: bool = False  # whether `layer` is one of Inkscape's
+
+
+class _Walk:
+    """Goes through the elements of a drawing and gathers their pieces."""
+
+    def __init__(self, document: Document, tolerance_mm: float, viewport: tuple[float, float], share: Share):
+        self._root, self._tolerance_mm, self._viewport = document.root, tolerance_mm, viewport
+        self._share, self._budget = share, SampleBudget()
+        self._illustrator = is_illustrator(document)
+        self._sheet = StyleSheet(document.root)
+        self._by_id: dict[str, Element] = {}
+        for element in document.root.all():
+            if name := element.get("id"):
+                self._by_id.setdefault(name, element)
+        self._done, self._count = 0, self._counted(document.root, {}, 0)
+        if self._count > MOST_DRAWN:
+            what, advice = "the drawing has too many elements with those that it uses", "split it into several drawings"
+            raise JobError("svg-large", what, value=f"{self._count:.6g}", limit=f"{MOST_DRAWN}", advice=advice)
+        self._told: Counter[str] = Counter()
+        self._fonts: dict[str, None] = {}
+        self.pieces: list[Piece] = []
+        self.skipped: list[Skipped] = []
+
+    def root(self, matrix: Matrix) -> None:
+        """Read the whole drawing."""
+        style = styled(self._root, {}, self._sheet, [])
+        context = _Context(matrix, style, "", "", (), self._viewport)
+        self._children(self._root, context, [])
+
+    def warnings(self) -> tuple[str, ...]:
+        """Return what was read otherwise than the file says."""
+        names = ", ".join(list(self._fonts)[:5])
+        return tuple(
+            Text(SVG_WARNINGS[key], count=count, names=names) if key == "font" else Text(SVG_WARNINGS[key], count=count)
+            for key, count in self._told.items()
+        )
+
+    def _children(self, element: Element, context: _Context, above: list[Element]) -> None:
+        inside = [*above, element]
+        children: Iterable[Element] = element.children
+        if element.name == "switch":
+            children = [child for child in element.children if _passes(child)][:1]
+        for child in children:
+            self._element(child, context, inside)
+
+    def _element(self, element: Element, around: _Context, above: list[Element]) -> None:
+        if element.name in NOT_DRAWN:
+            return
+        self._count_drawn()
+        style = styled(element, around.style, self._sheet, above)
+        if style.get("display") == "none":
+            return
+        context = self._inside(element, around, style)
+        if element.name == "use":
+            self._use(element, context, above)
+        elif element.name in CONTAINERS:
+            if element.name == "svg":
+                context = _in_viewport(element, element, context)
+            self._children(element, context, above)
+        elif style.get("visibility") not in ("hidden", "collapse"):
+            self._drawn(element, context, above)
+
+    def _counted(self, element: Element, known: dict[int, int], depth: int) -> int:
+        """Return how many elements are drawn with those of each <use> in its place; each is counted once."""
+        if depth > DEEPEST:
+            return 1
+        if id(element) not in known:
+            known[id(element)] = 1  # of one that holds itself
+            used = self._used(element) if element.name == "use" else None
+            inner = [*element.children, used] if used is not None else element.children
+            known[id(element)] = 1 + sum(self._counted(child, known, depth + 1) for child in inner)
+        return known[id(element)]
+
+    def _used(self, element: Element) -> Element | None:
+        address = element.get("href") or element.get("xlink:href")
+        return self._by_id.get(address[1:]) if address.startswith("#") else None
+
+    def _count_drawn(self) -> None:
+        self._done += 1
+        if self._done % TOLD_EVERY == 0:
+            checkpoint()
+            self._share(READ_SHARE * min(self._done / self._count, 1.0))
+
+    def _inside(self, element: Element, around: _Context, style: Style) -> _Context:
+        matrix = around.matrix
+        if text := element.get("transform"):
+            try:
+                matrix = matrix @ transform_of(text)
+            except ValueError:
+                self._told["transform"] += 1
+        for key in ("clip-path", "mask"):
+            if style.get(key, "none") != "none":
+                self._told["clip"] += 1
+        label = self._label(element)
+        if element.name not in CONTAINERS and element.name != "use":
+            return replace(around, matrix=matrix, style=style, name=label or around.name)
+        layer, is_layer = around.layer, around.is_layer
+        if element.get("inkscape:groupmode") == "layer":
+            layer, is_layer = label, True
+        elif not layer and not is_layer and element.get("id"):
+            layer = self._name(element.get("id"))
+        groups = (*around.groups, label) if label else around.groups
+        return replace(
+            around, matrix=matrix, style=style, name=label or around.name, layer=layer, is_layer=is_layer, groups=groups
+        )
+
+    def _label(self, element: Element) -> str:
+        return self._name(element.get("inkscape:label") or element.get("id"))
+
+    def _name(self, text: str) -> str:
+        if self._illustrator:
+            text = ESCAPED.sub(lambda match: chr(int(match[1], 16)), text)
+        return printable(text, MOST_NAME)
+
+    def _use(self, element: Element, context: _Context, above: list[Element]) -> None:
+        """Draw what a <use> names where it stands; one that names itself ends here."""
+        target = self._used(element)
+        if target is None:
+            address = element.get("href") or element.get("xlink:href")
+            self._skip(
+                element, context, Text("it uses '{address}', which is not in the file", address=printable(address, 80))
+            )
+            return
+        if id(target) in context.uses or len(context.uses) >= MOST_USES or len(above) > DEEPEST:
+            self._skip(element, context, "it uses itself, or too many others within each other")
+            return
+        x, y = (length(element.get(key), whole, 0.0) for key, whole in zip("xy", context.viewport, strict=True))
+        context = replace(
+            context, matrix=context.matrix @ Matrix(shift=complex(x, y)), uses=(*context.uses, id(target))
+        )
+        if target.name in ("symbol", "svg"):
+            own = replace(context, style=styled(target, context.style, self._sheet, above))
+            self._children(target, _in_viewport(target, element, own), above)
+        else:
+            self._element(target, context, above)
+
+    def _drawn(self, element: Element, context: _Context, above: list[Element]) -> None:
+        style = context.style
+        stroke, fill = (
+            colour_of(style.get(key, other), style) for key, other in (("stroke", "none"), ("fill", "black"))
+        )
+        if element.name not in SHAPES and element.name != "text":
+            why = "a picture and no line" if element.name == "image" else "nothing that a tool could follow"
+            self._skip(element, context, why)
+            return
+        if stroke is None and fill is None:
+            self._skip(element, context, "it has neither a stroke nor a fill")
+            return
+        if stroke is not None and style.get("stroke-dasharray", "none") != "none":
+            self._told["dash"] += 1
+        colour = stroke if stroke is not None else fill
+        attributes = Attributes(context.layer, colour or "", context.name, context.groups, fill is not None)
+        try:
+            if element.name == "text":
+                curves = self._text(element, context, above)
+            else:
+                curves = self._curves(element, context, close=stroke is None)
+        except (GeometryError, JobError, ValueError) as error:
+            if isinstance(error, CNCStepperError) and error.code in ("svg-large", "fit-budget"):
+                raise JobError("svg-large", error.what, limit=error.limit, advice=error.advice) from error
+            self._skip(element, context, error.what if isinstance(error, CNCStepperError) else str(error))
+            return
+        self.pieces.extend(Piece(curve, attributes) for curve in curves if curve.length_mm > COINCIDENT_MM)
+
+    def _curves(self, element: Element, context: _Context, close: bool) -> list[Curve]:
+        """Return the subpaths of a shape; open ones that are filled alone are closed as the fill is."""
+        pen = PlacedPen(context.matrix)
+        try:
+            SHAPES[element.name](pen, element, context)
+        except PathDamage:
+            self._told["path"] += 1
+        if close:
+            for own in pen.pens:
+                own.close()
+        return [own.curve(self._tolerance_mm, self._budget) for own in pen.pens if len(own)]
+
+    def _text(self, element: Element, context: _Context, above: list[Element]) -> list[Curve]:
+        told: list[str] = []
+        curves = text_outlines(
+            element,
+            context.style,
+            context.matrix,
+            self._tolerance_mm,
+            lambda child, style, inside: styled(child, style, self._sheet, [*above, *inside]),
+            self._text_path,
+            told.append,
+        )
+        self._told["font"] += bool(told)
+        self._told += Counter()  # without zeros
+        self._fonts.update(dict.fromkeys(printable(name, 40) for name in told))
+        return curves
+
+    def _text_path(self, address: str) -> Curve | None:
+        """Return the path of a textPath in user units."""
+        target = self._by_id.get(address[1:]) if address.startswith("#") else None
+        if target is None or target.name not in SHAPES:
+            return None
+        try:
+            matrix = transform_of(target.get("transform"))
+        except ValueError:
+            matrix = Matrix()
+        pen = PlacedPen(matrix)
+        SHAPES[target.name](pen, target, _Context(matrix, {}, "", "", (), self._viewport))
+        curves = [own.curve(0.01, self._budget) for own in pen.pens if len(own)]
+        return joined(curves) if curves else None
+
+    def _skip(self, element: Element, context: _Context, why: str) -> None:
+        if len(self.skipped) < MOST_SKIPPED:
+            identity = printable(element.get("id"), MOST_NAME)
+            self.skipped.append(Skipped(printable(element.name, 40), context.layer, identity, why))
+
+
+def _passes(element: Element) -> bool:
+    """Return whether a child of <switch> is one that can be drawn without extensions."""
+    return element.name not in NOT_DRAWN and not element.get("requiredExtensions") and element.name != "foreignObject"
+
+
+def _in_viewport(element: Element, sized: Element, context: _Context) -> _Context:
+    """Return the context inside a nested <svg> or a <symbol>, of which `sized` gives the size."""
+    width, height = (
+        length(sized.get(key) or element.get(key), whole, whole)
+        for key, whole in zip(("width", "height"), context.viewport, strict=True)
+    )
+    x, y = (
+        (length(element.get(key), whole, 0.0) for key, whole in zip("xy", context.viewport, strict=True))
+        if element.name == "svg"
+        else (0.0, 0.0)
+    )
+    matrix, box = context.matrix @ Matrix(shift=complex(x, y)), view_box(element.get("viewBox"))
+    if box and width > 0.0 and height > 0.0:
+        matrix = matrix @ fitted(box, width, height, element.get("preserveAspectRatio"))
+        width, height = box[2], box[3]
+    return replace(context, matrix=matrix, viewport=(width, height))
+
+
+def _lengths(element: Element, context: _Context, keys: str, otherwise: float = 0.0) -> list[float]:
+    """Return lengths of an element in user units: of the width, the height, or for radii of both."""
+    width, height = context.viewport
+    wholes = {"x": width, "w": width, "y": height, "h": height, "r": math.hypot(width, height) / math.sqrt(2.0)}
+    em = font_size(context.style) if context.style else 16.0
+    return [
+        length(element.get(key), wholes[key.strip("c12")[0]] if key != "ry" else height, otherwise, em)
+        for key in keys.split()
+    ]
+
+
+def _rectangle(pen: PlacedPen, element: Element, context: _Context) -> None:
+    x, y, width, height = _lengths(element, context, "x y width height")
+    rx, ry = _lengths(element, context, "rx ry", math.nan)
+    rx, ry = (ry if math.isnan(rx) else rx), (rx if math.isnan(ry) else ry)
+    if not (width > 0.0 and height > 0.0):
+        raise ValueError(Text("its width or height is not above 0"))
+    draw_rectangle(pen, x, y, width, height, max(rx, 0.0) if rx == rx else 0.0, max(ry, 0.0) if ry == ry else 0.0)
+
+
+def _circle(pen: PlacedPen, element: Element, context: _Context) -> None:
+    x, y, radius = _lengths(element, context, "cx cy r")
+    _ellipse_of(pen, complex(x, y), radius, radius)
+
+
+def _ellipse(pen: PlacedPen, element: Element, context: _Context) -> None:
+    x, y = _lengths(element, context, "cx cy")
+    rx, ry = _lengths(element, context, "rx ry", math.nan)
+    rx, ry = (ry if math.isnan(rx) else rx), (rx if math.isnan(ry) else ry)
+    _ellipse_of(pen, complex(x, y), rx, ry)
+
+
+def _ellipse_of(pen: PlacedPen, centre: complex, rx: float, ry: float) -> None:
+    if not (rx > 0.0 and ry > 0.0):
+        raise ValueError(Text("its radius is not above 0"))
+    pen.ellipse(centre, rx, ry)
+
+
+def _line(pen: PlacedPen, element: Element, context: _Context) -> None:
+    x1, y1, x2, y2 = _lengths(element, context, "x1 y1 x2 y2")
+    draw_points(pen, [complex(x1, y1), complex(x2, y2)], False)
+
+
+def _polyline(pen: PlacedPen, element: Element, context: _Context) -> None:
+    values = [float(word) for word in NUMBER.findall(element.get("points"))]
+    draw_points(pen, list(map(complex, values[::2], values[1::2])), element.name == "polygon")
+
+
+def _path(pen: PlacedPen, element: Element, context: _Context) -> None:
+    draw_path(pen, element.get("d"))
+
+
+SHAPES: dict[str, Callable[[PlacedPen, Element, _Context], None]] = {
+    "path": _path,
+    "rect": _rectangle,
+    "circle": _circle,
+    "ellipse": _ellipse,
+    "line": _line,
+    "polyline": _polyline,
+    "polygon": _polyline,
+}
