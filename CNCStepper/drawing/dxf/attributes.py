@@ -84,11 +84,11 @@ def entity_colour(entity: Any, layer: str, around: Insertion, layers: Layers) ->
     return colour_of(index, true_colour, layers.colour(layer), around.colour)
 
 
-def attributes(layer: str, colour: str, handle: str, around: Insertion, filled: bool = False) -> Attributes:
+def attributes(layer: str, colour: str, handle: str, around: Insertion) -> Attributes:
     """Return the attributes of an entity; its texts are made printable."""
     blocks = tuple(printable(block, MOST_CHARACTERS) for block in around.blocks)
     name = blocks[-1] if blocks else printable(handle, MOST_CHARACTERS)
-    return Attributes(printable(layer, MOST_CHARACTERS), colour, name, blocks, filled)
+    return Attributes(printable(layer, MOST_CHARACTERS), colour, name, blocks)
 
 
 def attribute(entity: Any, name: str, otherwise: Any) -> Any:

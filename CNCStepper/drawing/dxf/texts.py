@@ -28,7 +28,7 @@ from CNCStepper.geometry.curve import Curve
 from CNCStepper.safe_text import printable
 
 KINDS = ("TEXT", "ATTRIB", "MTEXT")
-FALLBACK = "sans-serif"
+OUTLINES, STROKES = "sans-serif", "engraving"  # in place of a font that is not here, and of an SHX font
 MOST_CHARACTERS = 100_000  # of all texts of a drawing
 MOST_SLANT_DEG = 85.0
 DESCENT = 1.0 / 3.0  # of the height: how far "bottom" lies below the base line
@@ -124,10 +124,13 @@ class Texts:
     def _style(self, entity: Any, height: float) -> TextStyle:
         if not 0.0 < height <= LARGEST:
             raise GeometryError("dxf-text", "its height is no length", value=f"{height}")
-        name = str(entity.dxf.get("style", "Standard"))
+        name = _style_name(entity)
         if name not in self._families:
             self._families[name] = self._family(name)
-        return TextStyle(font=self._families[name], height_mm=height, kerning=False)
+        family = self._families[name]
+        if family == STROKES:
+            return TextStyle(single_line=STROKES, height_mm=height, kerning=False)
+        return TextStyle(font=family, height_mm=height, kerning=False)
 
     def _family(self, name: str) -> str:
         """Return the font for a text style: its own where the system has it, else another, with a warning."""
@@ -144,9 +147,14 @@ class Texts:
                     return find_face(wanted).family
             except JobError:
                 continue
+        other = STROKES if file.casefold().endswith(".shx") or not PurePath(file).suffix else OUTLINES
         shown = printable(file or name, MOST_WORDS)
-        self._warn(Text("the font '{font}' is not here; its text is set in {other}", font=shown, other=FALLBACK))
-        return FALLBACK
+        self._warn(Text("the font '{font}' is not here; its text is set in {other}", font=shown, other=other))
+        return other
+
+    def is_filled(self, entity: Any) -> bool:
+        """Return whether the outlines of a text that was set enclose areas; strokes do not."""
+        return self._families.get(_style_name(entity)) != STROKES
 
     def _count(self, text: str) -> None:
         self._characters += len(text)
@@ -156,6 +164,10 @@ class Texts:
 
     def _warn(self, warning: str) -> None:
         self.warnings[warning] = None
+
+
+def _style_name(entity: Any) -> str:
+    return str(entity.dxf.get("style", "Standard"))
 
 
 def _slant(oblique_deg: float) -> float:

@@ -28,9 +28,10 @@ from CNCStepper.tolerances import SAME_MM
 
 MOST_EDGES = 100_000
 MOST_DEGREE = 25
-SAME_SHARE = 1e-9  # half axes that differ by less, relatively, are those of a circle
-SAME_CURVATURE = 1e-7  # 1/mm
+ROUND_SHARE = 1e-9  # half axes that differ by less, relatively, are those of a circle
+STEADY_CURVATURE = 1e-7  # 1/mm
 DIGITS = 6  # of a place in mm, by which corners are compared
+PLACE_DIGITS, BULGE_DIGITS = 7, 10  # that are kept
 
 
 def loops_of(edges: Sequence[Sequence[Any]], tolerance_mm: float) -> list[Curve]:
@@ -40,7 +41,12 @@ def loops_of(edges: Sequence[Sequence[Any]], tolerance_mm: float) -> list[Curve]
         raise JobError("solid-large", "the solid has too many edges there", value=value, limit=limit)
     pieces = [_curve(edge, tolerance_mm) for edge in edges]
     chains, _ = chained([piece for piece in pieces if piece.length_mm > SAME_MM])
-    return ordered([canonical(chain) for chain in chains])
+    return ordered([rounded(canonical(chain)) for chain in chains])
+
+
+def rounded(chain: Curve) -> Curve:
+    """Return a chain without the last digits, in which two versions of OCCT differ; what ties to one stays tied."""
+    return Curve(np.round(chain.xy, PLACE_DIGITS) + 0.0, np.round(chain.bulge, BULGE_DIGITS))
 
 
 def ordered(chains: Sequence[Curve]) -> list[Curve]:
@@ -84,7 +90,7 @@ def _goes_on(chain: Curve) -> np.ndarray:
     """Return at which vertices, the last one apart, the line or circle before goes on; the first of an open one not."""
     turn = np.einsum("ij,ij->i", chain.begin_directions, np.roll(chain.end_directions, 1, axis=0))
     bend = np.abs(chain.curvatures - np.roll(chain.curvatures, 1))
-    goes_on = (turn > 1.0 - SAME_CURVATURE**2 - 1e-12) & (bend < SAME_CURVATURE)
+    goes_on = (turn > 1.0 - STEADY_CURVATURE**2 - 1e-12) & (bend < STEADY_CURVATURE)
     if not chain.closed:
         goes_on[0] = False
     return goes_on
@@ -92,13 +98,13 @@ def _goes_on(chain: Curve) -> np.ndarray:
 
 def _circle_of(chain: Curve) -> Curve | None:
     """Return a chain that is a whole circle as one that begins at its rightmost place."""
-    if not (chain.bulge > 0.0).all() or abs(chain.sweeps_rad.sum() - math.tau) > SAME_CURVATURE:
+    if not (chain.bulge > 0.0).all() or abs(chain.sweeps_rad.sum() - math.tau) > STEADY_CURVATURE:
         return None
     centres, radii = chain.centres, chain.radii_mm
     if np.ptp(radii) > SAME_MM or np.ptp(centres, axis=0).max() > SAME_MM:
         return None
-    x, y = np.round(centres[0], DIGITS + 3).tolist()
-    return circle((x, y), round(float(radii[0]), DIGITS + 3))
+    x, y = np.round(centres[0], PLACE_DIGITS).tolist()
+    return circle((x, y), round(float(radii[0]), PLACE_DIGITS))
 
 
 def _rounded(corner: np.ndarray) -> tuple[float, float]:
@@ -132,7 +138,7 @@ def _ellipse(
         return centre + np.outer(np.cos(t), along) + np.outer(np.sin(t), across)  # type: ignore[no-any-return]
 
     sweep = last - first
-    is_round = abs(math.hypot(ax, ay) - math.hypot(bx, by)) <= SAME_SHARE * math.hypot(ax, ay)
+    is_round = abs(math.hypot(ax, ay) - math.hypot(bx, by)) <= ROUND_SHARE * math.hypot(ax, ay)
     parts = max(1, math.ceil(abs(sweep) / (math.pi if is_round else math.pi / 2.0) - 1e-9))
     bounds = np.linspace(first, last, parts + 1)
     if is_round:
