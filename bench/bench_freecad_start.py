@@ -17,8 +17,8 @@ import uuid
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-sys.path.append(str(ROOT / "tests" / "window"))
-import outside  # noqa: E402
+sys.path.append(str(ROOT / "tests"))
+from window_helpers import start_window  # noqa: E402
 
 RUNS = 7
 LIMIT_S = 60
@@ -49,28 +49,28 @@ def start(display: str, ours: bool) -> dict[str, float]:
     """Return the seconds of one start, and of opening workbenches in it."""
     with tempfile.TemporaryDirectory(prefix="cncstepper-bench-") as folder:
         home = Path(folder)
-        outside.make_home(home, autoload="NoneWorkbench")
+        start_window.make_home(home, autoload="NoneWorkbench")
         (home / "up.py").write_text(SCRIPT, "utf-8")
         wanted = "PartWorkbench CNCStepperWorkbench" if ours else "PartWorkbench"
         variables = {"BENCH_TOLD": str(home / "told.json"), "BENCH_OPEN": wanted}
         mark = uuid.uuid4().hex
         begun = time.monotonic()
-        freecad = outside.start(
+        freecad = start_window.start(
             "host", display, home, home / "up.py", variables, mark, ROOT if ours else None, output=subprocess.DEVNULL
         )
         try:
             freecad.wait(LIMIT_S)
         finally:
-            outside.end_all(mark)
+            start_window.end_all(mark)
         told = json.loads((home / "told.json").read_text("utf-8"))
     return {"start": told.pop("up") - begun, **told}
 
 
 def main() -> None:
     """Measure and print."""
-    outside.compile_package("host")
+    start_window.compile_package("host")
     sides: dict[bool, list[dict[str, float]]] = {True: [], False: []}
-    with outside.screen() as display:
+    with start_window.screen() as display:
         for ours in (True, False):
             start(display, ours)  # both warm
         for _ in range(RUNS):

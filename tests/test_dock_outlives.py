@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import subprocess
-import sys
 import time
 import uuid
 from collections.abc import Callable, Iterator
@@ -13,11 +12,9 @@ from pathlib import Path
 import pytest
 
 from CNCStepper.control.service.connection_client import ConnectionClient, running_services
+from window_helpers import start_window
 
-WINDOW = Path(__file__).parent / "window"
-sys.path.append(str(WINDOW))
-import outside  # noqa: E402
-
+HELPERS = Path(start_window.__file__).parent
 START_S, END_S = 120.0, 30.0
 pytestmark = [pytest.mark.freecad, pytest.mark.slow]
 
@@ -33,20 +30,20 @@ def wait(condition: Callable[[], object], seconds: float, what: str) -> None:
 def mark() -> Iterator[str]:
     name = uuid.uuid4().hex
     yield name
-    outside.end_all(name)
+    start_window.end_all(name)
 
 
 @pytest.fixture
 def display() -> Iterator[str]:
-    with outside.screen() as name:
+    with start_window.screen() as name:
         yield name
 
 
 def window(display: str, mark: str, folder: Path, end: str) -> subprocess.Popen[bytes]:
     """Start FreeCAD and wait until it cuts (or is connected, for "idle")."""
-    outside.make_home(folder / "home")
+    start_window.make_home(folder / "home")
     variables = {"CNCSTEPPER_END": end, "CNCSTEPPER_FOLDER": str(folder), "XDG_STATE_HOME": str(folder / "state")}
-    freecad = outside.start("host", display, folder / "home", WINDOW / "cut_and_end.py", variables, mark)
+    freecad = start_window.start("host", display, folder / "home", HELPERS / "cut_and_end.py", variables, mark)
     wait(lambda: (folder / "cutting").exists() or freecad.poll() is not None, START_S, "the cut to begin")
     return freecad
 
@@ -77,21 +74,21 @@ def test_a_killed_freecad_does_not_stop_the_cut(display: str, mark: str, tmp_pat
     freecad.kill()
     freecad.wait()
     stop(goes_on(tmp_path))
-    assert outside.wait_until_gone(mark, END_S) == {}
+    assert start_window.wait_until_gone(mark, END_S) == {}
 
 
 def test_keep_cutting_and_close(display: str, mark: str, tmp_path: Path) -> None:
     assert window(display, mark, tmp_path, "keep").wait(END_S) == 0
     stop(goes_on(tmp_path))
-    assert outside.wait_until_gone(mark, END_S) == {}
+    assert start_window.wait_until_gone(mark, END_S) == {}
 
 
 def test_stop_the_cut_and_close(display: str, mark: str, tmp_path: Path) -> None:
     assert window(display, mark, tmp_path, "stop").wait(END_S) == 0
-    assert outside.wait_until_gone(mark, END_S) == {}
+    assert start_window.wait_until_gone(mark, END_S) == {}
     assert desks(tmp_path) == []
 
 
 def test_without_a_job_nothing_is_asked_and_nothing_stays(display: str, mark: str, tmp_path: Path) -> None:
     assert window(display, mark, tmp_path, "idle").wait(END_S) == 0
-    assert outside.wait_until_gone(mark, END_S) == {}
+    assert start_window.wait_until_gone(mark, END_S) == {}

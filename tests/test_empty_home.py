@@ -17,7 +17,7 @@ ROOT = Path(__file__).parents[1]
 @pytest.mark.slow
 def test_the_printed_command_is_all_that_it_takes() -> None:
     result = subprocess.run(
-        [sys.executable, str(ROOT / "tests" / "window" / "follow_command.py"), "host"],
+        [sys.executable, str(ROOT / "tests" / "window_helpers" / "follow_command.py"), "host"],
         capture_output=True,
         text=True,
         errors="replace",

@@ -79,7 +79,8 @@ make_debian() {
     rmdir "$plain"
 }
 
-# Services that packages bring must not start here; the machine's own ways through a proxy are the folder's too.
+# Services that packages bring must not start here; the machine's own ways through a proxy are the folder's too. Nobody
+# reads manuals here, and Python writes byte code of what it loads: a third of the installation's time would go there.
 prepare_apt() {
     printf '#!/bin/sh\nexit 101\n' >"$1/usr/sbin/policy-rc.d"
     chmod +x "$1/usr/sbin/policy-rc.d"
@@ -91,6 +92,9 @@ prepare_apt() {
     # A testing suite's Release file may have expired on a mirror; nothing is fetched that its signature does not cover.
     printf '%s\n' 'Acquire::Check-Valid-Until "false";' 'APT::Install-Recommends "false";' \
         'DPkg::Options "--force-unsafe-io";' >"$1/etc/apt/apt.conf.d/90cncstepper"
+    printf 'path-exclude=/usr/share/%s/*\n' doc info locale man >"$1/etc/dpkg/dpkg.cfg.d/90cncstepper"
+    chroot "$1" dpkg-divert --quiet --local --rename --add /usr/bin/py3compile >>"$log" 2>&1
+    ln -s /bin/true "$1/usr/bin/py3compile"
 }
 
 install_freecad() {
@@ -139,6 +143,7 @@ print("\n".join(project["dependencies"] + extras["fast"] + extras["inside"]))
 PYTHON
 }
 
+# pip would compile them for its own Python, which is another.
 make_packages() {
     local wanted platform platforms=()
     wanted=$(wanted_packages) || fail "pyproject.toml cannot be read: run 'make setup' first"
@@ -153,7 +158,7 @@ make_packages() {
         platforms+=(--platform "${platform}_$(uname -m)")
     done
     printf '%s\n' "$wanted" >"$python_folder.part/requirements.txt"
-    "$project/.venv/bin/python" -m pip install --quiet --disable-pip-version-check \
+    "$project/.venv/bin/python" -m pip install --quiet --no-compile --disable-pip-version-check \
         --target "$python_folder.part/lib/python$python/site-packages" --python-version "$python" --implementation cp \
         "${platforms[@]}" --only-binary=:all: --requirement "$python_folder.part/requirements.txt" >>"$log" 2>&1 ||
         fail "pip could not fetch the packages for Python $python: check the network and run it again"

@@ -27,8 +27,8 @@ from typing import IO
 
 ROOT = Path(__file__).resolve().parents[1]
 VERSIONS = ("0.20.2", "1.0.0", "1.1.3")  # from old to new: each opens the documents of those before it
-SET_UP, HEADLESS, DOCUMENTS, EMPTY_HOME = "set up", "headless", "documents", "empty home"
-KINDS = ("plain", "scaled", "portuguese", "bare", "timed", DOCUMENTS)
+SET_UP, HEADLESS, TIMED, EMPTY_HOME = "set up", "headless", "timed", "empty home"
+KINDS = ("plain", "scaled", "portuguese", "bare", TIMED)
 NAMES = (HEADLESS, EMPTY_HOME, *KINDS)  # the table's columns
 SECONDS = {"plain": 450, HEADLESS: 120, "scaled": 100, EMPTY_HOME: 70, SET_UP: 60}  # about; the longest begin first
 OTHERS_S = 40
@@ -94,7 +94,7 @@ def follows(chosen: list[str]) -> dict[Key, tuple[Key, ...]]:
         found[version, HEADLESS] = ((version, SET_UP), *((before, HEADLESS) for before in older))
         found[version, EMPTY_HOME] = ((version, SET_UP),)
         found |= {(version, kind): ((version, HEADLESS),) for kind in KINDS}
-        found[version, DOCUMENTS] += tuple((before, DOCUMENTS) for before in older)
+        found[version, TIMED] += tuple((before, TIMED) for before in older)  # it makes and opens the documents
     return found
 
 
@@ -169,12 +169,17 @@ def all_acts(rows: dict[str, Row], at_system: str, folder: Path) -> dict[Key, Ac
 
 def followed(where: str, log: IO[str]) -> bool:
     """Follow the command that the workbench prints for missing packages, from an empty home."""
-    command = [str(ROOT / ".venv" / "bin" / "python"), str(ROOT / "tests" / "window" / "follow_command.py"), where]
-    return subprocess.run(command, cwd=ROOT, stdout=log, stderr=log).returncode == 0
+    script = ROOT / "tests" / "window_helpers" / "follow_command.py"
+    return (
+        subprocess.run(
+            [str(ROOT / ".venv" / "bin" / "python"), str(script), where], cwd=ROOT, stdout=log, stderr=log
+        ).returncode
+        == 0
+    )
 
 
 def documents(folder: Path, older: list[str]) -> dict[str, str]:
-    """Return the variables for tests/freecad/whole_document.py."""
+    """Return the variables for tests/helpers/freecad/whole_document.py."""
     folder.mkdir(exist_ok=True)
     return {"CNCSTEPPER_DOCUMENTS": str(folder), "CNCSTEPPER_OLDER": " ".join(older)}
 

@@ -45,7 +45,14 @@ CORE_ROOMS = (
     "workers",
     "workbench",
 )
-CORE_MODULES = ("errors.py", "input_file.py", "quantities.py", "atomic_file.py")
+CORE_MODULES = (
+    "errors.py",
+    "input_file.py",
+    "quantities.py",
+    "atomic_file.py",
+    "motion/signals/letter_track.py",
+    "motion/signals/step_letters.py",
+)
 NO_SENTENCES = {
     "picture.py",
     "picture_style.py",

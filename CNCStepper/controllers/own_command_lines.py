@@ -105,7 +105,8 @@ class MachineTestLines:
         on = not text.startswith("-")
         device = self._relays.device_of(text.removeprefix("-"))
         if device is None:
-            board.send(message(f"there is no relay {text}; there are {', '.join(self._relays.names) or 'none'}"))
+            names = ", ".join(self._relays.names)
+            board.send(message(f"there is no relay {text}; there are {names}" if names else "there are no relays"))
             raise refused(3)
         if board.state in LOCKED and on:
             raise refused(9)

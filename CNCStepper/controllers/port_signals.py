@@ -57,6 +57,11 @@ class Relays:
         return max((int(name.removeprefix(OUTPUT)) + 1 for name in self.wired if name.startswith(OUTPUT)), default=0)
 
     @property
+    def on(self) -> frozenset[str]:
+        """The devices that are on."""
+        return self._on
+
+    @property
     def names(self) -> list[str]:
         """By which names relays can be switched, as the board's lines have them."""
         return sorted(self._by_name)

@@ -89,6 +89,13 @@ class PulseBoard(Grbl):
         """Return the input pins that are on, as the status report names them."""
         return super().pins() + self._switches.letters
 
+    def own_fields(self) -> list[str]:
+        """Return the status pins that are high and the relays that are on, where there is a parallel port."""
+        if family_of(self._machine) != "parport":
+            return []
+        high = ",".join(map(str, sorted(self._player.inputs())))
+        return [f"In:{high}", f"Out:{','.join(sorted(self._relays.on))}"]
+
     def stop_at_once(self) -> None:
         """Stop the motors without a ramp where they move, switch everything off and forget all moves."""
         super().stop_at_once()

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The folder with request and answer of a proof, between a window and the process that proves.
 
-    job.json  machine.json  program.nc        the request; the machine is that of machine.json
+    job.json  machine.json  program.nc  dialect.txt    the request; the machine is that of machine.json
     part.npz                                  the cut stock, as soon as it is known: a first picture
     result.json  moves.npz  lines.npz  fallen.npz  tools.npz  send.zip     the answer; or error.json
     tiles.bin  part.stl                       what `simulation_timeline` answers afterwards
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from CNCStepper.machine.profile import Machine
     from CNCStepper.simulation.removal.heightmap import HeightMap
 
-PROGRAM, JOB, MACHINE = "program.nc", "job.json", "machine.json"
+PROGRAM, JOB, MACHINE, DIALECT = "program.nc", "job.json", "machine.json", "dialect.txt"
 RESULT, MOVES, LINES = "result.json", "moves.npz", "lines.npz"
 PART, TOOLS, FALLEN = "part.npz", "tools.npz", "fallen.npz"
 SEND, ERROR = "send.zip", "error.json"
@@ -82,12 +82,13 @@ class Answer:
         return refused(self.findings)
 
 
-def write_question(folder: Path, program: str, job: Job, machine: Machine) -> None:
-    """Write the request."""
+def write_question(folder: Path, program: str, job: Job, machine: Machine, dialect: str = "") -> None:
+    """Write the request; dialect: in which the program is read, "" for the machine's own."""
     from CNCStepper.job.model import save_job
 
     (folder / PROGRAM).write_bytes(program.encode("utf-8"))
     (folder / MACHINE).write_text(machine.model_dump_json(), encoding="utf-8")
+    (folder / DIALECT).write_text(dialect, encoding="utf-8")
     save_job(job, folder / JOB)
 
 
@@ -102,6 +103,11 @@ def read_question(folder: Path) -> tuple[str, Job, Machine]:
         read_job(folder / JOB),
         validated(Machine, content, str(folder / MACHINE)),
     )
+
+
+def read_dialect(folder: Path) -> str:
+    """Return the dialect in which the program is read, "" for the machine's own."""
+    return (folder / DIALECT).read_text("utf-8")
 
 
 def proven_file(folder: Path) -> str:

@@ -48,7 +48,7 @@ def main(arguments: list[str]) -> int:
 def answer(folder: Path, name: str) -> None:
     """Read the question, prove, and write the answer; raises what the core raises."""
     from CNCStepper.job.certify import certificate_of
-    from CNCStepper.job.proof_folder import read_question, write_answer, write_part
+    from CNCStepper.job.proof_folder import read_dialect, read_question, write_answer, write_part
     from CNCStepper.job.prove import prior_proofs, prove_job
     from CNCStepper.job.start_state_file import read_start
     from CNCStepper.recovery.restart.prove_restart import EntryOptions, certificate_of_restart, restart_job
@@ -66,6 +66,7 @@ def answer(folder: Path, name: str) -> None:
 
     earlier = prior_proofs(job, machine, program, name, start)
     more: dict[str, Any] = {"file": name, "start": start, "tell": tell, "see": see, "earlier": earlier}
+    more["dialect"] = read_dialect(folder)
     if place is None:
         proof = prove_job(job, machine, program, **more)
         certificate = certificate_of(proof)

@@ -85,7 +85,7 @@ class Answers:
 
 
 def _timeline(folder: Path) -> Any:
-    from CNCStepper.job.proof_folder import MOVES, proven_file, read_question
+    from CNCStepper.job.proof_folder import MOVES, proven_file, read_dialect, read_question
     from CNCStepper.job.start_state_file import read_start
     from CNCStepper.job.wire_round_trip import wire_round_trip
     from CNCStepper.simulation.removal.timeline import Timeline
@@ -93,7 +93,7 @@ def _timeline(folder: Path) -> Any:
 
     program, job, machine = read_question(folder)
     start, file = job.started(read_start(folder), machine), proven_file(folder)
-    _, motors, toolpath = wire_round_trip(program, machine, machine.language(), file, start)
+    _, motors, toolpath = wire_round_trip(program, machine, read_dialect(folder) or machine.language(), file, start)
     ends_s = TipTrack.load(folder / MOVES).ends_s
     return Timeline(toolpath, ends_s, job.tools, job.stock.stock(), machine=machine, motors=motors)
 

@@ -2351,6 +2351,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A program without F takes {0} mm/min ({1}; kerf {2} mm).</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A serial port, or an address as socket://192.168.0.7:23</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2559,6 +2563,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Back from here to the begin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Backlash</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2572,6 +2580,10 @@
         </message>
         <message>
             <source>Begins at</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Being sent, {0} left</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2659,6 +2671,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Check and send</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Check and simulate: {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2688,6 +2704,10 @@
         </message>
         <message>
             <source>Choose above where to cut, then connect.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Choose in the controller's panel a machine whose pulses this computer makes.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3743,6 +3763,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How is {0} cut?</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How it is cut; the machine must be able to</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4151,6 +4175,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Line by line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Line length</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4547,6 +4575,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>On</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>On its cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4591,7 +4623,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Open pulse letters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Open the 3D view of the document first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Open…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4879,6 +4919,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Pulse letters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pulse letters ({0})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pulse letters: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Pulse rate</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4892,6 +4944,10 @@
         </message>
         <message>
             <source>Pulses +</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pulses by hand</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5215,6 +5271,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Send</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Send a G-code file…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5227,6 +5287,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Send time</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Sent ahead at most</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5236,6 +5300,14 @@
         </message>
         <message>
             <source>Sheet cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Sheet, X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Sheet, Y</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5703,6 +5775,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The letters begin where the machine stands.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The link to the controller is being started.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5748,6 +5824,10 @@
         </message>
         <message>
             <source>The machine stands; nothing is lost. Resume or stop.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The machine waits before each line of a job; Resume cuts the next one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6048,6 +6128,10 @@
         </message>
         <message>
             <source>These profiles have changes that are not saved: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Thickness</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6431,6 +6515,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>X, steps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>X; Y in {0}, one hole a line</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6443,7 +6531,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Y, steps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Z times</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Z, steps</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7051,6 +7147,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>nothing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>nothing is marked</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7292,6 +7392,10 @@
         </message>
         <message>
             <source>speed of the spindle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>spindle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7951,6 +8055,10 @@
         </message>
         <message>
             <source>Across the flats</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Adobe Illustrator</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8994,6 +9102,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a number is out of range</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a number of hundreds of digits</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9039,6 +9151,10 @@
         </message>
         <message>
             <source>a pattern has at most {0} characters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a picture and no line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9211,6 +9327,10 @@
         </message>
         <message>
             <source>a template has no key '{key}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a text is too long</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9463,6 +9583,10 @@
         </message>
         <message>
             <source>an arc takes either R or a centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>an arc without numbers</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9782,6 +9906,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>bytes when it is unpacked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>canned cycles may not be used</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9823,6 +9951,10 @@
         </message>
         <message>
             <source>change_ms is so small that there are more than {most_waits} waits</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>characters with its entities in their places</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10422,6 +10554,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>cx cy</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>cx cy r</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>define it, or put its file beside the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10498,6 +10638,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>draw visible shapes, paths or texts; convert pictures to paths in the drawing program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>drawings with the suffix '{suffix}' cannot be read</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10519,6 +10663,10 @@
         </message>
         <message>
             <source>edge_mm must not be below zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>elements within each other</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11170,11 +11318,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it begins with {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it closed the connection</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>it cuts upwards on a helix, as thread mills do, and is entered at its begin, line {begin}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it does not begin with M</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11195,6 +11351,10 @@
         </message>
         <message>
             <source>it has chains on {known}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it has neither a stroke nor a fill</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11322,6 +11482,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it uses '{address}', which is not in the file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it uses itself, or too many others within each other</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it was a restart itself: the first line not certainly cut is the program's {story}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11343,6 +11511,10 @@
         </message>
         <message>
             <source>its file '{name}' is neither here nor in ../Bit</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>its first element is no &lt;svg&gt;</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11406,6 +11578,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>its radius is not above 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>its shape '{kind}' is none of {shapes}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11414,7 +11590,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>its transform is damaged</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>its weights are not above 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>its width or height is not above 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>its {0} has {1} numbers</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12178,6 +12366,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>name one of {names}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>name one of: {known}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12514,6 +12706,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>not an SVG file: {why}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>not an error: its words are none</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12631,6 +12827,10 @@
         </message>
         <message>
             <source>numbers 1 to {largest}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>numbers behind {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13122,7 +13322,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>rx ry</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>save it again as PNG</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>save it again from the drawing program as plain SVG</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13139,6 +13347,10 @@
         </message>
         <message>
             <source>save it as one of {known}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>save it with styles as attributes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13422,6 +13634,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>split it into several drawings</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>split it, or send it with cncstepper send</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>split that line</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13603,6 +13823,10 @@
         </message>
         <message>
             <source>take a larger tolerance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take a larger tolerance, or draw lines or arcs in their place</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14138,6 +14362,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the curves of the drawing are too many and too wild for the tolerance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14286,7 +14514,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the drawing declares entities that stand for more than a short text</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the drawing has no curves on a layer '{name}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the drawing has too many elements with those that it uses</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the drawing has too many rules of style</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14454,11 +14694,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the file gives no size in mm or inches: {dpi:g} pixels an inch are taken</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the file gives no size of its sheet: zero is the upper left corner</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the file has no pulse letter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the file has too many materials</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the file has too many pulses to be shown</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15071,6 +15323,14 @@
         </message>
         <message>
             <source>the number of turns is a whole number from 1</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the numbers of an arc are damaged</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the numbers of {0} are damaged</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15750,6 +16010,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the system has no font</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the table gives it no diameter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16090,6 +16354,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>there are A to Z for pulses and {0} for devices</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there are no relays</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there are {count} lines, none at {index}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16210,6 +16482,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>there is no single-line font '{name}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there is no subroutine o&lt;{seeking}&gt;</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16295,6 +16571,10 @@
         </message>
         <message>
             <source>this is no input of a machine: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this is no pulse letter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16475,6 +16755,10 @@
         </message>
         <message>
             <source>too many lines lie on each other</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>too many numbers</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17510,6 +17794,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>x y width height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>zero of</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17622,11 +17910,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{count} clip paths and masks are not applied: what they hide is read too</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{count} dashed strokes are read as whole lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{count} joints do not fit on {chain}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{count} paths are damaged and read up to the damage</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{count} pulses do not fit: no room, or ticks that do not rise</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{count} texts are set in another font or style than the file names: {names}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{count} transforms are damaged and not applied</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18358,6 +18666,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{skipped} other things, the first: {why}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{stale} has changed since the program was made</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18603,6 +18915,17 @@
         </message>
         <message>
             <source>Import tools…</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Letters</name>
+        <message>
+            <source>Draws a file of pulse letters and sends it, forwards and back</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pulse letters…</source>
             <translation type="unfinished"></translation>
         </message>
     </context>

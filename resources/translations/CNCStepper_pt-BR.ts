@@ -2351,6 +2351,10 @@
             <translation>Arquivo de perfil…</translation>
         </message>
         <message>
+            <source>A program without F takes {0} mm/min ({1}; kerf {2} mm).</source>
+            <translation>Um programa sem F usa {0} mm/min ({1}; largura de corte {2} mm).</translation>
+        </message>
+        <message>
             <source>A serial port, or an address as socket://192.168.0.7:23</source>
             <translation>Uma porta serial, ou um endereço como socket://192.168.0.7:23</translation>
         </message>
@@ -2559,6 +2563,10 @@
             <translation>De volta ao longo do corte</translation>
         </message>
         <message>
+            <source>Back from here to the begin</source>
+            <translation>Voltar daqui ao início</translation>
+        </message>
+        <message>
             <source>Backlash</source>
             <translation>Folga</translation>
         </message>
@@ -2573,6 +2581,10 @@
         <message>
             <source>Begins at</source>
             <translation>Começa em</translation>
+        </message>
+        <message>
+            <source>Being sent, {0} left</source>
+            <translation>Enviando, faltam {0}</translation>
         </message>
         <message>
             <source>Below thickness times</source>
@@ -2659,6 +2671,10 @@
             <translation>Verificar um arquivo de G-code com a máquina, o bloco, as ferramentas e os grampos do trabalho, e enviá-lo.</translation>
         </message>
         <message>
+            <source>Check and send</source>
+            <translation>Verificar e enviar</translation>
+        </message>
+        <message>
             <source>Check and simulate: {0}</source>
             <translation>Verificar e simular: {0}</translation>
         </message>
@@ -2689,6 +2705,10 @@
         <message>
             <source>Choose above where to cut, then connect.</source>
             <translation>Escolha acima onde usinar e conecte.</translation>
+        </message>
+        <message>
+            <source>Choose in the controller's panel a machine whose pulses this computer makes.</source>
+            <translation>Escolha no painel do controlador uma máquina cujos pulsos este computador gera.</translation>
         </message>
         <message>
             <source>Choose one here</source>
@@ -3743,6 +3763,10 @@
             <translation>A altura de uma ponte acima do fundo do corte</translation>
         </message>
         <message>
+            <source>How is {0} cut?</source>
+            <translation>Como {0} é cortado?</translation>
+        </message>
+        <message>
             <source>How it is cut; the machine must be able to</source>
             <translation>Como se corta; a máquina precisa ser capaz disso</translation>
         </message>
@@ -4151,6 +4175,10 @@
             <translation>Linha ao soltar</translation>
         </message>
         <message>
+            <source>Line by line</source>
+            <translation>Linha por linha</translation>
+        </message>
+        <message>
             <source>Line length</source>
             <translation>Comprimento das linhas</translation>
         </message>
@@ -4547,6 +4575,10 @@
             <translation>Desligada</translation>
         </message>
         <message>
+            <source>On</source>
+            <translation>Ligado</translation>
+        </message>
+        <message>
             <source>On its cut</source>
             <translation>Sobre o corte</translation>
         </message>
@@ -4591,8 +4623,16 @@
             <translation>Abra ou crie antes um documento</translation>
         </message>
         <message>
+            <source>Open pulse letters</source>
+            <translation>Abrir letras de pulso</translation>
+        </message>
+        <message>
             <source>Open the 3D view of the document first</source>
             <translation>Abra antes a vista 3D do documento</translation>
+        </message>
+        <message>
+            <source>Open…</source>
+            <translation>Abrir…</translation>
         </message>
         <message>
             <source>Operation</source>
@@ -4879,6 +4919,18 @@
             <translation>Ângulo por pulso</translation>
         </message>
         <message>
+            <source>Pulse letters</source>
+            <translation>Letras de pulso</translation>
+        </message>
+        <message>
+            <source>Pulse letters ({0})</source>
+            <translation>Letras de pulso ({0})</translation>
+        </message>
+        <message>
+            <source>Pulse letters: {0}</source>
+            <translation>Letras de pulso: {0}</translation>
+        </message>
+        <message>
             <source>Pulse rate</source>
             <translation>Frequência</translation>
         </message>
@@ -4893,6 +4945,10 @@
         <message>
             <source>Pulses +</source>
             <translation>Pulsos +</translation>
+        </message>
+        <message>
+            <source>Pulses by hand</source>
+            <translation>Pulsos à mão</translation>
         </message>
         <message>
             <source>Pulses of</source>
@@ -5215,6 +5271,10 @@
             <translation>Selecione o que será gravado: um esboço, um arame, uma B-spline ou uma linha à mão livre</translation>
         </message>
         <message>
+            <source>Send</source>
+            <translation>Enviar</translation>
+        </message>
+        <message>
             <source>Send a G-code file…</source>
             <translation>Enviar um arquivo de G-code…</translation>
         </message>
@@ -5227,6 +5287,10 @@
             <translation>Enviar este reinício…</translation>
         </message>
         <message>
+            <source>Send time</source>
+            <translation>Tempo de envio</translation>
+        </message>
+        <message>
             <source>Sent ahead at most</source>
             <translation>Enviado à frente no máximo</translation>
         </message>
@@ -5237,6 +5301,14 @@
         <message>
             <source>Sheet cut</source>
             <translation>Corte de chapa</translation>
+        </message>
+        <message>
+            <source>Sheet, X</source>
+            <translation>Chapa, X</translation>
+        </message>
+        <message>
+            <source>Sheet, Y</source>
+            <translation>Chapa, Y</translation>
         </message>
         <message>
             <source>Shorter than</source>
@@ -5703,6 +5775,10 @@
             <translation>O comprimento da linha de entrada ou saída</translation>
         </message>
         <message>
+            <source>The letters begin where the machine stands.</source>
+            <translation>As letras começam onde a máquina está.</translation>
+        </message>
+        <message>
             <source>The link to the controller is being started.</source>
             <translation>A ligação com o controlador está sendo iniciada.</translation>
         </message>
@@ -5749,6 +5825,10 @@
         <message>
             <source>The machine stands; nothing is lost. Resume or stop.</source>
             <translation>A máquina está parada; nada se perdeu. Retome ou pare.</translation>
+        </message>
+        <message>
+            <source>The machine waits before each line of a job; Resume cuts the next one</source>
+            <translation>A máquina espera antes de cada linha de um trabalho; Retomar corta a próxima</translation>
         </message>
         <message>
             <source>The machine whose dialect the program is read in</source>
@@ -6049,6 +6129,10 @@
         <message>
             <source>These profiles have changes that are not saved: {0}</source>
             <translation>Estes perfis têm mudanças não salvas: {0}</translation>
+        </message>
+        <message>
+            <source>Thickness</source>
+            <translation>Espessura</translation>
         </message>
         <message>
             <source>This is cut by: {0}. The job's process is: {1}</source>
@@ -6431,6 +6515,10 @@
             <translation>palavras X são raios</translation>
         </message>
         <message>
+            <source>X, steps</source>
+            <translation>X, passos</translation>
+        </message>
+        <message>
             <source>X; Y in {0}, one hole a line</source>
             <translation>X; Y em {0}, um furo por linha</translation>
         </message>
@@ -6443,8 +6531,16 @@
             <translation>Y vezes</translation>
         </message>
         <message>
+            <source>Y, steps</source>
+            <translation>Y, passos</translation>
+        </message>
+        <message>
             <source>Z times</source>
             <translation>Z vezes</translation>
+        </message>
+        <message>
+            <source>Z, steps</source>
+            <translation>Z, passos</translation>
         </message>
         <message>
             <source>Zero's place</source>
@@ -7051,6 +7147,10 @@
             <translation>não informado</translation>
         </message>
         <message>
+            <source>nothing</source>
+            <translation>nada</translation>
+        </message>
+        <message>
             <source>nothing is marked</source>
             <translation>nada é marcado</translation>
         </message>
@@ -7293,6 +7393,10 @@
         <message>
             <source>speed of the spindle</source>
             <translation>velocidade do fuso</translation>
+        </message>
+        <message>
+            <source>spindle</source>
+            <translation>fuso</translation>
         </message>
         <message>
             <source>spindle off</source>
@@ -7952,6 +8056,10 @@
         <message>
             <source>Across the flats</source>
             <translation>Entre faces planas</translation>
+        </message>
+        <message>
+            <source>Adobe Illustrator</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>An angle of two legs, its outer corner at the zero, a hole near the end of each leg.</source>
@@ -8994,6 +9102,10 @@
             <translation>um número falta ou não pode ser lido</translation>
         </message>
         <message>
+            <source>a number is out of range</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a number of hundreds of digits</source>
             <translation>um número de centenas de algarismos</translation>
         </message>
@@ -9040,6 +9152,10 @@
         <message>
             <source>a pattern has at most {0} characters</source>
             <translation>um padrão tem no máximo {0} caracteres</translation>
+        </message>
+        <message>
+            <source>a picture and no line</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>a pin in the configuration is wrong</source>
@@ -9212,6 +9328,10 @@
         <message>
             <source>a template has no key '{key}'</source>
             <translation>um modelo não tem a chave '{key}'</translation>
+        </message>
+        <message>
+            <source>a text is too long</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>a tolerance must be above 0</source>
@@ -9464,6 +9584,10 @@
         <message>
             <source>an arc takes either R or a centre</source>
             <translation>um arco aceita R ou um centro, não os dois</translation>
+        </message>
+        <message>
+            <source>an arc without numbers</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>an axis is missing: {text}</source>
@@ -9782,6 +9906,10 @@
             <translation>deixe-a antes em Idle (pronta)</translation>
         </message>
         <message>
+            <source>bytes when it is unpacked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>canned cycles may not be used</source>
             <translation>ciclos fixos não podem ser usados</translation>
         </message>
@@ -9824,6 +9952,10 @@
         <message>
             <source>change_ms is so small that there are more than {most_waits} waits</source>
             <translation>change_ms é tão pequeno que há mais de {most_waits} esperas</translation>
+        </message>
+        <message>
+            <source>characters with its entities in their places</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>charts are there for: {processes}</source>
@@ -10422,6 +10554,14 @@
             <translation>corta de novo {overlap_mm:.3g} mm antes do ponto</translation>
         </message>
         <message>
+            <source>cx cy</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>cx cy r</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>define it, or put its file beside the program</source>
             <translation>defina-a ou ponha o seu arquivo ao lado do programa</translation>
         </message>
@@ -10498,6 +10638,10 @@
             <translation>desenhe-as a {kerf_mm:g} mm uma da outra</translation>
         </message>
         <message>
+            <source>draw visible shapes, paths or texts; convert pictures to paths in the drawing program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>drawings with the suffix '{suffix}' cannot be read</source>
             <translation>desenhos com o sufixo '{suffix}' não podem ser lidos</translation>
         </message>
@@ -10520,6 +10664,10 @@
         <message>
             <source>edge_mm must not be below zero</source>
             <translation>edge_mm não pode ser menor que zero</translation>
+        </message>
+        <message>
+            <source>elements within each other</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>enable homing ($22=1) or switch soft limits off ($20=0)</source>
@@ -11170,12 +11318,20 @@
             <translation>é lido em uma linha própria, em um programa inteiro, onde o dialeto tem sub-rotinas</translation>
         </message>
         <message>
+            <source>it begins with {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it closed the connection</source>
             <translation>ele fechou a conexão</translation>
         </message>
         <message>
             <source>it cuts upwards on a helix, as thread mills do, and is entered at its begin, line {begin}</source>
             <translation>o corte sobe em hélice, como fazem as fresas de roscar, e é retomado no seu início, linha {begin}</translation>
+        </message>
+        <message>
+            <source>it does not begin with M</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>it ended with an error</source>
@@ -11196,6 +11352,10 @@
         <message>
             <source>it has chains on {known}</source>
             <translation>ele tem cadeias em {known}</translation>
+        </message>
+        <message>
+            <source>it has neither a stroke nor a fill</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>it has no face {0}</source>
@@ -11322,6 +11482,14 @@
             <translation>não aceita nada há {limit:g} s</translation>
         </message>
         <message>
+            <source>it uses '{address}', which is not in the file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it uses itself, or too many others within each other</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it was a restart itself: the first line not certainly cut is the program's {story}</source>
             <translation>ele já era um reinício: a primeira linha não certamente cortada é a {story} do programa</translation>
         </message>
@@ -11344,6 +11512,10 @@
         <message>
             <source>its file '{name}' is neither here nor in ../Bit</source>
             <translation>o seu arquivo '{name}' não está aqui nem em ../Bit</translation>
+        </message>
+        <message>
+            <source>its first element is no &lt;svg&gt;</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>its head is no object of JSON</source>
@@ -11406,6 +11578,10 @@
             <translation>o programa dele terminou com M02</translation>
         </message>
         <message>
+            <source>its radius is not above 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>its shape '{kind}' is none of {shapes}</source>
             <translation>a sua forma '{kind}' não é nenhuma de {shapes}</translation>
         </message>
@@ -11414,8 +11590,20 @@
             <translation>seus links simbólicos formam um círculo</translation>
         </message>
         <message>
+            <source>its transform is damaged</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>its weights are not above 0</source>
             <translation>seus pesos não são maiores que 0</translation>
+        </message>
+        <message>
+            <source>its width or height is not above 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>its {0} has {1} numbers</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>its {name} are no numbers in bounds</source>
@@ -12178,6 +12366,10 @@
             <translation>nomeie uma delas</translation>
         </message>
         <message>
+            <source>name one of {names}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>name one of: {known}</source>
             <translation>nomeie uma de: {known}</translation>
         </message>
@@ -12514,6 +12706,10 @@
             <translation>nem toda a parede é vista do meio do espaço</translation>
         </message>
         <message>
+            <source>not an SVG file: {why}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>not an error: its words are none</source>
             <translation>não é um erro: suas palavras não são texto</translation>
         </message>
@@ -12632,6 +12828,10 @@
         <message>
             <source>numbers 1 to {largest}</source>
             <translation>números de 1 a {largest}</translation>
+        </message>
+        <message>
+            <source>numbers behind {0}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>o&lt;name&gt; sub ends with o&lt;name&gt; endsub</source>
@@ -13122,8 +13322,16 @@
             <translation>rode 'make setup' na pasta da bancada, ou instale-os por Ferramentas &gt; Gerenciador de extensões, ou instale-os para Python {version_info}.{version_info2} em uma pasta própria (pip install --target PASTA) e indique-a na variável de ambiente CNCSTEPPER_PACKAGES</translation>
         </message>
         <message>
+            <source>rx ry</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>save it again as PNG</source>
             <translation>salve-a de novo como PNG</translation>
+        </message>
+        <message>
+            <source>save it again from the drawing program as plain SVG</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>save it as DXF again, as R2000 or newer</source>
@@ -13140,6 +13348,10 @@
         <message>
             <source>save it as one of {known}</source>
             <translation>salve-o como um de {known}</translation>
+        </message>
+        <message>
+            <source>save it with styles as attributes</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>save the file as UTF-8 text</source>
@@ -13422,6 +13634,14 @@
             <translation>splines ficam no plano XY</translation>
         </message>
         <message>
+            <source>split it into several drawings</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>split it, or send it with cncstepper send</source>
+            <translation>divida-o, ou envie-o com cncstepper send</translation>
+        </message>
+        <message>
             <source>split that line</source>
             <translation>divida essa linha</translation>
         </message>
@@ -13603,6 +13823,10 @@
         </message>
         <message>
             <source>take a larger tolerance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take a larger tolerance, or draw lines or arcs in their place</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14138,6 +14362,10 @@
             <translation>a curva está aberta, é preciso uma fechada</translation>
         </message>
         <message>
+            <source>the curves of the drawing are too many and too wild for the tolerance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the cut</source>
             <translation>o corte</translation>
         </message>
@@ -14286,8 +14514,20 @@
             <translation>o desenho '{label}' tem uma linha que não é elipse</translation>
         </message>
         <message>
+            <source>the drawing declares entities that stand for more than a short text</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the drawing has no curves on a layer '{name}'</source>
             <translation>o desenho não tem curvas em uma camada '{name}'</translation>
+        </message>
+        <message>
+            <source>the drawing has too many elements with those that it uses</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the drawing has too many rules of style</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the drawing has too many {of_what}</source>
@@ -14454,12 +14694,24 @@
             <translation>o arquivo terminou</translation>
         </message>
         <message>
+            <source>the file gives no size in mm or inches: {dpi:g} pixels an inch are taken</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the file gives no size of its sheet: zero is the upper left corner</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the file has no pulse letter</source>
             <translation>o arquivo não tem letra de pulso</translation>
         </message>
         <message>
             <source>the file has too many materials</source>
             <translation>o arquivo tem materiais demais</translation>
+        </message>
+        <message>
+            <source>the file has too many pulses to be shown</source>
+            <translation>o arquivo tem pulsos demais para ser mostrado</translation>
         </message>
         <message>
             <source>the file holds no object</source>
@@ -15072,6 +15324,14 @@
         <message>
             <source>the number of turns is a whole number from 1</source>
             <translation>o número de voltas é um inteiro a partir de 1</translation>
+        </message>
+        <message>
+            <source>the numbers of an arc are damaged</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the numbers of {0} are damaged</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the object of this program is no longer there</source>
@@ -15750,6 +16010,10 @@
             <translation>a sub-rotina o&lt;{call}&gt; não tem fim</translation>
         </message>
         <message>
+            <source>the system has no font</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the table gives it no diameter</source>
             <translation>a tabela não lhe dá diâmetro</translation>
         </message>
@@ -16090,6 +16354,14 @@
             <translation>depois executa {own} linhas do programa como estão; tudo antes delas é dado como cortado</translation>
         </message>
         <message>
+            <source>there are A to Z for pulses and {0} for devices</source>
+            <translation>há de A a Z para pulsos e {0} para dispositivos</translation>
+        </message>
+        <message>
+            <source>there are no relays</source>
+            <translation>não há relés</translation>
+        </message>
+        <message>
             <source>there are {count} lines, none at {index}</source>
             <translation>há {count} linhas, nenhuma em {index}</translation>
         </message>
@@ -16210,6 +16482,10 @@
             <translation>não há retalho para a perfuração depois de uma ponte de {chain} perto de X{x:.3f} Y{y:.3f}</translation>
         </message>
         <message>
+            <source>there is no single-line font '{name}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there is no subroutine o&lt;{seeking}&gt;</source>
             <translation>não há sub-rotina o&lt;{seeking}&gt;</translation>
         </message>
@@ -16296,6 +16572,10 @@
         <message>
             <source>this is no input of a machine: {error}</source>
             <translation>isto não é uma entrada de máquina: {error}</translation>
+        </message>
+        <message>
+            <source>this is no pulse letter</source>
+            <translation>isto não é uma letra de pulso</translation>
         </message>
         <message>
             <source>this is not allowed while an emergency stop or a limit is active</source>
@@ -16476,6 +16756,10 @@
         <message>
             <source>too many lines lie on each other</source>
             <translation>linhas demais estão umas sobre as outras</translation>
+        </message>
+        <message>
+            <source>too many numbers</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>too many points</source>
@@ -17510,6 +17794,10 @@
             <translation>escreva {word} antes</translation>
         </message>
         <message>
+            <source>x y width height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>zero of</source>
             <translation>zero de</translation>
         </message>
@@ -17622,12 +17910,32 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{count} clip paths and masks are not applied: what they hide is read too</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{count} dashed strokes are read as whole lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{count} joints do not fit on {chain}</source>
             <translation>{count} microjunções não cabem em {chain}</translation>
         </message>
         <message>
+            <source>{count} paths are damaged and read up to the damage</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{count} pulses do not fit: no room, or ticks that do not rise</source>
             <translation>{count} pulsos não cabem: falta espaço, ou os tempos não crescem</translation>
+        </message>
+        <message>
+            <source>{count} texts are set in another font or style than the file names: {names}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{count} transforms are damaged and not applied</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{crossing} rapid(s) lead over parts that are already free</source>
@@ -18358,6 +18666,10 @@
             <translation>{skipped} outras coisas</translation>
         </message>
         <message>
+            <source>{skipped} other things, the first: {why}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{stale} has changed since the program was made</source>
             <translation>{stale} mudou desde que o programa foi feito</translation>
         </message>
@@ -18604,6 +18916,17 @@
         <message>
             <source>Import tools…</source>
             <translation>Importar ferramentas…</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Letters</name>
+        <message>
+            <source>Draws a file of pulse letters and sends it, forwards and back</source>
+            <translation>Desenha um arquivo de letras de pulso e o envia, para a frente e de volta</translation>
+        </message>
+        <message>
+            <source>Pulse letters…</source>
+            <translation>Letras de pulso…</translation>
         </message>
     </context>
     <context>

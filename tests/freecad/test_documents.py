@@ -8,7 +8,8 @@ import shutil
 from pathlib import Path
 
 import pytest
-import whole_document as whole
+
+from helpers.freecad import whole_document as whole
 
 
 @pytest.fixture

@@ -57,7 +57,7 @@ def kill_a_freecad_that_cuts(machine: str, folder: Path) -> None:
     assert freecadcmd
     with (folder / "freecad.log").open("wb") as log:
         freecad = subprocess.Popen(
-            [freecadcmd, str(HERE / "cut_and_wait.py"), "-M", str(ROOT)],
+            [freecadcmd, str(HERE.with_name("helpers") / "freecad" / "cut_and_wait.py"), "-M", str(ROOT)],
             env={**os.environ, **told, "FREECAD_USER_HOME": str(folder / "home"), "XDG_STATE_HOME": str(folder)},
             stdout=log,
             stderr=subprocess.STDOUT,

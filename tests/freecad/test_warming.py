@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Kernels are compiled ahead in a process of its own; meanwhile nothing is compiled here."""
+"""Kernels are compiled ahead in a process of its own; meanwhile nothing is compiled here.
+
+The last test leaves word that all are compiled: windows that `make matrix` opens later need not look once more.
+"""
 
 from __future__ import annotations
 
@@ -88,6 +91,21 @@ def test_a_pocket_is_cut_without_compiling_anything(document: Any, job: Any, mon
     assert api.program_text(job) == plain
 
 
+def test_nothing_is_started_where_all_is_compiled() -> None:
+    kernel_cache.stamp().touch()
+    assert kernel_warmup.begin() is None and kernel_warmup.running() is None
+
+
+def test_without_a_python_for_it_all_goes_on(document: Any, job: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv(python_finder.VARIABLE, "/no/such/python")
+    monkeypatch.setattr(jit_guard, "PATIENCE_S", 0.0)
+    assert kernel_warmup.begin() is not None
+    made = pocket(document, job)
+    assert "once after an installation" in problem_of(made)
+    wait()
+    assert problem_of(made) == "" and not kernel_cache.stamp().exists()
+
+
 def test_what_takes_long_waits_and_is_then_made_by_itself(
     document: Any, job: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -102,18 +120,3 @@ def test_what_takes_long_waits_and_is_then_made_by_itself(
     assert kernel_cache.stamp().exists() and told == [1]
     assert problem_of(made) == "" and api.program_text(job)
     assert kernel_warmup.begin() is None
-
-
-def test_nothing_is_started_where_all_is_compiled() -> None:
-    kernel_cache.stamp().touch()
-    assert kernel_warmup.begin() is None and kernel_warmup.running() is None
-
-
-def test_without_a_python_for_it_all_goes_on(document: Any, job: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv(python_finder.VARIABLE, "/no/such/python")
-    monkeypatch.setattr(jit_guard, "PATIENCE_S", 0.0)
-    assert kernel_warmup.begin() is not None
-    made = pocket(document, job)
-    assert "once after an installation" in problem_of(made)
-    wait()
-    assert problem_of(made) == "" and not kernel_cache.stamp().exists()

@@ -76,6 +76,13 @@ def test_no_unit_test_imports_another_test() -> None:
     assert not found, "what tests share is in tests/helpers"
 
 
+def test_the_folders_of_freecads_tests_hold_tests_only() -> None:
+    files = [path for folder in ("freecad", "window") for path in (ROOT / "tests" / folder).glob("*.py")]
+    assert len(files) > 50
+    others = {path.name for path in files if not path.name.startswith("test_")} - {"conftest.py", "run.py"}
+    assert not others, "what they share is in tests/helpers/freecad and tests/window_helpers"
+
+
 def test_the_glossary_gives_each_word_once_in_both_languages() -> None:
     words = rows()
     assert len(words) > 50

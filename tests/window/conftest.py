@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""These tests run inside FreeCAD's window (see run.py); `tools/window.sh VERSION FILES` starts them there."""
+"""These tests run inside FreeCAD's window: `tools/window.sh VERSION FILES` (see window_helpers/run_tests.py)."""
 
 from __future__ import annotations
 
@@ -13,27 +13,28 @@ if INSIDE:
     from typing import Any
 
     import FreeCAD
-    import kinds
     import pytest
-    from hand import Hand
 
     from CNCStepper.workbench.calculation import kernel_warmup
+    from window_helpers import window_kinds
+    from window_helpers.hand import Hand
 
     def pytest_configure(config: pytest.Config) -> None:
-        config.addinivalue_line("markers", "window(*kinds): the kinds of window (kinds.py) that a test runs in")
+        config.addinivalue_line("markers", "window(*kinds): the kinds of window (window_kinds.py) that a test runs in")
 
     def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-        """Keep the tests of this kind of window."""
-        kind = os.environ.get(kinds.VARIABLE, "plain")
+        """Keep the tests of this kind of window; what a start costs is measured first."""
+        kind = os.environ.get(window_kinds.VARIABLE, "plain")
         wanted = {item: (item.get_closest_marker("window") or pytest.mark.window("plain")).args for item in items}
         config.hook.pytest_deselected(items=[item for item in items if kind not in wanted[item]])
         items[:] = [item for item in items if kind in wanted[item]]
+        items.sort(key=lambda item: item.path.name != "test_start_cost.py")
 
     @pytest.fixture(scope="session")
     def the_hand() -> Hand:
         """The one hand of this window, when FreeCAD has opened the workbench and no kernel is being compiled."""
         hand = Hand(*FreeCAD.__cncstepper_window__)
-        if kinds.AUTOLOAD not in os.environ:
+        if window_kinds.AUTOLOAD not in os.environ:
             hand.wait(hand.workbench_is_open, 60)
             hand.wait(lambda: kernel_warmup.running() is None, 300, "the kernels")
         hand.settle()

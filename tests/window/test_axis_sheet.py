@@ -10,11 +10,11 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 import pytest
-import screen_places as places
-from hand import Hand
 from PySide import QtGui
 
 from CNCStepper.workbench import api, panels
+from window_helpers import screen_places as places
+from window_helpers.hand import Hand
 
 P = "CNCStepper_Panel"
 A = f"{P}_axis"

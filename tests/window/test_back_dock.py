@@ -5,8 +5,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from hand import Hand
 from test_dock import LONGEST_MS, D, connected, dock, own_sessions, pocket, says, work_mm, zeroed  # noqa: F401
+
+from window_helpers.hand import Hand
 
 PLACE_S = 60.0  # a process is started and a program read
 

@@ -12,11 +12,11 @@ import FreeCADGui
 import Part
 import pytest
 from FreeCAD import Vector
-from hand import Hand
 from PySide import QtGui
 
 from CNCStepper.workbench import api, packages
 from CNCStepper.workbench.services import missing_packages
+from window_helpers.hand import Hand
 
 LABELS = {
     "CNCStepper_NewJob": "New job",
@@ -40,8 +40,9 @@ LABELS = {
     "CNCStepper_Send": "Send",
     "CNCStepper_Controller": "Controller",
     "CNCStepper_Machines": "Machines…",
+    "CNCStepper_Letters": "Pulse letters…",
 }
-NEW_JOB, IMPORT, FREEHAND, *OPERATIONS, EDIT, OPEN, SIMULATE, SEND, CONTROLLER, MACHINES = LABELS
+NEW_JOB, IMPORT, FREEHAND, *OPERATIONS, EDIT, OPEN, SIMULATE, SEND, CONTROLLER, MACHINES, LETTERS = LABELS
 DRAWN = ("CNCStepper_Pocket", "CNCStepper_Contour", "CNCStepper_Engrave")  # cannot be without a drawing
 OF_SHEETS = ("CNCStepper_SheetCut", "CNCStepper_WireCut")  # not of milling, which these jobs are cut by
 MILLED = [name for name in LABELS if name not in OF_SHEETS]
@@ -120,7 +121,7 @@ def test_toolbar_and_menu_stand_in_the_order_of_the_road(hand: Hand) -> None:
 
 
 def test_without_a_document(hand: Hand) -> None:
-    expect_enabled(hand, NEW_JOB, OPEN, CONTROLLER, MACHINES)
+    expect_enabled(hand, NEW_JOB, OPEN, CONTROLLER, MACHINES, LETTERS)
     assert reason(hand, FREEHAND) == "Open or make a document first"
     assert {reason(hand, name) for name in (IMPORT, *OPERATIONS, EDIT, SIMULATE, SEND)} == {
         "Make a job first, with New job"
@@ -137,7 +138,7 @@ def button_middle(name: str) -> tuple[float, float]:
 
 
 def test_the_tooltip_is_seen_on_the_disabled_button(hand: Hand) -> None:
-    expect_enabled(hand, NEW_JOB, OPEN, CONTROLLER, MACHINES)
+    expect_enabled(hand, NEW_JOB, OPEN, CONTROLLER, MACHINES, LETTERS)
     x, y = hand.main(lambda: button_middle(SEND))
     hand.mouse.move(x - 3, y)
     hand.settle()
@@ -149,12 +150,12 @@ def test_the_tooltip_is_seen_on_the_disabled_button(hand: Hand) -> None:
 
 def test_an_empty_document_can_be_drawn_in(hand: Hand) -> None:
     hand.main(new_document)
-    expect_enabled(hand, NEW_JOB, FREEHAND, OPEN, CONTROLLER, MACHINES)
+    expect_enabled(hand, NEW_JOB, FREEHAND, OPEN, CONTROLLER, MACHINES, LETTERS)
 
 
 def test_a_job_without_operations(hand: Hand) -> None:
     hand.main(lambda: api.new_job(new_document()))
-    expect_enabled(hand, NEW_JOB, IMPORT, FREEHAND, *BY_NUMBERS, OPEN, CONTROLLER, MACHINES)
+    expect_enabled(hand, NEW_JOB, IMPORT, FREEHAND, *BY_NUMBERS, OPEN, CONTROLLER, MACHINES, LETTERS)
     assert reason(hand, SEND) == "Job has nothing to cut: add an operation"
     assert {reason(hand, name).partition(":")[0] for name in DRAWN} == {
         "Select what is to be cleared", "Select what is to be cut out", "Select what is to be engraved",
@@ -163,7 +164,9 @@ def test_a_job_without_operations(hand: Hand) -> None:
 
 def test_a_job_with_a_program(hand: Hand) -> None:
     job = hand.main(lambda: new_job(new_document()))
-    expect_enabled(hand, NEW_JOB, IMPORT, FREEHAND, *BY_NUMBERS, EDIT, OPEN, SIMULATE, SEND, CONTROLLER, MACHINES)
+    expect_enabled(
+        hand, NEW_JOB, IMPORT, FREEHAND, *BY_NUMBERS, EDIT, OPEN, SIMULATE, SEND, CONTROLLER, MACHINES, LETTERS
+    )
     hand.main(lambda: select(sketch_of(job.Document, ellipse())))
     expect_enabled(hand, *MILLED)
     assert "Milling" in reason(hand, "CNCStepper_SheetCut")
@@ -173,12 +176,14 @@ def test_of_several_jobs_one_must_be_meant(hand: Hand) -> None:
     document = hand.main(new_document)
     jobs = hand.main(lambda: [new_job(document), new_job(document)])
     hand.main(select)
-    expect_enabled(hand, NEW_JOB, FREEHAND, OPEN, CONTROLLER, MACHINES)
+    expect_enabled(hand, NEW_JOB, FREEHAND, OPEN, CONTROLLER, MACHINES, LETTERS)
     hand.wait(lambda: reason(hand, SEND) == "Select the job in the tree: this document has several")
     hand.main(select, jobs[1].Operations[0])
-    expect_enabled(hand, NEW_JOB, IMPORT, FREEHAND, *BY_NUMBERS, EDIT, OPEN, SIMULATE, SEND, CONTROLLER, MACHINES)
+    expect_enabled(
+        hand, NEW_JOB, IMPORT, FREEHAND, *BY_NUMBERS, EDIT, OPEN, SIMULATE, SEND, CONTROLLER, MACHINES, LETTERS
+    )
     hand.main(select, *jobs)
-    expect_enabled(hand, NEW_JOB, FREEHAND, OPEN, CONTROLLER, MACHINES)
+    expect_enabled(hand, NEW_JOB, FREEHAND, OPEN, CONTROLLER, MACHINES, LETTERS)
 
 
 def test_a_job_that_cannot_be_made_says_what_is_wrong(hand: Hand) -> None:
@@ -199,9 +204,11 @@ class Panel:
 
 def test_one_task_panel_at_a_time(hand: Hand) -> None:
     hand.main(lambda: new_job(new_document()))
-    expect_enabled(hand, NEW_JOB, IMPORT, FREEHAND, *BY_NUMBERS, EDIT, OPEN, SIMULATE, SEND, CONTROLLER, MACHINES)
+    expect_enabled(
+        hand, NEW_JOB, IMPORT, FREEHAND, *BY_NUMBERS, EDIT, OPEN, SIMULATE, SEND, CONTROLLER, MACHINES, LETTERS
+    )
     hand.main(lambda: FreeCADGui.Control.showDialog(Panel()))
-    expect_enabled(hand, OPEN, CONTROLLER, MACHINES)
+    expect_enabled(hand, OPEN, CONTROLLER, MACHINES, LETTERS)
     assert reason(hand, POCKET) == "Close the open task panel first"
 
 
@@ -256,7 +263,7 @@ def boxes() -> list[Any]:
 
 def test_without_numba_all_works_slowly(hand: Hand, hidden: Any) -> None:
     hidden("numba")
-    expect_enabled(hand, NEW_JOB, OPEN, CONTROLLER, MACHINES)
+    expect_enabled(hand, NEW_JOB, OPEN, CONTROLLER, MACHINES, LETTERS)
     assert "slow" in hand.main(hand.find("CNCStepper_Tell_notice").text)
     hand.button("OK")
 

@@ -13,9 +13,7 @@ import FreeCAD
 import FreeCADGui
 import Part
 import pytest
-import screen_places as places
 from FreeCAD import Vector
-from hand import Hand
 from PySide import QtCore, QtGui
 
 from CNCStepper.errors import CNCStepperError
@@ -24,6 +22,8 @@ from CNCStepper.workbench.features.base import problem_of, proxy_type
 from CNCStepper.workbench.features.catalogue import OPERATIONS
 from CNCStepper.workbench.panels.tool_field import tool_words
 from CNCStepper.workbench.proving.proof_process import ProofRun
+from window_helpers import screen_places as places
+from window_helpers.hand import Hand
 
 PANEL = "CNCStepper_Panel_"
 RIGHT = QtCore.Qt.ArrowType.RightArrow  # of a group that is folded

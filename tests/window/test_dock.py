@@ -13,8 +13,6 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 import pytest
-import screen_places as places
-from hand import Hand
 from PySide import QtCore, QtGui
 
 from CNCStepper.control.processes.python_finder import command, environment, find_python
@@ -26,6 +24,8 @@ from CNCStepper.workbench import api
 from CNCStepper.workbench.dock.model.port_choices import VIRTUAL
 from CNCStepper.workbench.dock.model.send_steps import STEPS
 from CNCStepper.workbench.services import sounds
+from window_helpers import screen_places as places
+from window_helpers.hand import Hand
 
 D = "CNCStepper_Dock_"
 LONGEST_MS = 50.0
@@ -376,7 +376,7 @@ def test_the_window_lives_while_100_000_lines_stream(hand: Hand, dock: Any, tmp_
 
 
 def test_a_new_window_takes_up_what_a_killed_one_left(hand: Hand, tmp_path: Path) -> None:
-    words = [find_python(), str(Path(__file__).with_name("left_behind.py")), str(tmp_path)]
+    words = [find_python(), str(Path(__file__).parents[1] / "window_helpers" / "left_behind.py"), str(tmp_path)]
     before = subprocess.Popen(words, env=environment(), stdout=subprocess.PIPE, text=True)
     try:
         while int(before.stdout.readline()) < 5:

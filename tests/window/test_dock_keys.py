@@ -9,12 +9,12 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 import pytest
-from hand import Hand
 from PySide import QtCore, QtGui
 from test_dock import D, connected, dock, own_sessions, pocket, says, start_button, work_mm, zeroed  # noqa: F401
 
 from CNCStepper.workbench.dock.connection import Link
 from CNCStepper.workbench.dock.model.button_states import ControllerSnapshot
+from window_helpers.hand import Hand
 
 DOCKS_OWN = ("space", "Return", "Escape", "Delete", "v", "0")  # with which FreeCAD hides, deletes, turns the view …
 LET_GO_S = 1.5  # so long a key is held: X repeats it some 25 times a second after half a second

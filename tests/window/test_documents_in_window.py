@@ -11,10 +11,12 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 import pytest
-import whole_document as whole
-from hand import Hand
 
-pytestmark = pytest.mark.window("documents")
+from CNCStepper.workbench.calculation import kernel_warmup
+from helpers.freecad import whole_document as whole
+from window_helpers.hand import Hand
+
+pytestmark = pytest.mark.window("timed")
 
 
 @pytest.fixture
@@ -25,6 +27,7 @@ def folder(tmp_path: Path) -> Path:
 def test_documents_of_this_and_of_older_windows_open_with_the_same_program(
     hand: Hand, folder: Path, tmp_path: Path
 ) -> None:
+    hand.wait(lambda: kernel_warmup.running() is None, 300, "the kernels")
     hand.expect_report("Recomputation required")  # FreeCAD's own word about shapes that an older one saved
     hand.main(whole.save, folder)
     for version in [whole.version(), *whole.older()]:

@@ -13,14 +13,14 @@ import FreeCAD
 import FreeCADGui
 import numpy as np
 import pytest
-import screen_places as places
-from hand import Hand
 from PySide import QtCore, QtGui
 
 from CNCStepper.workbench import api, editor
 from CNCStepper.workbench.document import program_file
 from CNCStepper.workbench.editor.panel import EditorPanel
 from CNCStepper.workbench.editor.window import docks
+from window_helpers import screen_places as places
+from window_helpers.hand import Hand
 
 READ_S = 120  # where the kernels are compiled first
 AT_ONCE_MS = 50  # of the interface thread's own work, between two keys

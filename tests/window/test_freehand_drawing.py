@@ -9,7 +9,8 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 import pytest
-from hand import Hand
+
+from window_helpers.hand import Hand
 
 STYLES = ("CAD", "Blender", "Gesture", "Inventor", "MayaGesture", "OpenCascade", "OpenSCAD", "Revit", "TinkerCAD")
 WAVE = [(300 + 8 * step, 300 + 60 * math.sin(step / 5)) for step in range(30)]

@@ -10,8 +10,9 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 import pytest
-from hand import Hand
 from PySide import QtCore, QtGui
+
+from window_helpers.hand import Hand
 
 pytestmark = pytest.mark.window("plain", "scaled")
 

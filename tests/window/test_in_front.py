@@ -7,12 +7,12 @@ from pathlib import Path
 from typing import Any
 
 import FreeCADGui
-from hand import Hand
 from test_dock import D, dock, own_sessions, pocket  # noqa: F401
 from test_editor import NAME, no_editor_stays, opened  # noqa: F401
 
 from CNCStepper.workbench.document import program_file
 from CNCStepper.workbench.features.base import proxy_type
+from window_helpers.hand import Hand
 
 START_S = 240
 TEXT = "G21 G90\nT1\nM3 S9000\nG4 P3\nG0 Z5\nX-20 Y0\nG1 Z-1 F200\nX20 F800\nG0 Z5\nM5\nM2\n"

@@ -9,12 +9,12 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 import pytest
-import screen_places as places
 from FreeCAD import Rotation, Vector
-from hand import Hand
 from PySide import QtGui
 
 from CNCStepper.workbench import api, panels
+from window_helpers import screen_places as places
+from window_helpers.hand import Hand
 
 P = "CNCStepper_Panel"
 ADD, REMOVE = f"{P}_clamps_add", f"{P}_clamps_remove"

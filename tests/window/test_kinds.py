@@ -7,9 +7,10 @@ import importlib.util
 
 import FreeCADGui
 import pytest
-from hand import Hand
 from PySide import QtGui
 from test_language import shown_texts
+
+from window_helpers.hand import Hand
 
 
 @pytest.mark.window("scaled")

@@ -13,8 +13,9 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 import pytest
-from hand import Hand
 from PySide import QtGui
+
+from window_helpers.hand import Hand
 
 PORTUGUESE = "pt-BR"
 STARTED_IN = os.environ.get("CNCSTEPPER_WINDOW_LANGUAGE", "English")
@@ -38,6 +39,7 @@ COMMANDS = {
     "CNCStepper_Send": "Enviar",
     "CNCStepper_Controller": "Controlador",
     "CNCStepper_Machines": "Máquinas…",
+    "CNCStepper_Letters": "Letras de pulso…",
 }
 ENGLISH = {
     "Depth",

@@ -10,14 +10,14 @@ from typing import Any
 
 import FreeCADGui
 import pytest
-import screen_places as places
-from hand import Hand
 from PySide import QtGui
 
 from CNCStepper.machine.files.profile_files import own_folder
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.workbench.dock.model.port_choices import VIRTUAL
 from CNCStepper.workbench.machines.port_picture import levels_of
+from window_helpers import screen_places as places
+from window_helpers.hand import Hand
 
 M, T, D = "CNCStepper_Machines", "CNCStepper_MachineTest", "CNCStepper_Dock_"
 
@@ -152,7 +152,7 @@ def test_the_ports_pins_show_what_the_status_says(hand: Hand, bench: Any) -> Non
     hand.shot("machine-test-port", M)
     assert hand.main(bench.test.port.words, 2).startswith("Pin 2: output, X step")
     table = load_machine("thesis-table")
-    status = dataclasses.replace(hand.main(lambda: bench.test.bench.status), outputs="SF", pins="11")
+    status = dataclasses.replace(hand.main(lambda: bench.test.bench.status), outputs="SF", port_inputs=(11,))
     levels = levels_of(table, status)
     assert levels[abs(table.signals.wired["spindle_cw"])] is True and levels[11] is True and levels[10] is False
     assert levels_of(table, None) == {}

@@ -9,12 +9,12 @@ from typing import Any
 
 import FreeCADGui
 import pytest
-import screen_places as places
-from hand import Hand
 from PySide import QtGui
 
 from CNCStepper.machine.files.profile_files import own_folder, own_names
 from CNCStepper.machine.profile import load_machine
+from window_helpers import screen_places as places
+from window_helpers.hand import Hand
 
 M, FIELD = "CNCStepper_Machines", "CNCStepper_Machine"
 

@@ -15,9 +15,7 @@ import FreeCAD
 import FreeCADGui
 import Part
 import pytest
-import screen_places as places
 from FreeCAD import Vector
-from hand import Hand
 from PySide import QtCore, QtGui
 
 from CNCStepper.workbench import api, panels
@@ -25,6 +23,8 @@ from CNCStepper.workbench.commands.create_object import create
 from CNCStepper.workbench.document import program_file
 from CNCStepper.workbench.features.base import problem_of, proxy_type, value_of
 from CNCStepper.workbench.features.operation import Operation
+from window_helpers import screen_places as places
+from window_helpers.hand import Hand
 
 DEPTH, STEPOVER, OK, CANCEL = (f"CNCStepper_Panel_{name}" for name in ("depth_mm", "stepover_mm", "ok", "cancel"))
 NEVER_A_NUMBER = ["", "abc", "nan", "inf", "mm", "-", "("]  # nor is any of their beginnings

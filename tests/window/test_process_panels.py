@@ -10,13 +10,13 @@ import Draft
 import FreeCAD
 import FreeCADGui
 import pytest
-import screen_places as places
 from FreeCAD import Vector
-from hand import Hand
 from test_cycle_panels import cut_off
 
 from CNCStepper.workbench import api, panels
 from CNCStepper.workbench.features.base import problem_of
+from window_helpers import screen_places as places
+from window_helpers.hand import Hand
 
 P = "CNCStepper_Panel_"
 PORTUGUESE = "pt-BR"

@@ -10,13 +10,13 @@ import FreeCADGui
 import Part
 import pytest
 from FreeCAD import Vector
-from hand import Hand
 from PySide import QtGui
 from test_typing import hidden_view
 
 from CNCStepper.workbench import api
 from CNCStepper.workbench.features.base import problem_of
 from CNCStepper.workbench.services import jit_guard
+from window_helpers.hand import Hand
 
 REFUSED_MS = 100.0  # of processor time in which FreeCAD recomputes a document without any cut
 SPARE_MS = 300.0  # of a recompute besides the one cut that is ended

@@ -10,12 +10,12 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 import pytest
-from hand import Hand
 from test_dock import LONGEST_MS, D, dock, own_sessions, start_button, zeroed  # noqa: F401
 
 from CNCStepper.control.session.files import read_private, running_services
 from CNCStepper.workbench import api
 from CNCStepper.workbench.dock import virtual_controller
+from window_helpers.hand import Hand
 
 R = "CNCStepper_Restart_"
 START_S = 240  # a process whose kernels are not compiled yet

@@ -12,10 +12,10 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 import pytest
-from hand import PICTURES, Hand
 
 from CNCStepper.workbench import api
 from CNCStepper.workbench.features.base import proxy_type
+from window_helpers.hand import PICTURES, Hand
 
 DOCK, PANEL, PLAYER = "CNCStepper_Dock_", "CNCStepper_Panel_", "CNCStepper_Simulation_"
 LEAF_MM = [(-18 + 36 * k / 40, 9 * math.sin(k / 40 * 2 * math.pi)) for k in range(41)]

@@ -11,12 +11,12 @@ import FreeCAD
 import FreeCADGui
 import pytest
 from FreeCAD import Vector
-from hand import Hand
 from test_simulation_view import go_to, opened, ready
 
 from CNCStepper.workbench import api
 from CNCStepper.workbench.proving.proof_process import ProofRun
 from CNCStepper.workbench.simulation.task import SimulationTask
+from window_helpers.hand import Hand
 
 
 def new_document() -> Any:

@@ -14,7 +14,6 @@ import FreeCAD
 import FreeCADGui
 import numpy as np
 import pytest
-from hand import Hand
 
 from CNCStepper.workbench import api
 from CNCStepper.workbench.document import program_file
@@ -23,6 +22,7 @@ from CNCStepper.workbench.services.findings_list import sentence
 from CNCStepper.workbench.simulation import open_simulation
 from CNCStepper.workbench.simulation.scene import AT_MOMENT, FINISHED
 from CNCStepper.workbench.simulation.task import SimulationTask
+from window_helpers.hand import Hand
 
 PROVEN_S = 180  # where nothing is compiled yet and the processors are busy
 AT_ONCE_MS = 50

@@ -12,8 +12,9 @@ import time
 import FreeCAD
 import FreeCADGui
 import pytest
-from hand import Hand
 from PySide import QtGui
+
+from window_helpers.hand import Hand
 
 pytestmark = pytest.mark.window("timed")
 

@@ -9,9 +9,9 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 import pytest
-from hand import Hand
 
 from CNCStepper.workbench import api
+from window_helpers.hand import Hand
 
 
 def box(job: Any) -> tuple[float, ...]:

@@ -10,15 +10,15 @@ import FreeCAD
 import FreeCADGui
 import Part
 import pytest
-import screen_places as places
 from FreeCAD import Vector
-from hand import Hand
 from PySide import QtCore, QtGui
 
 from CNCStepper.workbench import api
 from CNCStepper.workbench.features.base import problem_of, proxy_type
 from CNCStepper.workbench.services.icons import icon
 from CNCStepper.workbench.viewproviders import tree_tooltips
+from window_helpers import screen_places as places
+from window_helpers.hand import Hand
 
 RIGHT = 3
 

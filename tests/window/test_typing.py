@@ -26,9 +26,7 @@ import FreeCAD
 import FreeCADGui
 import Part
 import pytest
-import screen_places as places
 from FreeCAD import Vector
-from hand import Hand
 from PySide import QtCore, QtGui
 from test_cycle_panels import DRAWN, MILLED, PANEL, every_panel, unfold
 
@@ -39,6 +37,8 @@ from CNCStepper.workbench.calculation.cut_process import process
 from CNCStepper.workbench.features.base import problem_of, proxy_type, values
 from CNCStepper.workbench.features.catalogue import OPERATIONS
 from CNCStepper.workbench.features.preview import Preview
+from window_helpers import screen_places as places
+from window_helpers.hand import Hand
 
 TEXTS = ("10 m", "10 mm + 2 in", "1e3 mm", "0,5 mm", "-3 mm", "1/0", "99999999 mm", "abc", "10 mm", "")
 WHOLE = [text for text in TEXTS if not any(other.startswith(text) for other in TEXTS if other != text)]

@@ -16,7 +16,7 @@ def command(session: str | None) -> None:
 
     The job is one that `cncstepper send` sent from any terminal, also one that is closed by now, or that was sent from
     FreeCAD's window. `cncstepper go` lets it go on, `cncstepper back` leads it back along its cut, `cncstepper stop`
-    ends it. This is not an emergency stop.
+    ends it. This is not an emergency stop. The mini-lathe cannot be held over its link.
     """
     from CNCStepper.cli.job.pause_prompt import why
     from CNCStepper.control.service.connection_session import attach

@@ -56,6 +56,9 @@ def command(what: tuple[str, ...], session: str | None) -> None:
     cncstepper override spindle stop   stop the spindle of a held machine, and start it again
     cncstepper override flood          switch flood coolant on, or off; also mist
 
+    The mini-lathe takes none of them. On a parallel port or USB board the spindle is a relay, whose speed no share
+    changes, and a feed above 100 % counts from behind the pulses that are queued (0.3 s).
+
     Printed are feed/rapid/spindle in percent, and what is on: S or C for the spindle's sense, F flood, M mist. The job
     is one that `cncstepper send` sent from any terminal, or that was sent from FreeCAD's window.
     """

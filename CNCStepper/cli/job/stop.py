@@ -17,6 +17,9 @@ def command(session: str | None) -> None:
     The rest of the job is not cut. The job is one that `cncstepper send` sent from any terminal, also one that is
     closed by now, or that was sent from FreeCAD's window. `cncstepper hold` only holds it. This is not an emergency
     stop: that one is on the machine.
+
+    The mini-lathe cannot be stopped over its link while it runs what it was sent: nothing more is sent to it, and the
+    outcome says how long it still works. A parallel port or USB board brakes and stops.
     """
     from CNCStepper.control.service.connection_session import attach
 

@@ -53,7 +53,7 @@ _PLACE = (
 _SENDING = (
     click.option("-o", "--out", type=OutputPath("program"), help="Write the restart program there."),
     click.option("--certificate", type=OutputPath("certificate"), help="Write its certificate there."),
-    click.option("--port", help="Send it: a serial port (COM3, /dev/ttyUSB0) or a URL (socket://127.0.0.1:2217)."),
+    click.option("--port", help="Send it: a port or URL as of `cncstepper send`, a parallel port too."),
     click.option("--baud", type=click.IntRange(min=300), default=115200, show_default=True),
     click.option("--zero-confirmed", is_flag=True, help="As of `cncstepper send`; the tool is in."),
     click.option("--home", "home_first", is_flag=True, help="Let the machine home itself first ($H)."),
@@ -166,6 +166,10 @@ def command(
     is cut on no stock is sent only with --without-stock. A program in a language that the machine's controller does not
     read is restarted as it is sent, in grbl's. Programs of the mini-lathe, and pulse letters, cannot be restarted in
     their middle. `cncstepper resume` gives the whole command for a job that did not end.
+
+    At a parallel port or a USB board --machine names the controller of ours that --port starts. It cannot home or
+    probe: set the work zero with `cncstepper zero` first. The mini-lathe cannot be entered in the middle of a program:
+    send it whole. What a machine cannot do is printed before the first line.
 
     Exit 0 when it is clean (and, with --port, done), else 1.
     """

@@ -239,10 +239,20 @@ class ConnectionClient:
             events.append({"event": "connection", "text": self.phase})
         return events
 
-    def run(self, job_file: Path, zero_confirmed: bool, allow_differences: bool = False) -> None:
-        """Let the job of a certificate's file, or of a `SendJob` as JSON, run; its port and consents do not count."""
+    def run(
+        self, job_file: Path, zero_confirmed: bool, allow_differences: bool = False, by_line: bool | None = None
+    ) -> None:
+        """Let the job of a certificate's file, or of a `SendJob` as JSON, run; its port and consents do not count.
+
+        by_line: whether it waits before each line; None: as the job says.
+        """
         self.outcome = None
-        self.ask("run", file=str(job_file), zero_confirmed=zero_confirmed, allow_differences=allow_differences)
+        consents = {"zero_confirmed": zero_confirmed, "allow_differences": allow_differences}
+        self.ask("run", file=str(job_file), **consents, by_line=by_line)
+
+    def by_line(self, on: bool) -> None:
+        """Ask that the job that runs waits before each line, or does so no more."""
+        self.ask("by_line", on=on)
 
     def send(self, job_file: Path, zero_confirmed: bool, allow_differences: bool) -> None:
         """Run a job as a separate sender would: homed first where the job requires it, from a restart if confirmed."""

@@ -272,12 +272,22 @@ class ConnectionService:
         return Command("again") if may_run else None
 
     def _run_file(
-        self, idle: IdleController, file: str, zero_confirmed: bool, allow_differences: bool, is_sent: bool
+        self,
+        idle: IdleController,
+        file: str,
+        zero_confirmed: bool,
+        allow_differences: bool,
+        is_sent: bool,
+        by_line: bool | None = None,
     ) -> None:
-        """Run the job of a file and report its outcome. is_sent: from a command line."""
+        """Run the job of a file and report its outcome.
+
+        is_sent: from a command line. by_line: whether it waits before each line; None: as the job says.
+        """
         self._tell("job", file)
         own = {"port": self.port, "baud": self._baud}
         consents = {"zero_confirmed": zero_confirmed, "allow_differences": allow_differences}
+        consents |= {} if by_line is None else {"by_line": by_line}
         try:
             idle.check_at_rest()  # a copy takes its time, and nothing is read from the controller meanwhile
             job = self._copied(Path(file), own | consents)

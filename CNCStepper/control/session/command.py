@@ -18,7 +18,8 @@ _NUMBER = (int, float)
 _STAND = (int, type(None))  # the number of the stand that is answered to; None: whichever there is
 _WAY = {"x_mm": _NUMBER, "y_mm": _NUMBER, "z_mm": _NUMBER, "feed_mm_min": _NUMBER}
 
-_JOB = {"file": str, "zero_confirmed": bool, "allow_differences": bool}
+_BY_LINE = (bool, type(None))  # None: as the job says
+_JOB = {"file": str, "zero_confirmed": bool, "allow_differences": bool, "by_line": _BY_LINE}
 JOB_COMMANDS = (
     "hold",
     "resume",
@@ -72,8 +73,8 @@ def read_command(request: Mapping[str, Any], known: tuple[str, ...]) -> Command:
 
 
 def _value(value: Any, kind: Any, key: str) -> Any:
-    boolean = isinstance(value, bool)
-    if not isinstance(value, kind) or boolean != (kind is bool) or not _is_number(value):
+    kinds = kind if isinstance(kind, tuple) else (kind,)
+    if not isinstance(value, kinds) or (isinstance(value, bool) and bool not in kinds) or not _is_number(value):
         raise ValueError(Text("'{key}' cannot be {value!r}", key=key, value=str(value)[:40]))
     return value
 

@@ -13,6 +13,7 @@ from CNCStepper.errors import CNCStepperError, LinkError, Place, Text
 from CNCStepper.text_json import restored, with_texts
 
 TUPLES = ("mpos_mm", "wpos_mm", "overrides", "buffer")
+PORT_INPUTS, PORT_OUTPUTS = "port_inputs", "port_outputs"
 DONE, STOPPED, REFUSED, FAILED = "done", "stopped", "refused", "failed"
 ENDS = (DONE, STOPPED, REFUSED, FAILED)
 WORDS = ("code", "what", "advice", "value", "limit")  # of an error
@@ -39,6 +40,8 @@ class SenderStatus:
     work_system, work_offsets_mm: the work system in force and what `$#` last said by name ("G54", "G92", "TLO").
     None stands for: not reported yet.
     cannot: what the machine cannot do, as words of `control.protocol.grbl.capabilities`.
+    port_inputs, port_outputs: of a parallel port the status pins that are high and the devices that are on; None of
+    another machine.
     """
 
     phase: str = Phase.CONNECTING
@@ -70,6 +73,8 @@ class SenderStatus:
     work_system: str = ""
     work_offsets_mm: dict[str, Vector] | None = None
     cannot: tuple[str, ...] = ()
+    port_inputs: tuple[int, ...] | None = None
+    port_outputs: tuple[str, ...] | None = None
 
     def to_json(self) -> dict[str, Any]:
         """Return it as plain values."""
@@ -83,7 +88,12 @@ class SenderStatus:
             offsets = content["work_offsets_mm"]
             named = {str(name): _vector(offset) for name, offset in offsets.items()} if offsets else None
             cannot = tuple(str(word) for word in content["cannot"])
-            status = cls(**(content | vectors | {"work_offsets_mm": named, "cannot": cannot}))
+            outputs = content[PORT_OUTPUTS]
+            port = {
+                PORT_INPUTS: None if content[PORT_INPUTS] is None else _vector(content[PORT_INPUTS]),
+                PORT_OUTPUTS: None if outputs is None else tuple(str(name) for name in outputs),
+            }
+            status = cls(**(content | vectors | port | {"work_offsets_mm": named, "cannot": cannot}))
         except (TypeError, KeyError, AttributeError) as error:
             raise ValueError(Text("not a status: {error}", error=error)) from error
         for name, kinds in _KINDS.items():

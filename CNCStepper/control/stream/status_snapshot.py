@@ -30,6 +30,8 @@ def status_snapshot(driver: Grbl | None, phase: str, message: str = "") -> Sende
         outputs=driver.outputs,
         buffer=seen.buffer,
         pins=seen.pins,
+        port_inputs=seen.port_inputs,
+        port_outputs=seen.port_outputs,
         cannot=tuple(sorted(driver.cannot)),
         homing=bool(driver.settings[HOMING]) if HOMING in driver.settings else None,
     )

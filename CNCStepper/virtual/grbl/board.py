@@ -107,6 +107,10 @@ class Board(ABC):
             return f"Door:{self.suspension.door_phase(ajar=DOOR in self.inputs.held)}"
         return self.state.value
 
+    def own_fields(self) -> list[str]:
+        """Return fields of the status report that grbl does not have; grbl's own board has none."""
+        return []
+
     def pins(self) -> str:
         """Return the input pins that are on, as the status report names them."""
         on = set(self.axes.pressed_switches()) if self._has_switches else set()

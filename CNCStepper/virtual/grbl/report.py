@@ -104,6 +104,7 @@ def status(machine: Board) -> str:
     pins = machine.pins()
     if pins:
         fields.append(f"Pn:{pins}")
+    fields += machine.own_fields()
     return f"<{'|'.join(fields + _occasional(machine))}>"
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The command of the machine profiles."""
+"""The commands of machines: their profiles, and pulse letters."""
 
 from __future__ import annotations
 
@@ -24,3 +24,21 @@ class Machines(Command):
         from CNCStepper.workbench.machines import open_machines
 
         open_machines()
+
+
+class Letters(Command):
+    """Opens the window of pulse letters."""
+
+    name = "CNCStepper_Letters"
+    menu_text = QT_TRANSLATE_NOOP("CNCStepper_Letters", "Pulse letters…")
+    tooltip = QT_TRANSLATE_NOOP("CNCStepper_Letters", "Draws a file of pulse letters and sends it, forwards and back")
+
+    def why_not(self) -> str:
+        """Return why no letters can be read."""
+        return missing_packages.why_not()
+
+    def run(self) -> None:
+        """Open the window."""
+        from CNCStepper.workbench.letters import open_letters
+
+        open_letters()

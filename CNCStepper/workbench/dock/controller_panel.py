@@ -11,7 +11,8 @@ from PySide import QtCore, QtGui
 
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.workbench.dock.connection import Link, error_text
-from CNCStepper.workbench.dock.job_sending import FileSending, Sending
+from CNCStepper.workbench.dock.file_sending import FileSending
+from CNCStepper.workbench.dock.job_sending import Sending
 from CNCStepper.workbench.dock.model import settings
 from CNCStepper.workbench.dock.model.button_states import RULES, face, why_not
 from CNCStepper.workbench.dock.model.relay_keys import sound_between
@@ -54,11 +55,17 @@ class Panel(KeyboardArea):
         self.link, self.log = link, LogView()
         lengths, point = settings.lengths(), settings.decimal_point()
         self.findings = widgets.named(FindingsList(), "Findings")
-        self.sending = Sending(self, self.link, self._show_findings, self.connect_chosen, self.refresh)
+        self.by_line = widgets.named(QtGui.QCheckBox(tr("Line by line")), "ByLine")
+        self.by_line.setToolTip(tr("The machine waits before each line of a job; Resume cuts the next one"))
+        self.by_line.clicked.connect(messages.guarded(self._by_line_chosen))
+        self.sending = Sending(
+            self, self.link, self._show_findings, self.connect_chosen, self.refresh, self.by_line.isChecked
+        )
         self.connection = ConnectionView(self.connect_chosen, self._leave, self._ports)
         self.state = StateView()
         self.flow = FlowView(self.findings, self.sending.confirm_step, self.sending.away)
-        self.file_sending, self.recovery = FileSending(send), RestartOffer(self.link, send)
+        self.file_sending = FileSending(send, lambda: self.connection.profile)
+        self.recovery = RestartOffer(self.link, send)
         self.position = PositionView(lengths, point, lambda axes: self.link.command("set_zero", axes))
         self.backing = RetractRun(self, self.link, self.log.say, self.refresh)
         self.back = RetractView(lengths, point, self.backing.go)
@@ -172,6 +179,10 @@ class Panel(KeyboardArea):
         elif not job_runs:
             self.job.hide()
 
+    def _by_line_chosen(self) -> None:
+        if self.link.moment.job_runs:
+            self.link.command("by_line", self.by_line.isChecked())
+
     def _machine_chosen(self) -> None:
         settings.remember_machine(self.connection.profile)
         self.relays.show_machine(self.connection.profile)
@@ -201,7 +212,7 @@ class Panel(KeyboardArea):
         layout = widgets.column(content)
         layout.setContentsMargins(*MARGINS)
         sections: tuple[list[Any], ...] = (
-            [self.flow, self.job, self.back, self.file_sending.button, self.recovery.view, self.position],
+            [self.flow, self.job, self.by_line, self.back, self.file_sending.button, self.recovery.view, self.position],
             [widgets.caption(tr("Jog")), self.jog, widgets.row(self.home, self.unlock)],
             [widgets.caption(tr("Overrides")), self.overrides],
             [widgets.caption(tr("Relays")), self.relays],

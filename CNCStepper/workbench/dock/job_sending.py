@@ -8,32 +8,27 @@ proof for another one is made again.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from CNCStepper.errors import CNCStepperError, JobError
 from CNCStepper.state import Start
 from CNCStepper.workbench.dock.connection import Link, error_text
-from CNCStepper.workbench.dock.model.button_states import ControllerSnapshot, sentences
+from CNCStepper.workbench.dock.model.button_states import sentences
 from CNCStepper.workbench.dock.model.send_steps import Flow
-from CNCStepper.workbench.dock.model.unfinished_job import why_not_now
-from CNCStepper.workbench.dock.views import widgets
 from CNCStepper.workbench.proving.latest_proof import LatestProof
-from CNCStepper.workbench.services import messages, missing_packages
+from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.services.message_translation import translated
-from CNCStepper.workbench.services.translation import later, tr
+from CNCStepper.workbench.services.translation import tr
 
 if TYPE_CHECKING:
     from CNCStepper.recovery.restart.restart_proof_folder import RestartPlace
-
-DOES = later("Check a G-code file with the job's machine, stock, tools and clamps, and send it.")
 
 
 class Sending:
     """The flow of one job at a time.
 
     show_findings: fills the list of the checks. connect: opens the port that is chosen. changed: called when
-    something new is to be shown.
+    something new is to be shown. by_line: says whether the machine waits before each line.
     """
 
     def __init__(
@@ -43,11 +38,13 @@ class Sending:
         show_findings: Callable[[Sequence[Any]], None],
         connect: Callable[[], None],
         changed: Callable[[], None],
+        by_line: Callable[[], bool],
     ):
         self.flow = Flow()
         self.program_lines: Sequence[str] = ()
         self._parent, self._link = parent, link
         self._show_findings, self._connect, self._changed = show_findings, connect, changed
+        self._by_line = by_line
         self._job: Any = None
         self._place: RestartPlace | None = None
         self._proof = LatestProof(self._proved, self._failed, self._progress)
@@ -173,7 +170,8 @@ class Sending:
 
     def _start(self) -> None:
         result = self._result
-        self._link.command("run", result.send_file, zero_confirmed=True, allow_differences=self.flow.anyway)
+        consents = {"zero_confirmed": True, "allow_differences": self.flow.anyway}
+        self._link.command("run", result.send_file, **consents, by_line=self._by_line())
 
     def _ended(self, outcome: Any) -> None:
         if outcome.error is not None and outcome.error.code == "settings-differ" and not self.flow.anyway:
@@ -181,38 +179,3 @@ class Sending:
         else:
             self.flow.end(outcome.kind, sentences(translated(outcome.text)))
         self._changed()
-
-
-class FileSending:
-    """The button, and what it does."""
-
-    def __init__(self, send: Callable[[Any], None]) -> None:
-        self._send = send
-        self.button = widgets.button("SendFile", tr("Send a G-code file…"), self._ask)
-
-    def lock(self, moment: ControllerSnapshot) -> None:
-        """Enable the button while nothing is cut."""
-        widgets.lock(self.button, why_not_now(moment), DOES)
-
-    def _ask(self) -> None:
-        """Ask which file, and send it for the job that is meant."""
-        from CNCStepper.workbench.document import targets
-        from CNCStepper.workbench.editor.file_dialogs import ask_which
-
-        if why_not := missing_packages.why_not() or targets.why_no_panel() or targets.why_no_job():
-            messages.notice(
-                why_not,
-                tr("A file is checked with a job's machine, stock, tools and clamps; no operation is needed."),
-            )
-            return
-        path = ask_which()
-        if path is not None:
-            self._take(targets.job(), path)
-
-    def _take(self, job: Any, path: Path) -> None:
-        from CNCStepper.workbench.editor.active_program import of_file
-        from CNCStepper.workbench.proving import prove_program
-
-        program = of_file(job, path)
-        prove_program.make(program)
-        self._send(program)

@@ -27,6 +27,7 @@ from CNCStepper.workbench.features.tool import model_of, tool_content
 __all__ = [
     "cut_question",
     "job_of",
+    "language_of",
     "machine_of",
     "program_question",
     "programs",
@@ -88,6 +89,16 @@ def proven_with(program: Any) -> Job:
     """Return with what a job's, an edited or a file's program is proven; a file's has nothing of the operations."""
     job = job_behind(program)
     return _model(job, [], job.Tools) if is_of_a_file(program) else job_of(job)
+
+
+def language_of(program: Any) -> str:
+    """Return the dialect in which a program is read; that of a file takes the feed of its job's chart for a missing F.
+
+    Raises JobError for a chart that cannot be read or does not cover the job.
+    """
+    job = job_behind(program)
+    row = cut_data_of(job) if is_of_a_file(program) else None
+    return machine_of(job).language("", row.feed_mm_min if row else 0.0)
 
 
 def _model(obj: Any, operations: Sequence[Any], tools: Sequence[Any]) -> Job:

@@ -123,11 +123,11 @@ class ObjectSource:
 
     def language(self, machine: Any) -> Language:
         """Return how it is read: as its job says."""
-        from CNCStepper.workbench.document.core_job import machine_of, proven_with
+        from CNCStepper.workbench.document.core_job import language_of, machine_of, proven_with
 
         own = machine_of(job_behind(self.obj))
         start = proven_with(self.obj).started(None, own) if own.tool_length == "table" else None
-        return Language(own.language(), "", own, start)
+        return Language(language_of(self.obj), "", own, start)
 
     def save(self, text: str) -> ObjectSource:
         """Keep the text in the document, in one undo step; returns the source of what is kept.

@@ -7,7 +7,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from typing import Any
 
@@ -139,10 +138,17 @@ def pins_of(machine: Machine) -> tuple[dict[int, str], set[int]]:
 
 
 def levels_of(machine: Machine, status: SenderStatus | None) -> dict[int, bool]:
-    """Return the pins whose level follows from a status: those of spindle and coolant, and inputs by their numbers."""
+    """Return the pins whose level follows from a status: outputs of devices, and all inputs where it tells them.
+
+    Of the motors' lines nothing is known: they change thousands of times a second.
+    """
     if status is None:
         return {}
-    known = {pin: is_on(device, status.outputs) for device, pin in machine.signals.wired.items() if device in DEVICES}
+    wired, told = machine.signals.wired, status.port_outputs
+    if told is None:
+        known = {pin: is_on(device, status.outputs) for device, pin in wired.items() if device in DEVICES}
+    else:
+        known = {pin: device in told for device, pin in wired.items() if device in DEVICES}
     levels = {abs(pin): on != (pin < 0) for pin, on in known.items() if on is not None}
-    high = {int(number) for number in re.findall(r"\d+", status.pins)}
-    return levels | ({pin: pin in high for pin in INPUT_PINS} if high else {})
+    high = status.port_inputs
+    return levels | ({pin: pin in high for pin in INPUT_PINS} if high is not None else {})

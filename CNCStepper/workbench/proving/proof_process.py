@@ -156,11 +156,11 @@ class ProofRun(QtCore.QObject):
     def _ask(self) -> Future[str]:
         """Read the document, and write the question beside the window: gives its fingerprint."""
         packages.require()
-        from CNCStepper.workbench.document.core_job import machine_of, proven_with
+        from CNCStepper.workbench.document.core_job import language_of, machine_of, proven_with
 
         self._program = api.program_text(self._job)
         asked = job_behind(self._job)
-        job, machine = proven_with(self._job), machine_of(asked)
+        job, machine, language = proven_with(self._job), machine_of(asked), language_of(self._job)
         self._origin_mm = tuple(asked.WorkOrigin)
         names = (self._job.Label, self._origin_mm)
         self._folder = tempfile.TemporaryDirectory(prefix="cncstepper-", ignore_cleanup_errors=True)
@@ -171,7 +171,7 @@ class ProofRun(QtCore.QObject):
             from CNCStepper.job.start_state_file import write_start
             from CNCStepper.recovery.restart.restart_proof_folder import write_place
 
-            write_question(path, self._program, job, machine)
+            write_question(path, self._program, job, machine, language)
             write_start(path, self._begins)
             write_place(path, self._place)
             message_translation.make_ready()  # findings are to be said

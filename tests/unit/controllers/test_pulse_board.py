@@ -4,9 +4,12 @@
 from __future__ import annotations
 
 import itertools
+import json
 
 import pytest
 
+from CNCStepper.control.protocol.grbl import status_reports
+from CNCStepper.control.session.status import SenderStatus
 from CNCStepper.controllers.pulse_board import PulseBoard
 from CNCStepper.errors import LinkError, MachineRefusal
 from CNCStepper.machine.profile import Machine, load_machine, validated
@@ -279,6 +282,23 @@ def test_a_button_for_the_way_back_is_reported_to_the_sender(with_switches: Talk
     assert with_switches.status()["Pn"] == "A"
     press(with_switches, set())
     assert "Pn" not in with_switches.status()
+
+
+def test_the_port_shows_its_high_pins_and_what_is_on_also_while_it_runs(with_switches: Talk) -> None:
+    talk = with_switches
+    talk.send("M8", "M62P0")
+    talk.send("G1X40F600")
+    press(talk, {15})
+    fields = talk.status()
+    line = f"<Run|MPos:1.000,0.000,0.000|In:{fields['In']}|Out:{fields['Out']}>"
+    seen = status_reports.parse(line)
+    assert isinstance(seen, status_reports.Status)
+    assert set(seen.port_outputs or ()) == {"flood", "output_0"}
+    assert set(seen.port_inputs or ()) == set(NOTHING_PRESSED ^ {15})
+    status = SenderStatus(port_inputs=seen.port_inputs, port_outputs=seen.port_outputs)
+    assert SenderStatus.from_json(json.loads(json.dumps(status.to_json()))) == status
+    board = SenderStatus.from_json(json.loads(json.dumps(SenderStatus().to_json())))
+    assert board.port_inputs is None and board.port_outputs is None
 
 
 def test_the_end_of_the_output_is_told_and_locks(talk: Talk) -> None:

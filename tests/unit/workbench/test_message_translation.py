@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import re
 import sys
 import xml.etree.ElementTree as ET
 from pathlib import Path
@@ -13,6 +14,7 @@ import pytest
 
 from CNCStepper.control.session.status import error_from_json, error_to_json
 from CNCStepper.control.stream.job_run import KEPT, LOST
+from CNCStepper.controllers.lathe.board import ONE_WAY, SWITCH_ON_AGAIN
 from CNCStepper.errors import JobError, ProgramError, Text, joined
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.state import Start
@@ -102,3 +104,28 @@ def test_english_without_a_template_is_recognised() -> None:
     assert translated("slot is too long (limit at most 3); take out R") == (
         "slot é longo demais (limite no máximo 3); retire R"
     )
+
+
+MESSAGES_OF_OUR_CONTROLLERS = (
+    "the lathe cannot be stopped over its link: it runs on for 3.1 s, to X12.500 Z-40.000",
+    f"the lathe is in automatic mode and cannot be jogged: {SWITCH_ON_AGAIN}",
+    f"the lathe takes a zero in manual mode only: {SWITCH_ON_AGAIN}",
+    "switch the lathe on in manual mode before it moves; its position is reckoned, nothing reports it",
+    "the tool is not at the work zero, where a program begins: jog it there, or set the zero here",
+    "nothing more is sent to the lathe: its program has ended with M02",
+    "nothing more is sent to the lathe: a record was refused: reset first",
+    "the lathe jogs at up to 118 mm/min, or at 450: it takes the slower one",
+    "Trial 25000 pulses/s late mean 3.1 us worst 20.5 us",
+    "there is no relay OXYGEN; there are FLOOD, MIST",
+    "there are no relays",
+    ONE_WAY,
+)
+
+
+@pytest.mark.parametrize("text", MESSAGES_OF_OUR_CONTROLLERS)
+def test_the_messages_of_our_controllers_are_said_in_portuguese(text: str) -> None:
+    """They come as lines of grbl's, [MSG:…], without their templates."""
+    said = translated(text)
+    english = [" the ", " is ", " it ", "there", "pulses", " late ", " none"]
+    assert said != text and not [word for word in english if word in f" {said} "], said
+    assert re.findall(r"\d+(?:\.\d+)?", text) == re.findall(r"\d+(?:\.\d+)?", said)

@@ -138,7 +138,8 @@ class Status:
     state: "Idle", "Run", "Hold", "Jog", "Alarm", "Door", "Check", "Home", "Sleep", "Tool". substate: the
     number after the colon. buffer: free planner blocks and free bytes. feed and spindle as reported.
     outputs: what is on, known with the overrides only: S or C for the spindle's sense, F flood, M mist.
-    left_s: how long a machine that cannot be stopped still works on what it was sent.
+    left_s: how long a machine that cannot be stopped still works on what it was sent. port_inputs, port_outputs: of a
+    parallel port the status pins that are high, and the devices that are on.
     """
 
     state: str
@@ -153,6 +154,8 @@ class Status:
     pins: str = ""
     outputs: str | None = None
     left_s: float | None = None
+    port_inputs: tuple[int, ...] | None = None
+    port_outputs: tuple[str, ...] | None = None
 
     @property
     def name(self) -> str:
@@ -259,4 +262,8 @@ def _fields(fields: list[str]) -> dict:
             values["pins"] = text
         elif name == "Left":
             values["left_s"] = decimal(text)
+        elif name == "In":
+            values["port_inputs"] = tuple(map(count, filter(None, text.split(","))))
+        elif name == "Out":
+            values["port_outputs"] = tuple(filter(None, text.split(",")))
     return values

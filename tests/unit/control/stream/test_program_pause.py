@@ -311,6 +311,20 @@ def test_each_resume_sends_one_line_and_waits_until_it_is_done(visit):
     assert visit.outcomes[0].kind == DONE and visit.table.x_mm() == pytest.approx(-6, abs=0.01)
 
 
+def test_a_window_asks_for_line_by_line_when_it_starts_a_job(visit):
+    def person():
+        visit.job("G21G90G94", "G1X-2F1500")
+        yield visit.ended()
+        visit.ask("run", file=str(visit._file), zero_confirmed=True, allow_differences=False, by_line=True)
+        yield visit.at("paused")
+        visit.ask("by_line", on=False)
+        visit.ask("resume")
+        yield visit.ended(2)
+
+    visit.receive(person)
+    assert [outcome.kind for outcome in visit.outcomes] == [DONE, DONE]
+
+
 def test_stepping_can_begin_and_end_in_the_middle(visit):
     lines = ("G21G90G94", *(f"G1X-{number}F1500" for number in range(1, 60)))
     seen = []

@@ -6,7 +6,7 @@ prints the command; a shell runs it, as it stands; FreeCAD starts again, makes a
 controller. Nothing else may be found: neither .venv nor the packages for tests.
 
 The other FreeCADs have no pip in their folder. Their `python3.14 -m pip` is this checkout's, which is told for which
-Python it installs.
+Python it installs, and that it cannot write that Python's byte code.
 """
 
 from __future__ import annotations
@@ -23,16 +23,17 @@ import uuid
 from pathlib import Path
 from typing import Any
 
-import outside
-
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT / "tests"))
+from window_helpers import start_window  # noqa: E402
+
 SCRIPT = Path(__file__).with_name("empty_home.py")
 PARTS = ("CNCStepper", "resources", "Init.py", "InitGui.py", "package.xml", "LICENSE", "pyproject.toml")
 START_S, INSTALL_S = 240.0, 600.0
 FOREIGN_PIP = """#!/bin/sh
 test "$1 $2 $3" = "-m pip install" || exit 2
 shift 3
-exec "{python}" -m pip install --python-version {version} --implementation cp --only-binary=:all: {platforms} "$@"
+exec "{python}" -m pip install --no-compile --python-version {version} {platforms} "$@"
 """
 
 
@@ -41,7 +42,7 @@ def main(version: str) -> int:
     with tempfile.TemporaryDirectory(prefix="cncstepper-empty-", dir="/tmp", ignore_cleanup_errors=True) as folder:
         work = Path(folder)
         project = copy_project(work / "project")
-        with outside.screen() as display:
+        with start_window.screen() as display:
             asked = step(version, "ask", display, work, project)
             print(asked["command"], flush=True)
             install(asked["command"], work)
@@ -62,7 +63,7 @@ def copy_project(folder: Path) -> Path:
 def step(version: str, name: str, display: str, work: Path, project: Path) -> dict[str, Any]:
     """Return what FreeCAD's window answers in one step; raises RuntimeError with what went wrong."""
     answer, home, mark = work / f"{name}.json", work / "home", uuid.uuid4().hex
-    outside.make_home(home, autoload="NoneWorkbench")
+    start_window.make_home(home, autoload="NoneWorkbench")
     environment = {
         "CNCSTEPPER_STEP": name,
         "CNCSTEPPER_ANSWER": str(answer),
@@ -73,11 +74,11 @@ def step(version: str, name: str, display: str, work: Path, project: Path) -> di
         "PYTHONNOUSERSITE": "1",
         "NUMBA_DISABLE_JIT": "1",  # compiling takes minutes, and is not what is judged
     }
-    freecad = outside.start(version, display, home, SCRIPT, environment, mark, project)
+    freecad = start_window.start(version, display, home, SCRIPT, environment, mark, project)
     try:
         freecad.wait(START_S)
     finally:
-        outside.end_all(mark)
+        start_window.end_all(mark)
     result = json.loads(answer.read_text("utf-8")) if answer.exists() else {"error": f"no answer to '{name}'"}
     if "error" in result:
         raise RuntimeError(result["error"])
@@ -105,6 +106,7 @@ def stand_in(program: Path, version: str) -> None:
     """Write a program that is a Python of another FreeCAD's folder, as far as pip goes."""
     kinds = ("manylinux_2_28", "manylinux_2_17", "manylinux2014")
     platforms = " ".join(f"--platform {kind}_{platform.machine()}" for kind in kinds)
+    platforms += " --implementation cp --only-binary=:all:"
     python = ROOT / ".venv" / "bin" / "python"
     program.write_text(FOREIGN_PIP.format(python=python, version=version, platforms=platforms), "utf-8")
     program.chmod(0o755)

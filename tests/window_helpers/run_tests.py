@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs pytest inside FreeCAD's window: `freecad tests/window/run.py -M CHECKOUT`, started by outside.py.
+"""Runs pytest inside FreeCAD's window: `freecad run_tests.py -M CHECKOUT`, started by start_window.py.
 
 pytest has a thread of its own, so that the interface lives as it does for a person. At the end the documents and the
 main window are closed as a person closes them; the tests' result goes into the file named by CNCSTEPPER_WINDOW_STATUS,
@@ -12,13 +12,13 @@ import threading
 import traceback
 from pathlib import Path
 
-HERE = Path(__file__).resolve().parent
+TESTS = Path(__file__).resolve().parents[1]
 OPTIONS = [
     # Its look at other threads may crash Python 3.13, so it comes when all else has been in vain.
     *("-p", "no:cacheprovider", "-s", "-o", "faulthandler_timeout=600"),
     *("-W", "ignore:Type PySide2:DeprecationWarning"),  # FreeCAD 1.0's own
 ]
-sys.path += [str(HERE), str(HERE.with_name("freecad"))]  # helpers of the tests, also those without a window
+sys.path += [str(TESTS / "window"), str(TESTS)]  # conftest for a test that lies elsewhere, and the helpers
 for name in os.environ.get("CNCSTEPPER_WINDOW_WITHOUT", "").split():
     sys.modules[name] = None  # Python then says that there is no such package
 
@@ -83,13 +83,14 @@ def begin():
     """Start pytest's thread; FreeCAD is up now and handles events."""
     import FreeCAD
     import FreeCADGui
-    import interface
+
+    from window_helpers import interface
 
     print("FreeCAD", ".".join(FreeCAD.Version()[:3]), "Python", sys.version.split()[0], file=sys.__stdout__, flush=True)
     FreeCADGui.getMainWindow().showMaximized()
     sys.argv = ["pytest"]
     link = interface.Interface()
-    keeper = interface.Keeper(str(HERE))
+    keeper = interface.Keeper((str(TESTS / "window"), str(TESTS / "window_helpers")))
     FreeCAD.__cncstepper_window__ = link, keeper
     thread = threading.Thread(target=work, args=(link, keeper), daemon=True)
     sys.stdout = ByThread(thread, sys.__stdout__, sys.stdout)

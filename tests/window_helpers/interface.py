@@ -76,9 +76,9 @@ class Keeper:
     COLLECT_EVERY_MS = 200
     MANY = 2000  # young objects since the last collection; Python's own threshold has the same order
 
-    def __init__(self, folder: str) -> None:
-        """Keep the locals of functions in the files of a folder; made on the interface thread."""
-        self._folder = folder
+    def __init__(self, folders: tuple[str, ...]) -> None:
+        """Keep the locals of functions in the files of these folders; made on the interface thread."""
+        self._folders = folders
         self._kept: list[Any] = []
         gc.disable()
         self._timer = QtCore.QTimer()
@@ -87,7 +87,7 @@ class Keeper:
 
     def watch(self, frame: Any, event: str, _: Any) -> None:
         """Keep the locals of a function that returns; for `sys.setprofile` in pytest's thread."""
-        if event == "return" and frame.f_code.co_filename.startswith(self._folder):
+        if event == "return" and frame.f_code.co_filename.startswith(self._folders):
             self._kept.append(dict(frame.f_locals))
 
     def let_go(self) -> None:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Starts FreeCAD's window on a screen of its own and runs tests in it: `outside.py 1.0.0 [KIND] [FILES]`.
+"""Starts FreeCAD's window on a screen of its own and runs tests in it: `start_window.py 1.0.0 [KIND] [FILES]`.
 
-KIND is one of kinds.py, plain unless said. The result is the tests' own; a FreeCAD that crashes, hangs, or leaves a
-process behind has failed. Pictures come to build/window/VERSION.
+KIND is one of window_kinds.py, plain unless said. The result is the tests' own; a FreeCAD that crashes, hangs, or
+leaves a process behind has failed. Pictures come to build/window/VERSION.
 """
 
 from __future__ import annotations
@@ -19,10 +19,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
-import kinds
-
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
+sys.path.append(str(HERE.parent))
+from window_helpers import window_kinds  # noqa: E402
+
 MARK = "CNCSTEPPER_WINDOW_RUN"
 LIMIT_S = float(os.environ.get("CNCSTEPPER_WINDOW_LIMIT_S", "1500"))  # a run that hangs; a slow one takes 900
 LEAVE_S = float(
@@ -169,7 +170,7 @@ def run(version: str, kind: str, arguments: Sequence[str], environment: Mapping[
     pictures = ROOT / "build" / "window" / (version if kind == "plain" else f"{version}-{kind}")
     pictures.mkdir(parents=True, exist_ok=True)
     mark = uuid.uuid4().hex
-    environment = {kinds.VARIABLE: kind, **kinds.KINDS[kind], **environment}
+    environment = {window_kinds.VARIABLE: kind, **window_kinds.KINDS[kind], **environment}
     asked = {**os.environ, **environment}
     scale = float(asked.get("QT_SCALE_FACTOR", "1"))
     with (
@@ -177,8 +178,11 @@ def run(version: str, kind: str, arguments: Sequence[str], environment: Mapping[
         screen(scale) as display,
     ):
         status_file = Path(folder) / "status"
-        language, autoload = asked.get(kinds.LANGUAGE, "English"), asked.get(kinds.AUTOLOAD, "CNCStepperWorkbench")
-        language = kinds.RENAMED.get(version, {}).get(language, language)
+        language, autoload = (
+            asked.get(window_kinds.LANGUAGE, "English"),
+            asked.get(window_kinds.AUTOLOAD, "CNCStepperWorkbench"),
+        )
+        language = window_kinds.RENAMED.get(version, {}).get(language, language)
         make_home(Path(folder) / "home", language, autoload)
         variables = {
             "CNCSTEPPER_PYTEST": "\n".join(arguments),
@@ -190,7 +194,7 @@ def run(version: str, kind: str, arguments: Sequence[str], environment: Mapping[
         if kind == "timed":
             compile_package(version)
             workbench, variables["CNCSTEPPER_TIMED_ROOT"] = HERE / "timed_start", str(ROOT)
-        freecad = start(version, display, Path(folder) / "home", HERE / "run.py", variables, mark, workbench)
+        freecad = start(version, display, Path(folder) / "home", HERE / "run_tests.py", variables, mark, workbench)
         try:
             return judged(freecad, status_file, mark)
         finally:
@@ -221,7 +225,7 @@ def fault(sentence: str) -> int:
 
 if __name__ == "__main__":
     version, *words = sys.argv[1:]
-    kind = words.pop(0) if words and words[0] in kinds.KINDS else "plain"
+    kind = words.pop(0) if words and words[0] in window_kinds.KINDS else "plain"
     if not any(Path(word.partition("::")[0]).exists() for word in words):
-        words.append(str(HERE))
+        words.append(str(ROOT / "tests" / "window"))
     sys.exit(run(version, kind, words, {}))
