@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-PROGRAM, MACHINE, FILES, TERMINAL, SPEED = "program", "machine", "files", "terminal", "speed"
+PROGRAM, MACHINE, FILES, TERMINAL, SPEED, NESTING = "program", "machine", "files", "terminal", "speed", "nesting"
 
 
 @dataclass(frozen=True)
@@ -34,9 +34,10 @@ NEEDS = (
     Need("matplotlib", "matplotlib", (PROGRAM,)),
     Need("PIL", "pillow", (FILES,)),
     Need("numba", "numba", (SPEED,)),
+    Need("spyrrow", "spyrrow", (NESTING,)),
 )
 FAST = "numba"
-REQUIRED = tuple(need.module for need in NEEDS if SPEED not in need.purposes)
+REQUIRED = tuple(need.module for need in NEEDS if not {SPEED, NESTING} & set(need.purposes))
 PIP_NAMES = {need.module: need.pip for need in NEEDS}
 
 

@@ -9,6 +9,7 @@ one file are the same. An existing file is replaced without asking only where CN
     certificate    a zip whose proof.json, or in an old one JSON whose "format" is "CNCStepper certificate"
     picture        PNG, SVG, GIF, APNG, WebP or MP4 whose description names CNCStepper
     drawing        DXF or SVG whose first lines say "made by CNCStepper"
+    placements     JSON list whose first object begins with "sheet" and "item"
     job            a job file whose first line is a comment that says so
     sheet          PDF or HTML whose creator or generator is CNCStepper
     mesh           STL whose header names CNCStepper
@@ -39,6 +40,7 @@ MARKS = {
     "certificate": rb'(?s)\A(PK\x03\x04.{26}proof\.json.{0,64}|\s*)\{[^{}]*"format": "CNCStepper certificate"',
     "picture": rb"(?s)\A(\x89PNG\r\n|GIF8|RIFF|<\?xml|....ftyp).*CNCStepper",
     "drawing": rb"\A(999\r?\n|<\?xml[^\n]*\n[^\n]*\n<desc>)made by CNCStepper",
+    "placements": rb'\A\[\s*(\{"sheet": \d+, "item": \d+, "x": |\]\s*\Z)',
     "job": rb"\A# [^\n]*made by CNCStepper",
     "sheet": rb"(?s)\A(%PDF|<!DOCTYPE html>).*made by CNCStepper",
     "mesh": rb"\ACNCStepper, binary STL",

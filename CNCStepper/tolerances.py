@@ -18,12 +18,14 @@ OFFSET_ROUNDING_MM = 1e-8  # how much too near an offset piece may be to the cur
 SAME_SUM_MM = 1e-7  # places that differ by what adding up a text's numbers leaves; two places of a motor
 FULL_CIRCLE_RAD = 5e-7  # an arc of at most this angle is a full circle, as in grbl
 SAME_MM = 1e-6  # places or heights, calculated in different ways
+TOUCHING_PARTS_MM = 1e-6  # nested parts that lie closer than that, or that deep in each other, touch
 NO_MATERIAL_MM = 1e-6  # material that is thinner is none
 NO_LENGTH_MM = 1e-6  # a move that is shorter has no direction
 SAME_SHARE = 1e-6  # areas and feeds, by their share; angles of two arcs, in radians or degrees
 SAME_COUNT = 1e-6  # places on the grid of a text, in units of its last digit
 SAME_PROFILE_POINT = 1e-6  # points of a turned profile, in units of the text
 SAME_RESTART_FEED = 1e-6  # feeds of a restart and of its program, by their share
+SAME_OUTLINE_SHARE = 1e-3  # of the area: outlines of a part in two rotations that differ by less are one
 SAME_ENTRY_MM = 1e-5  # a restart's entry and the point of the path at which it ends
 SAME_PIECE_MM = 1e-5  # middles of two pieces of curves between the same nodes: one piece
 

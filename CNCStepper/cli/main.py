@@ -43,6 +43,13 @@ FAMILIES = {  # folder of the verbs' modules: title in the help, and its verbs
             "convert": "Write a program in another dialect.",
         },
     ),
+    "sheets": (
+        "Many parts",
+        {
+            "nest": "Place the parts of an order on sheets, remnants or a strip.",
+            "arrange": "Make one program of several, each placed, turned and counted.",
+        },
+    ),
     "calculators": (
         "Calculate",
         {

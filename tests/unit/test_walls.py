@@ -23,7 +23,7 @@ FLOORS = [  # from the top; rooms on one line do not know each other
     {"control", "virtual"},
     {"simulation"},
     {"motion"},
-    {"gcode", "cycles", "drawing"},
+    {"gcode", "cycles", "drawing", "nesting"},
     {"toolpath"},
     {"geometry", "machine", "state", "canned_drilling_moves"},
     {"output_files", "input_file", "quantities", "text_json"},

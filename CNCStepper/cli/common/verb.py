@@ -79,7 +79,7 @@ def _given(context: click.Context) -> Iterator[tuple[click.Parameter, Any]]:
     """Yield each parameter that has a value, with the value, or with each where there are several."""
     for param in context.command.params:
         value = context.params.get(param.name or "")
-        values = value if getattr(param, "multiple", False) else (value,)
+        values = value if getattr(param, "multiple", False) or param.nargs == -1 else (value,)
         yield from ((param, each) for each in values or () if each is not None)
 
 

@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`cncstepper nest`: parts of an order on sheets, remnants or a strip."""
+
+from __future__ import annotations
+
+import signal
+import sys
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from CNCStepper.cli.common.options import FilePath, NumberType
+from CNCStepper.cli.common.path_types import OutputFolder
+from CNCStepper.cli.common.progress import Progress
+from CNCStepper.cli.common.verb import Verb
+
+if TYPE_CHECKING:
+    from CNCStepper.job.nesting.order_file import Order
+    from CNCStepper.nesting.nesting_model import Budget, Layout
+
+
+def _names(params: Mapping[str, Any]) -> Mapping[str, str]:
+    from CNCStepper.job.nesting.nest_files import FILES
+
+    return FILES
+
+
+@click.command("nest", cls=Verb)
+@click.argument("order", type=FilePath)
+@click.option(
+    "--time", "time_s", type=NumberType(kind="time"), default=60.0, show_default=True, help="Seconds to search."
+)
+@click.option("-o", "--out", type=OutputFolder(_names), required=True, help="Folder for drawings, placements, picture.")
+@click.option("--seed", type=click.IntRange(0, 2**31 - 1), default=1, show_default=True, help="Of the random search.")
+@click.option("--no-spyrrow", is_flag=True, help="Search by our own layer alone.")
+def command(order: Path, time_s: float, out: Path, seed: int, no_spyrrow: bool) -> None:
+    """Place the parts of ORDER on its sheets: a TOML order, or the JSON of a strip packing instance.
+
+    DIR/sheet-N.dxf, DIR/remnant-N-M.dxf, DIR/placements.json and DIR/nest.png are written. Ctrl+C ends the search with
+    the best layout so far. The last line is the density: the parts' area by that of the sheets used. Exit 1 when parts
+    have no place; each is told with the reason.
+    """
+    from CNCStepper.job.nesting.nest_files import density_of, write_nest
+    from CNCStepper.job.nesting.order_file import read_order
+    from CNCStepper.job.nesting.strip_process import strip_packer
+    from CNCStepper.nesting.nest import nest
+    from CNCStepper.nesting.nesting_model import Budget
+
+    read = read_order(order)
+    parts = sum(item.count + len(item.locked) for item in read.items)
+    with Progress("nesting") as progress:
+        budget = Budget(time_s, progress=progress.share)
+        packer = None if no_spyrrow else strip_packer()
+        if packer is None and not no_spyrrow:
+            click.echo(
+                "   note: spyrrow is not installed; our own search alone is slower: pip install spyrrow", err=True
+            )
+        with _stopped_by_ctrl_c(budget):
+            click.echo(f"nesting {parts} parts for {time_s:g} s; Ctrl+C ends it with the best so far", err=True)
+            layout = nest(read.items, read.sheets, read.spacing, budget, packer, seed)
+    for path in write_nest(read, layout, out):
+        click.echo(f"{path}")
+    _tell(read, layout)
+    click.echo(f"density {density_of(read, layout):.3f}")
+    sys.exit(1 if layout.unplaced else 0)
+
+
+@contextmanager
+def _stopped_by_ctrl_c(budget: Budget) -> Iterator[None]:
+    """Let Ctrl+C end the search, and a second one the command."""
+    before = signal.getsignal(signal.SIGINT)
+
+    def stop(number: int, frame: object) -> None:
+        budget.stop()
+        signal.signal(signal.SIGINT, before)
+
+    signal.signal(signal.SIGINT, stop)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
+
+
+def _tell(order: Order, layout: Layout) -> None:
+    for unplaced in layout.unplaced:
+        name = order.items[unplaced.item].name
+        click.echo(f"   not placed: {unplaced.count} of {name}: {unplaced.why}", err=True)
+    kind = "a strip" if order.strip_height_mm else f"{len(layout.sheets)} sheets of {len(order.sheets)}"
+    click.echo(f"{len(layout.placements)} parts on {kind}")
