@@ -10,7 +10,7 @@ controllers have their own, as they must be able to disagree.
 SAME_MATRIX_SCALE = 1e-12  # scales of an edit in three directions: its matrix turns and scales, nothing else
 COINCIDENT_MM = 1e-9  # ends of curves' pieces that are one point
 SAME_ANGLE_RAD = 1e-9  # an arc that begins on an axis, so that the extreme there is behind it
-SAME_SCALE = 1e-9  # scales of an arc in two directions, by their share
+SAME_SCALE = 1e-9  # scales of an arc or a transform in two directions, by their share
 WHOLE_TURNS = 1e-9  # turns of an arc above a whole number that are rounding
 NO_AREA_MM2 = 1e-9  # a loop that encloses less is none
 NO_RING_MM2 = 1e-8  # a ring of a pocket that encloses less is none
@@ -50,6 +50,7 @@ LEAD_ROUNDING_MM = 0.002  # what flattened outlines and rounding may add to the 
 SAME_TEXT_RADIUS = 0.01  # radii of an arc at its two ends for cutter compensation, in units of the text
 CUT_TOUCHES_MM = 0.02  # a face of a sheet belongs to a cut whose band comes so near
 SAME_PASS_MM = 0.05  # a pass of a jet begins where the one before did
+SAME_CROSSING_MM = 0.01  # crossings of a drawing that are reported as one
 PICKED_MM = 0.01  # pieces of a path that are as near to a picked point as that lie above each other
 SAME_ARC_RAD = 0.02  # sweeps of two arcs that are large enough to have one
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The lines that only a controller of ours takes, as the line reader leaves them: in capitals, without blanks.
+"""The command lines that only CNCStepper controllers take, after the line reader: in capitals, without blanks.
 
 $T=25000      the trial of a rate, pulses/s: ok, or error:90 where this computer cannot keep it
 $L=AAADD      pulse letters of source system D, at the profile's interval and without ramps
@@ -34,7 +34,7 @@ LOCKED = (State.ALARM, State.SLEEP, State.CHECK)
 
 
 def message(text: str) -> str:
-    """Return a line of grbl that tells a person something, in the letters that its link carries."""
+    """Return a message line of grbl, in the characters that its link carries."""
     letters = printable(text, LONGEST_MESSAGE).replace("µ", "u").replace("[", "(").replace("]", ")")
     return f"[MSG:{letters.encode('ascii', 'replace').decode('ascii')}]"
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The port's relays and switches as the board knows them.
+"""The port's relays and switches for the board.
 
 spindle, coolant, M62 to M65 ──► Relays ──switch──► output          output ──inputs──► Switches ──► board
 
@@ -130,7 +130,7 @@ def _squeezed(name: str) -> str:
 
 
 class Switches:
-    """The switches on the status pins of the board's own port; what is pressed at the begin does nothing.
+    """The switches on the status pins of the board's own port; a switch that is pressed at the begin does nothing.
 
     now_s: of the caller's clock, whichever it is.
     """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The axes of a board whose pulses are really sent: planned ahead of what is played, by a bounded time.
+"""The axes of a board whose pulses are really sent: planned ahead of the played pulses, by a bounded time.
 
     line ──► moves (planned clock) ──pulses──► output (ring ──► port)
                  │<──── at most AHEAD_S ────────► │ played: position, speed, idle, held
@@ -48,7 +48,7 @@ def moves_of(machine: Machine) -> NewMoves:
 
 
 def most_moves(look_ahead_blocks: int) -> int:
-    """Return how many moves there are at most that were taken and are not played to their end, as `$I` says."""
+    """Return the largest number of moves under way, as reported by `$I`."""
     return look_ahead_blocks + SEGMENT_PLACES + AHEAD_MOVES
 
 
@@ -63,7 +63,7 @@ def load_kernels(machine: Machine) -> None:
 
 
 class PulseAxes(Axes):
-    """Where the machine is by the pulses that were played, and what is to be played next.
+    """The machine's position by the played pulses, and the next pulses to play.
 
     Its time is that of the output; `advance` only sees to it that enough is queued there.
     """
@@ -93,7 +93,7 @@ class PulseAxes(Axes):
 
     @property
     def free_blocks(self) -> int:
-        """How many more moves could be under way, planned or not: what a sender takes for not cut yet."""
+        """How many more moves could be under way, planned or not, which a sender counts as not cut yet."""
         return max(0, self._most_moves - self._unplayed())
 
     @property
@@ -191,7 +191,7 @@ class PulseAxes(Axes):
         return []
 
     def override(self, feed_percent: int, rapid_percent: int) -> None:
-        """Change the speeds; up to 100 % at once, above it what is not planned yet."""
+        """Change the speeds; up to 100 % at once, above it for moves that are not planned yet."""
         self._moves.quicken(max(feed_percent, 100) / 100)
         self._output.share(min(feed_percent, 100) / 100, rapid_percent / 100)
 

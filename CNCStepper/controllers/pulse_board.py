@@ -44,9 +44,9 @@ class NoProbe(Probe):
 
 
 class PulseBoard(Grbl):
-    """A board that moves a machine through an output, in the time of whoever calls `advance`.
+    """A board that moves a machine through an output, on the caller's clock.
 
-    To be told of time about every 2 ms while it moves. Raises MachineRefusal for a machine with a laser.
+    Call `advance` about every 2 ms while it moves. Raises MachineRefusal for a machine with a laser.
     """
 
     axes: PulseAxes
@@ -190,7 +190,7 @@ class PulseBoard(Grbl):
 
 
 def firmware_of(machine: Machine, relays: Relays) -> Firmware:
-    """Return the firmware that a board of ours is, as it says in `$I`."""
+    """Return the firmware of a CNCStepper board, as reported by `$I`."""
     blocks = most_moves(machine.planner.look_ahead_blocks)
     own = (f"[FIRMWARE:CNCStepper {family_of(machine)}]", *(f"[CANNOT:{what}]" for what in CANNOT))
     return replace(

@@ -89,7 +89,7 @@ class Answer:
 
 
 class Cycle(Protocol):
-    """What a job asks of a cycle."""
+    """The interface of a cycle for a job."""
 
     cycle: str
     tool: int

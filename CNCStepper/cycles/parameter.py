@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The declaration of a cycle's parameter: all that is known of it stands once, on its field.
+"""The declaration of a cycle's parameter: all its properties are declared once, on its field.
 
     depth_mm: Annotated[Depth, Parameter(CUT, "Depth", "The depth below the top of the stock", 10.0)]
 

@@ -23,14 +23,15 @@ from CNCStepper.cycles.parameter_types import CurveField
 from CNCStepper.drawing.chain_list import counts_of
 from CNCStepper.drawing.drawing import Drawing, Share
 from CNCStepper.drawing.dxf.reader import read_dxf
+from CNCStepper.drawing.nesting_levels import nesting_levels
 from CNCStepper.drawing.point_list import read_points
-from CNCStepper.drawing.read_drawing import read_drawing
 from CNCStepper.drawing.repair.mend import CHANGES, Change, mended
 from CNCStepper.errors import GeometryError, JobError, Place, Text, placed
 from CNCStepper.geometry.curve import Curve, circle, from_points
 from CNCStepper.geometry.fitting.point_fit import refitted
 from CNCStepper.geometry.shapes.ellipse import Ellipse
 from CNCStepper.geometry.shapes.rectangle import rectangle
+from CNCStepper.job.drawings.read_any import read_any_drawing
 from CNCStepper.job.shape_forms.drawing_form import DrawingForm
 from CNCStepper.job.shape_forms.library_form import LibraryForm
 from CNCStepper.machine.profile import validated
@@ -221,7 +222,8 @@ def read_shapes(
             raise JobError("shape-twice", what, advice="rename one of them", place=Place(place))
         with placed(Place(place)), _file_of(place):
             curves[shape.name] = files.curves(shape)
-    return Shapes(curves, tuple(dict.fromkeys(files.notes)))
+    notes = (*files.notes, *files.level_notes())
+    return Shapes(curves, tuple(dict.fromkeys(notes)))
 
 
 @contextmanager
@@ -257,6 +259,7 @@ class _Files:
     def __init__(self, folder: Path, drawn: Drawn, share: Share):
         self._folder, self._drawn, self._share = folder, drawn, share
         self._drawings: dict[tuple[Any, ...], Drawing] = {}
+        self._levels: dict[str, tuple[str, DrawingForm, set[int]]] = {}  # nesting levels taken, by the rest of a form
         self.notes: list[str] = []
 
     def curves(self, shape: ShapeForm) -> tuple[Curve, ...]:
@@ -299,12 +302,28 @@ class _Files:
         chains = form.selected(drawing.chains)
         if not chains:
             raise _nothing_selected(name, form, drawing)
+        if form.nesting is not None:
+            whole = form.model_copy(update={"nesting": None})
+            self._levels.setdefault(whole.model_dump_json(), (name, whole, set()))[2].add(form.nesting)
         layers = dict.fromkeys(chain.attributes.layer for chain in chains)
         self.notes.extend(_notes(name, form.file, drawing, list(layers)))
         return tuple(form.placed(chain.curve) for chain in chains)
 
+    def level_notes(self) -> Iterator[str]:
+        """Yield a note for each drawing whose chains are nested deeper than the shapes take."""
+        for name, form, levels in self._levels.values():
+            drawing = self._drawings["drawing", form.file, form.options(), form.mend]
+            closed = [chain.curve for chain in form.selected(drawing.chains) if chain.curve.closed]
+            missed = sorted(set(nesting_levels(closed).tolist()) - levels)
+            if missed:
+                yield Text(
+                    "shape '{name}': no shape takes the chains of its drawing at the nesting level {missed}",
+                    name=name,
+                    missed=", ".join(map(str, missed)),
+                )
+
     def _read(self, form: DrawingForm) -> Drawing:
-        drawing = read_drawing(self._folder / form.file, form.options(), self._share)
+        drawing = read_any_drawing(self._folder / form.file, form.options(), self._share)
         if form.mend is None:
             return drawing
         drawing, changes = mended(drawing, form.mend)

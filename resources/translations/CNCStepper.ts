@@ -13574,6 +13574,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>shape '{name}': no shape takes the chains of its drawing at the nesting level {missed}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>shape '{name}': two ends lie {size_mm:.3g} mm apart at X{x:.3f} Y{y:.3f}</source>
             <translation type="unfinished"></translation>
         </message>

@@ -13574,6 +13574,10 @@
             <translation>a forma '{name}' fica sem mais {skipped} coisas do seu desenho</translation>
         </message>
         <message>
+            <source>shape '{name}': no shape takes the chains of its drawing at the nesting level {missed}</source>
+            <translation>forma '{name}': nenhuma forma toma as cadeias do desenho no nível de aninhamento {missed}</translation>
+        </message>
+        <message>
             <source>shape '{name}': two ends lie {size_mm:.3g} mm apart at X{x:.3f} Y{y:.3f}</source>
             <translation>forma '{name}': duas pontas ficam a {size_mm:.3g} mm uma da outra em X{x:.3f} Y{y:.3f}</translation>
         </message>

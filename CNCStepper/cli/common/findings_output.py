@@ -22,7 +22,7 @@ def show_findings(findings: Iterable[Finding]) -> None:
 
 
 def show_figures(report: dict[str, Any]) -> None:
-    """Print what a program does: its lengths, pierces and removed volume, and each operation's time."""
+    """Print a program's figures: lengths, pierces, removed volume, and each operation's time."""
     lengths = "cut {cut_length_mm:.1f} mm, in air {air_length_mm:.1f} mm, rapid {rapid_length_mm:.1f} mm"
     volume_mm3 = report["removed_volume_mm3"]
     removed = "" if volume_mm3 is None else f", {volume_mm3 / 1000:.3g} cm³ removed"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How long a connection stays open when the verb that has opened it ends: the option, and what is told of it."""
+"""How long a connection stays open after the verb that opened it: the option, and its message."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Option hints for errors: the core knows no options."""
+"""Option hints for errors: the core has no options."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Types of options and arguments that name files and folders: a verb knows by them what it reads and writes."""
+"""Types of options and arguments that name files and folders: by them a verb lists its inputs and outputs."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ class OutputPath(click.Path):
         self.kind = kind
 
     def outputs(self, path: Path, option: str, context: click.Context) -> Iterator[Output]:
-        """Yield what is written under that path."""
+        """Yield the files that are written under that path."""
         yield Output(path, option, self.kind)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A progress line for work that takes longer than a moment."""
+"""A progress line for long work."""
 
 from __future__ import annotations
 

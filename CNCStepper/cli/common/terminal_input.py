@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Lines typed at a terminal while other work goes on.
+"""Lines typed at a terminal during other work.
 
 A thread reads them, since that is the one way that works with terminals, pipes and the consoles of Windows alike.
 """
@@ -54,7 +54,7 @@ class TerminalInput:
 def _came(fd: int) -> bytes:
     try:
         return os.read(fd, LINE_BYTES)
-    except OSError:  # the terminal is gone, or another process has it
+    except OSError:  # the terminal is closed, or another process has it
         return b""
 
 

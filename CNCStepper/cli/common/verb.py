@@ -128,7 +128,7 @@ def files_named(file: Path) -> list[Path]:
 
 
 def _content(file: Path) -> Any:
-    """Return what a file of LISTS holds, None for any other and for one that cannot be read: its reader says why."""
+    """Return the content of a file of LISTS, None for any other and for an unreadable one: its reader reports it."""
     try:
         if file.suffix.lower() == ".toml":
             from CNCStepper.machine.profile import read_toml

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""`cncstepper edit VERB PROGRAM`: change a program, see what changes, and write it only when told."""
+"""`cncstepper edit VERB PROGRAM`: change a program, show the difference, and write it on request."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class _Place(click.ParamType):
 
 @click.group("edit", cls=Verbs)
 def command() -> None:
-    """Change a program: VERB --help says what each does.
+    """Change a program: VERB --help describes each verb.
 
     The difference is shown, and nothing is written until --out FILE or --in-place says where. Comments, order and
     form stay; only the words that must change do. Every new program is read again and compared with what it must be,

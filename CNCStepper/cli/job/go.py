@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 @click.option("--pause", "from_pause", is_flag=True, help="Also from a pause of the program (M0), once that is done.")
 @session_option
 def command(from_pause: bool, session: str | None) -> None:
-    """Let the job go on that stands: after a hold, a closed door, or a way back along its cut.
+    """Resume a paused job: after a hold, a closed door, or a retract along its cut.
 
     At a pause of the program it says what the pause is for, for example a change of tools, and moves nothing: do that,
     then give --pause. The job is one that `cncstepper send` sent from any terminal, also one that is closed by now, or
@@ -64,7 +64,7 @@ def _from_pause(client: SessionClient | ConnectionSession, stood: SenderStatus) 
 
 
 def _from_cut(client: SessionClient | ConnectionSession) -> None:
-    """Cut from where the tool was led back to, as `cncstepper back --resume` does."""
+    """Cut from where the tool was retracted to, as `cncstepper back --resume` does."""
     from CNCStepper.recovery.retract.retract_client import RetractClient
 
     back = RetractClient(client)

@@ -12,7 +12,7 @@ from CNCStepper.cli.job.running_job import follow, session_file, session_option
 @click.command("hold", cls=Verb)
 @session_option
 def command(session: str | None) -> None:
-    """Hold the job that runs: the machine slows down and stands, nothing is lost, the spindle goes on turning.
+    """Hold the running job: the machine slows down and stops, no position is lost, the spindle keeps turning.
 
     The job is one that `cncstepper send` sent from any terminal, also one that is closed by now, or that was sent from
     FreeCAD's window. `cncstepper go` lets it go on, `cncstepper back` leads it back along its cut, `cncstepper stop`

@@ -82,7 +82,7 @@ _ZERO = re.compile(r"zero ([xyz]{1,3})")
 
 
 def read_answer(text: str) -> PendingRequests:
-    """Return what an answer asks for; raises ValueError with words where it is none, and for a question mark."""
+    """Return the request of an answer; raises ValueError with a text for an invalid one, and for a question mark."""
     words = " ".join(text.lower().split())
     if not words:
         return GO_ON
@@ -201,7 +201,7 @@ class PausePrompt:
         self._client, self._on_message, self._tell = client, on_message, tell
 
     def ask(self, status: SenderStatus) -> int:
-        """Ask until the job goes on or is stopped; return the id of the pause that was asked about last."""
+        """Prompt until the job resumes or is stopped; return the id of the last pause."""
         asked = status
         while status.phase in WAITING and self._client.outcome is None:
             asked, requests = status, self._answer(status)
@@ -220,7 +220,7 @@ class PausePrompt:
         return asked.stand
 
     def _answer(self, status: SenderStatus) -> PendingRequests:
-        """Return what is wanted; nothing, and `is_there` is false from now on, where nobody can be asked."""
+        """Return the request; without a terminal return none and set `is_there` to False."""
         if not self.is_there:
             return []
         try:

@@ -53,7 +53,7 @@ class Moving(Progress):
         self._job = self.add_task("connecting", total=None)
 
     def show(self, status: SenderStatus) -> None:
-        """Show a moment of the job."""
+        """Show a status of the job."""
         self._status = status
         done = status.done * status.total
         self.update(self._job, description=status.phase, completed=done, total=status.total or None)
@@ -65,7 +65,7 @@ class Moving(Progress):
 
 
 class _Live:
-    """The text of `live` for a moment, in lines of the terminal's width."""
+    """The text of `live` for a status, in lines of the terminal's width."""
 
     def __init__(self, status: SenderStatus):
         self._status = status
@@ -147,7 +147,7 @@ class _Watch:
             self._leader.start()
 
     def _ask(self, status: SenderStatus) -> None:
-        """Ask, with the progress out of the way of what is typed."""
+        """Prompt, with the progress line removed."""
         self._progress.stop()
         try:
             self._answered = self._pause_prompt.ask(status)

@@ -11,7 +11,7 @@ from CNCStepper.control.session.status import SenderStatus
 
 AXES = "XYZABC"
 GAP = "  "
-OVERRIDES_TOLD_S = 1.0  # within which a controller tells those that have changed
+OVERRIDES_TOLD_S = 1.0  # within which a controller reports those that have changed
 
 
 def live(status: SenderStatus, width: int) -> str:

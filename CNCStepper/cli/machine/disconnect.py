@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from CNCStepper.control.service.connection_session import ConnectionSession
 
 LOOK_EVERY_S = 0.02
-END_LIMIT_S = 30.0  # of a board that is met just now
+END_LIMIT_S = 30.0  # of a board that is being connected
 CLOSE_LIMIT_S = 5.0
 
 
@@ -48,7 +48,7 @@ def _disconnect(file: Path) -> str:
         if status.total:
             raise port_held_by_job(file, session.port, status)
         session.ask("disconnect")
-        with suppress(LinkError):  # it is gone
+        with suppress(LinkError):  # it has ended
             _await_end(session)
         _await_process(file, session.port)
         return session.port
@@ -64,7 +64,7 @@ def _await_end(session: ConnectionSession) -> None:
 
 
 def _await_process(file: Path, port: str) -> None:
-    """Wait until the process has let go of its port; raises LinkError where it does not."""
+    """Wait until the process has closed its port; raises LinkError where it does not."""
     from CNCStepper.control.processes.process_file import is_alive
 
     end_s = time.monotonic() + CLOSE_LIMIT_S

@@ -14,7 +14,7 @@ from CNCStepper.cli.machine.service_client import ServiceClient, ServicePort, pl
 def command(at: ServicePort) -> None:
     """Let the machine at --port find its own zero with its limit switches ($H), and wait until it has.
 
-    The axes move to their switches: see that the way is free. Ctrl-C stops it; the position is unknown then.
+    The axes move to their switches: make sure that the path is free. Ctrl-C stops them; the position is unknown then.
     Many boards restart when their port is opened anew and forget what they have found: the connection stays open for
     the verbs that follow, --keep-open minutes long or until `cncstepper disconnect`.
     """

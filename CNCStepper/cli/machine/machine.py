@@ -80,7 +80,7 @@ def set_(name: str, changes: tuple[str, ...]) -> None:
 
 
 def say_written(written: Written) -> None:
-    """Print what a change has written."""
+    """Print the result of a change."""
     if written.copied_from:
         click.echo(f"{written.copied_from} ships with the program and stays as it is; your copy takes its place")
     if not written.comments_kept:

@@ -15,7 +15,7 @@ from CNCStepper.cli.machine.service_client import ServiceClient, ServicePort, pl
 @click.argument("axes", default="XYZ")
 @port_options
 def command(axes: str, at: ServicePort) -> None:
-    """Make the place where the tool stands the work zero of AXES: XYZ where none are given, or Z, or XY.
+    """Make the tool's position the work zero of AXES: XYZ where none are given, or Z, or XY.
 
     It is stored in the work system in force (G54 as a rule) of the controller at --port, and read back. The machine
     must be idle; nothing moves. The connection stays open for the verbs that follow, --keep-open minutes long or until

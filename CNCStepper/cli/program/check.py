@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""`cncstepper check`: what is wrong with a program on a machine, before it moves anything.
+"""`cncstepper check`: errors and warnings of a program on a machine, before it moves anything.
 
 A program that comes through a pipe, put into a file: what is checked is read more than once, but not held whole.
 """
@@ -178,7 +178,7 @@ def _check_in_pieces(prove: Callable[..., FileProof], file: Path, start: Start |
 
 
 def _require_readable(text: str, start: Start | None, language: str, program: Path) -> None:
-    """End the command with status 1, telling why, where lines of a program cannot be read or sent."""
+    """End the command with status 1 and the reason where lines of a program cannot be read or sent."""
     from CNCStepper.gcode.wire.read_back import refused_lines
 
     with Progress(f"reading {program.name}"):
@@ -198,7 +198,7 @@ def refusals_of_file(program: Path, start: Start | None, language: str, name: st
 
 
 def _end_unread(refused: list[ProgramError], program: Path) -> NoReturn:
-    """End the command with status 1, telling why."""
+    """End the command with status 1 and the reason."""
     for error in refused:
         click.echo(str(error))
     click.echo(f"{program}: refused; it cannot be read")

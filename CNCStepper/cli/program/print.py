@@ -45,7 +45,7 @@ def command(opened: Opened, out: Path, process: str, material: str, job_path: Pa
 
 
 def _facts(opened: Opened, toolpath: Toolpath, process: str, material: str, job: Job | None):
-    """Yield (name, value) of what is known."""
+    """Yield (name, value) of the known figures."""
     from CNCStepper.gcode.wire.backlash_compensation import backlash_of
     from CNCStepper.motion.planner.backlash_moves import way_duration_s
     from CNCStepper.motion.planner.plan import begun

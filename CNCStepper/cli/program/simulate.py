@@ -108,14 +108,14 @@ class _Show:
         self._moment: TimelinePosition | None = None
 
     def time_s(self, at_s: float | None, line: int | None) -> float | None:
-        """Return the moment asked for, None for the end: a time, or when the last move of a line is done."""
+        """Return the requested time, None for the end: a time, or the end of the last move of a line."""
         if line is None:
             return at_s
         rows = np.flatnonzero(self._proof.toolpath.table().line <= line)
         return float(self._proof.times_s[rows[-1]]) if len(rows) else 0.0
 
     def draw(self, out: Path, view: str | None, time_s: float | None) -> None:
-        """Draw the moment (None: the end), or animate all up to it."""
+        """Draw the part at a time (None: the end), or animate all up to it."""
         from CNCStepper.simulation.views.picture import save_picture
         from CNCStepper.simulation.views.single_view import is_movie, save_animation, save_view
 

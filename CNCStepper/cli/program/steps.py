@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""`cncstepper steps`: what the motors receive and when, as letters, bytes, port writes or edges."""
+"""`cncstepper steps`: the signals of the motors with their times, as letters, bytes, port writes or edges."""
 
 from __future__ import annotations
 

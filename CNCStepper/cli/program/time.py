@@ -55,7 +55,7 @@ def command(program: Path, machine: Machine, dialect: str | None, given: StartOp
 
 
 def _taken_s(path: Toolpath, chunks: Iterator[Chunk], machine: Machine, language: str) -> float:
-    """Return how long the way of the motors takes, s, begun as a proof begins it."""
+    """Return the time of the motors' path, s, begun as a proof begins it."""
     from CNCStepper.gcode.wire.backlash_compensation import backlash_of
     from CNCStepper.motion.planner.backlash_moves import motor_chunks, way_duration_s
     from CNCStepper.motion.planner.plan import begun_chunks

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""`cncstepper back`: leads the tool of a held job back along its cut, forward again, and lets the job go on."""
+"""`cncstepper back`: retracts the tool of a held job along its cut, moves it forward again, and resumes the job."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def command(
     session: str | None,
     machine: Machine | None,
 ) -> None:
-    """Go back along the cut of a job that runs, forward again, and go on.
+    """Retract along the cut of a running job, move forward again, and resume.
 
     The job is one that `cncstepper send` runs in another terminal, or that was sent from FreeCAD's window.
 
@@ -123,7 +123,7 @@ def _show(status: SenderStatus, held: HeldProgram) -> None:
 
 
 class _Dialogue:
-    """Asks until the job goes on, or is left."""
+    """Prompts until the job resumes, or is left."""
 
     def __init__(self, back: RetractClient, client: SessionClient | ConnectionSession) -> None:
         self._back = back

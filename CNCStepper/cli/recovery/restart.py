@@ -128,7 +128,7 @@ class _Against:
 
     @classmethod
     def of(cls, given: ProgramOptions) -> _Against:
-        """Return what the options name; raises a usage error where they name no machine."""
+        """Return the inputs that the options name; raises a usage error where they name no machine."""
         job, machine = given.job_and_machine()
         if machine is None:
             raise click.UsageError("give --machine, or --job whose machine counts")
@@ -243,7 +243,7 @@ def _proven(
 
 
 def _tell(proven: ProvenRestart, against: _Against) -> None:
-    """Print what the restart does, and against what it was proven."""
+    """Print the steps of the restart, and the inputs of its proof."""
     from CNCStepper.recovery.restart.description import proven_against, words_of
 
     show_findings(proven.proof.findings)

@@ -23,7 +23,7 @@ from CNCStepper.machine.profile import Machine, load_machine, profile_names, val
 if TYPE_CHECKING:
     from CNCStepper.control.journal.replay import JobReplay
 
-START_SYSTEM = "G54"  # of which --work-zero tells
+START_SYSTEM = "G54"  # that --work-zero names
 NO_PROFILE = "PROFILE.toml"
 NO_STOCK = "--without-stock"
 ONLY_RESTART = ("--part", "--overlap", "--height")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""`cncstepper resume`: what the journal of a job holds after a crash, and the command that restarts it safely."""
+"""`cncstepper resume`: a job's journal after a crash, and the command that restarts it safely."""
 
 from __future__ import annotations
 

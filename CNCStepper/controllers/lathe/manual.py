@@ -24,7 +24,7 @@ from CNCStepper.controllers.lathe import step_times
 from CNCStepper.controllers.lathe.outward_line import OutwardLine
 
 RAPIDS, FEEDS = (b"A", b"B", b"C", b"D"), (b"E", b"F", b"G", b"H")  # X-, X+, Z-, Z+
-JOG_AHEAD_S = 1.0  # what is still to go before one more jog is taken: nobody may be there any more to cancel it
+JOG_AHEAD_S = 1.0  # the jog queue's limit: the client that could cancel it may have left
 
 
 @dataclass(frozen=True)
@@ -36,7 +36,7 @@ class Jog:
     feed_mm_s: float | None
 
     def continues(self, other: Jog) -> bool:
-        """Return whether this jog goes on where another ends, at its speed."""
+        """Return whether this jog continues another one, at its speed."""
         same_way = (self.steps > 0) == (other.steps > 0)
         return same_way and (self.axis, self.feed_mm_s) == (other.axis, other.feed_mm_s)
 
@@ -71,7 +71,7 @@ class Manual:
         return soon and not self._waiting
 
     def add(self, jog: Jog, now_s: float) -> None:
-        """Jog, behind those that wait; one that goes on in the same way makes the one before it longer."""
+        """Queue a jog; one that continues the last in the same direction extends it."""
         if self._waiting and jog.continues(self._waiting[-1]):
             self._waiting[-1] = replace(jog, steps=self._waiting[-1].steps + jog.steps)
         elif self._jog and self._made is None and not self._waiting and jog.continues(self._jog):
@@ -81,7 +81,7 @@ class Manual:
         self.advance(now_s)
 
     def advance(self, now_s: float) -> None:
-        """Begin what is due and end what has gone its way; raises LinkError where the port is gone."""
+        """Start due jogs and end finished ones; raises LinkError where the port is lost."""
         if self._jog and self._made is None and self._line.arrival_s(len(STOP), now_s) >= self._release_s():
             self._release(now_s, self._wanted_steps())
         if self._jog and self._made is not None and now_s >= self._rests_s:

@@ -78,7 +78,7 @@ class Program:
         return bool(self._sent)
 
     def forget(self) -> None:
-        """Forget what the lathe does not have; what it has it cuts."""
+        """Discard the records that the lathe does not have; it cuts those that it has."""
         self._waiting.clear()
         self.modes = self._sent_modes
         self.held = False
@@ -86,7 +86,7 @@ class Program:
     # -- time ----------------------------------------------------------------------------------------
 
     def advance(self, now_s: float) -> None:
-        """Note what is done, and send what is due; raises LinkError where the port is gone."""
+        """Note finished records, and send due ones; raises LinkError where the port is lost."""
         while self._sent and self._sent[0].end_s <= now_s:
             self._sent.popleft()
         if not self.held:
@@ -115,7 +115,7 @@ class Program:
 
     @property
     def end_place(self) -> Steps:
-        """Where the lathe stands once all that it has is done."""
+        """The position of the lathe after all records that it has."""
         return self._sent_modes.place
 
     # -- inside --------------------------------------------------------------------------------------

@@ -4,7 +4,7 @@
     G01X-10.F1.#G01Z-50.F1.#   ──►   two records, each with its "#"
 
 Nothing of a line counts unless all of it can be read. A coordinate is rounded to steps record by record, since the
-lathe knows its place in steps alone.
+lathe counts its position in steps alone.
 """
 
 from __future__ import annotations
@@ -71,7 +71,7 @@ class RecordReader:
         self._longest = longest
 
     def first_modes(self) -> Modes:
-        """Return what is in force when automatic mode begins."""
+        """Return the modes at the begin of automatic mode."""
         return Modes(absolute=self._dialect.distance == "absolute")
 
     def read(self, line: str, modes: Modes) -> list[Record]:
@@ -113,7 +113,7 @@ class RecordReader:
         return words
 
     def _followed(self, words: list[Word], modes: Modes) -> Modes:
-        """Return the modes with what a record sets."""
+        """Return the modes after a record."""
         for code in (self._codes[word.name] for word in words if word.letter in "GM"):
             if code.motion is not None:
                 modes = replace(modes, motion=code.motion, feed_mm_s=None)

@@ -18,7 +18,7 @@ AXES = "XYZ"
 
 
 def jog_of(line: str, machine: Machine, zero_mm: Sequence[float], place_mm: Sequence[float]) -> tuple[Jog | None, str]:
-    """Return the jog of a line, None for no way at all, and what is to be said of it, or "".
+    """Return the jog of a line, None for no motion, and a note on it, or "".
 
     zero_mm, place_mm: work zero and place of X, Y, Z in machine coordinates. Raises MachineRefusal with grbl's error.
     """
@@ -72,7 +72,7 @@ def _way_mm(
 
 
 def _feed(feed_mm_s: float, machine: Machine, axis: int) -> tuple[float | None, str]:
-    """Return the feed in mm/s, None for rapid, and what is to be said where it is not the one asked for."""
+    """Return the feed in mm/s, None for rapid, and a note where it differs from the requested one."""
     rapid_mm_s = 1.0 / (pull_out_s()[-1] * machine.axes[axis].steps_per_mm)
     if feed_mm_s >= 0.999 * rapid_mm_s:
         return None, ""

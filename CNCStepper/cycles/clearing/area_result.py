@@ -71,7 +71,7 @@ class AreaAnswer(Answer):
 
     @cached_property
     def warnings(self) -> list[str]:
-        """What stays in corners, and where the way down is not the one asked for."""
+        """Warnings of material left in corners, and of entries that differ from the requested one."""
         edges = open_edge_warnings(self._rooms.reachable, self._setup.parts, self._keys.tolerance_mm)
         return [*_corner_warnings(self.corners), *self._entry_warnings(), *edges]
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The parts of a room cut level by level: how the tool comes to each run, and what is lifted for.
+"""Cuts the parts of a room level by level, with the links between runs and the lifts.
 
 part    level 1   entry, run · entry or link, run · ...
         level 2   over the floor just cut to the entry, where a straight way leads there; else up and over

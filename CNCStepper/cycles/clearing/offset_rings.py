@@ -29,14 +29,14 @@ from CNCStepper.tolerances import NO_RING_MM2
 
 FEW = 3  # levels after which it is looked how many there would be
 SHORT = 0.05  # of the tolerance: shorter steps of a ring are joined up
-STRIDE = 0.1  # of the tool's radius: between the places of a pass that are looked at
+STRIDE = 0.1  # of the tool's radius: between the sample places of a pass
 SLACK = 0.8  # of the tolerance: of which an offset takes at most an eighth, where rounding decides
 SURE = 0.25  # of the tolerance: what rings are taken to reach less than they do, where spots are looked for
 
 
 @dataclass(eq=False)
 class Ring:
-    """A piece of the room at a depth; its loops are what is run along. height: how many rings lie in each other."""
+    """A piece of the room at a depth; the tool runs along its loops. height: the depth of nesting."""
 
     region: Region
     parent: Ring | None = None

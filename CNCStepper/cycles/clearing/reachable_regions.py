@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""From what is wanted to where the tool's centre may be, and what the tool cannot reach.
+"""From the wanted area to the region of the tool's centre, and the area that the tool cannot reach.
 
 drawn      the outlines less the islands
 wanted     drawn, less the stock to leave                                the removal
@@ -30,7 +30,7 @@ ROUNDING_MM = 0.002  # what writing three decimals may add to a fitted arc
 FIT_SHARE = 0.4  # of the tolerance: for few lines and arcs in place of many points
 OFFSET_SHARE = 0.8  # of the tolerance: of which an offset takes at most an eighth, where rounding decides
 SHORT = 0.05  # of what an offset may be off: shorter steps are joined up
-FEW = 12  # segments that nothing is gained by fitting anew
+FEW = 12  # segments for which a new fit gains nothing
 SLOT_SHARE = 0.25  # of the tolerance: by which a tool may be wider than a slot
 SLOT = 0.2  # of the tool's radius, squared: a slot has at least this area
 WIDTH_MM = 0.001  # how well the widest tool that fits is known
@@ -38,7 +38,7 @@ WIDTH_MM = 0.001  # how well the widest tool that fits is known
 
 @dataclass(frozen=True)
 class ReachableRegions:
-    """Where the tool may be, and what it reaches; see the module's text. What only a report asks is found then."""
+    """The region of the tool's centre and the reached area; see the module's text. Values for reports are lazy."""
 
     drawn: Region
     walls: Region

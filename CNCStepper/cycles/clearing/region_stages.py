@@ -63,7 +63,7 @@ class Part:
 
 @dataclass(frozen=True)
 class ClearingOptions:
-    """How a room is to be cut: the pattern and its area's values, the tool, the way down, the finishing pass."""
+    """How a room is cut: the pattern and its area's values, the tool, the entry, the finishing pass."""
 
     pattern: Pattern
     area: Area  # its room is set for each piece

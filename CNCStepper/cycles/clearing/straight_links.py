@@ -15,7 +15,7 @@ EDGE_MM = 0.001  # a way along the wall may be so much beyond it
 
 
 class LinkRegion:
-    """A room, and what a straight way out of it would cross."""
+    """A room, and the obstacles of a straight link in it."""
 
     def __init__(self, region: Region):
         self.region = region

@@ -74,7 +74,7 @@ class _Walk:
             round_ = wall[first:] + wall[:first]
             self._stage += 1
             for number in round_ if self._forwards else round_[::-1]:
-                self._cut[number] = False  # the way round is a pass, not a link
+                self._cut[number] = False  # the round along the wall is a pass, not a link
                 self._step((number, self._forwards))
 
     def _wall_at(self, node: int) -> int:

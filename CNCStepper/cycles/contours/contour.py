@@ -30,7 +30,7 @@ class Contour(ContourModel):
     """A contour that can be cut."""
 
     def kept(self) -> tuple[Curve, ...]:
-        """Return the outlines of what is left standing, for the leads of the job's other contours."""
+        """Return the outlines of the parts left, for the leads of the job's other contours."""
         if self.side not in ("inside", "outside"):
             return ()
         return tuple(curve.moved(*self.offset_mm) for curve in self.curves)

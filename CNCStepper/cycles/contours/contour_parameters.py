@@ -64,7 +64,7 @@ class TabParameters(Parameters):
 
 
 class LeadParameters(Parameters):
-    """The keys of the way to or from a contour, in the scrap beside it.
+    """The keys of a lead-in or lead-out, in the scrap beside the contour.
 
     A line of length_mm meets the contour at angle_deg (90: square to it); an arc of radius_mm meets it along its
     tangent and turns by angle_deg.

@@ -31,7 +31,7 @@ from CNCStepper.machine.tools.tool_shapes import BEAMS
 FIT_SHARE = 0.3  # of the tolerance: how far a path may leave its exact parallel to be of fewer lines and arcs
 LEAD_SHARE = 0.35  # of the tolerance: by so much a lead may come nearer to a wall than the tool's radius
 START_MM = 1e-3  # of a path is where the tool goes down
-SHORT_MM = 0.5  # a path whose segments are shorter than this on average is fitted anew
+SHORT_MM = 0.5  # a path whose segments are shorter than this on average is fitted again
 
 
 @dataclass(frozen=True)
@@ -75,7 +75,7 @@ class _Planner:
         self.warnings: list[str] = []
 
     def plan(self) -> Plan:
-        """Return what is to be cut, in order."""
+        """Return the paths to cut, in order."""
         cycle = self.cycle
         tracks = self.sides.tracks()
         require_followed(self.sides, tracks)
@@ -98,7 +98,7 @@ class _Planner:
         return [finder.of(track, self.scrap, self.cycle.dogbones) for track in tracks]
 
     def _walls(self) -> Walls:
-        """Return what the leads keep away from: the drawn curves, and the parts of other operations."""
+        """Return the obstacles of the leads: the drawn curves, and the parts of other operations."""
         slack_mm = LEAD_SHARE * self.cycle.tolerance_mm
         own, keep = self.sides.curves, self.setup.keep
         need = [self.sides.clear_mm - slack_mm] * len(own) + [self.radius_mm - slack_mm] * len(keep)

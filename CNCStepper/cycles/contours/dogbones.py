@@ -71,7 +71,7 @@ class Corners:
         out = (before - after) / abs(before - after)
         far_mm = self._seen_mm(place, out)
         if far_mm is None:
-            far = abs(before + after) < 2.0 / (1.0 + LONGEST)  # straight walls would meet beyond what is looked at
+            far = abs(before + after) < 2.0 / (1.0 + LONGEST)  # straight walls would meet beyond the searched part
             return Corner(here, LONGEST * self._tool_mm, None, "far" if far else "gap")
         corner = place + out * far_mm
         if not self._walls_meet(place, before, after, corner):

@@ -28,7 +28,7 @@ from CNCStepper.geometry.curve_columns import xy_of
 SIZES = (1.0, 0.7, 0.5, 0.35, 0.25, 0.15)
 LONGEST = 16  # segments whose middles are tried first
 SPREAD = 48  # places tried then
-LOOKED_AT = (1.0, 0.5, 0.2)  # shares of a lead's length at which it is looked at before it is proven
+LOOKED_AT = (1.0, 0.5, 0.2)  # shares of a lead's length that are sampled before it is proven
 CHORD_MM = 0.0005
 PROVEN_MM = 0.0005
 

@@ -90,7 +90,7 @@ def _beside(sides: Sides, own: BaseGeometry, part: BaseGeometry) -> bool:
 
 
 def _deepest(lines: BaseGeometry, part: BaseGeometry, radius_mm: float) -> tuple[float, tuple[float, float]]:
-    """Return how deep a disc along lines enters a part, and where; straight ways within it are looked at in steps."""
+    """Return how deep a disc along lines enters a part, and where; straight lines within it are sampled."""
     within = lines.intersection(part)
     if within.is_empty:
         x, y = shapely.get_coordinates(shapely.shortest_line(part, lines))[0]

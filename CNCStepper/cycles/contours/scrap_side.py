@@ -179,5 +179,5 @@ def _depth(holder: Sequence[int], index: int) -> int:
 
 
 def as_cycle_error(error: GeometryError) -> CycleError:
-    """Return what the geometry refuses as a refusal of the cycle."""
+    """Return a GeometryError as a CycleError."""
     return CycleError(error.code, error.what, value=error.value, limit=error.limit, advice=error.advice)

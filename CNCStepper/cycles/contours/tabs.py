@@ -26,12 +26,12 @@ from CNCStepper.geometry.curve import Curve
 
 CORNER_RAD = math.radians(8.0)  # a path that turns by more at a vertex has a corner there
 BEND_RAD = math.radians(60.0)  # over a tab's width a path may bend by so much
-SAMPLES = 1500  # places of a contour that are looked at
-PHASES = 60  # ways to spread tabs evenly that are looked at
+SAMPLES = 1500  # sample places of a contour
+PHASES = 60  # even distributions of tabs that are compared
 SURE_MM = 0.003  # by so much the tool is lifted earlier than it must be
 FLAT_MM = 0.0005
 QUARTER = 64  # chords a quarter of a turn of the tool
-STEP = 0.05  # of the tool's radius, between places looked at: what is missed then is thinner than STEP² / 8 of it
+STEP = 0.05  # of the tool's radius, between sample places: what is missed then is thinner than STEP² / 8 of it
 HALVINGS = 24
 
 
@@ -52,7 +52,7 @@ class TabContext:
 
 
 def tabs_wanted(path: Curve, tabs: Tabs) -> int:
-    """Return how many tabs a path is to have; raises CycleError where their spacing asks for more than MOST_TABS."""
+    """Return the number of tabs of a path; raises CycleError where their spacing needs more than MOST_TABS."""
     if path.length_mm > MOST_TABS * tabs.spacing_mm > 0.0:
         raise CycleError(
             "tabs-many",

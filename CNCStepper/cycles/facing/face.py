@@ -92,7 +92,7 @@ class Face(FaceParameters, BaseModel):
         )
 
     def _region(self, setup: Setup) -> Region:
-        """Return what is to be faced."""
+        """Return the regions to face."""
         drawn = [refitted(curve.moved(*self.offset_mm), self.tolerance_mm / 4.0) for curve in self.outlines]
         if not drawn and setup.stock is None:
             raise CycleError("stock-missing", "there is no outline and no stock to face", advice="name one of them")
@@ -122,7 +122,7 @@ class Face(FaceParameters, BaseModel):
         return zigzags(chains, self.angle_deg), wide_mm
 
     def _entered(self, ways: list[list[Curve]], around: Surroundings, ground: LinkRegion, setup: Setup) -> list[_Run]:
-        """Return the runs of the way with the most leads from beside the stock, and then the shortest.
+        """Return the runs of the order with the most leads from outside the stock, and then the shortest.
 
         A run without one comes from where the run before began, if it can: there this floor is cut already.
         """

@@ -93,9 +93,9 @@ class Drill(DrillParameters, BaseModel):
 
 
 def removals(places: list[Point], bottom_mm: float, cone: Form) -> list[Removal]:
-    """Return what a tool with that point removes when its tip goes down to `bottom_mm` at each place.
+    """Return the removals of a tool with that point whose tip goes down to `bottom_mm` at each place.
 
-    The cone is a stair: what may be cut lies just outside it, what must be gone just inside.
+    The cone is a stair: the permitted removal is just outside it, the required one just inside.
     """
     heights = [cone.rise_mm * step / STEPS for step in range(STEPS)] if cone.rise_mm else []
     heights = [height for height in heights if bottom_mm + height < 0.0]

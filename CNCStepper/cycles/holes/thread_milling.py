@@ -36,7 +36,7 @@ from CNCStepper.toolpath import TableBuilder
 SHAPES = ("flat", "v", "engraver")
 DEPTH_INSIDE, DEPTH_OUTSIDE = 1.0825, 1.2269  # of the pitch, in diameter: ISO 68-1, D1 and d3
 NARROWEST_MM = 0.01
-CLEAR_MM = 0.5  # between the tool and the boss where the way in begins
+CLEAR_MM = 0.5  # between the tool and the boss where the lead-in begins
 ROUNDING_MM = 1e-9  # farther than this from where its half circle begins, the tool goes there first
 
 
@@ -114,7 +114,7 @@ class Thread(ThreadParameters, BaseModel):
         return _Way.of(centre, radius_mm, beside_mm, not self.clockwise)
 
     def _removals(self, holes: list[Hole], setup: Setup) -> list[Removal]:
-        """Return the ring that may be cut down to the floor, and what of it must be gone from one pitch above it."""
+        """Return the ring that may be cut down to the floor, and its part to be removed from one pitch above."""
         tool_mm, rise_mm = setup.tool.radius_mm, form_of(setup.tool).rise_mm
         ways = {hole: self._way(hole, setup, self.passes) for hole in holes}
         minor, major = (lambda hole: self.minor_mm(hole) / 2), (lambda hole: hole.diameter_mm / 2)

@@ -62,7 +62,7 @@ class EllipticalPocket(EllipticalPocketParameters, BaseModel):
         return self._answer(plan, setup)
 
     def _answer(self, plan: _Plan, setup: Setup) -> Answer:
-        """Return what is to be removed, with warnings where it cannot be had exactly or opens another part's edge."""
+        """Return the removals, with warnings where they are not exact or open another part's edge."""
         left = plan.figures.get("unreachable_mm", 0.0) > self.tolerance_mm
         tool_mm = setup.tool.radius_mm
         reachable = _inner(plan.region, tool_mm).buffer(tool_mm, quad_segs=FINE) if left else None

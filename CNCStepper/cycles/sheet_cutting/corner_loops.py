@@ -66,7 +66,7 @@ def where_clear(
 
 
 def knife_way(path: Curve, blade_mm: float) -> Curve:
-    """Return the way of a drag knife's axis along a path of its edge, which it closes by going on round the first."""
+    """Return the path of a drag knife's axis for a path of its edge, closed by overlapping the first segment."""
     segments = path.segments
     begin, end = segments.begin + blade_mm * segments.direction(0.0), segments.end + blade_mm * segments.direction(1.0)
     xy: list[complex] = [complex(begin[0])]

@@ -26,7 +26,7 @@ from CNCStepper.geometry.curve import Curve
 
 LONGEST = 4  # segments in whose middle a start is tried first
 LEAST = 0.05  # of a kerf: no lead is shorter
-BATCH = 40_000  # leads that are looked at together
+BATCH = 40_000  # leads that are tested together
 
 
 @dataclass(frozen=True)
@@ -66,7 +66,7 @@ def lead_ins(
     search = _Search([item.path for item in items], wanted, room, side)
     pending = _searched(search, items, np.array(numbers, np.int64), room)
     if len(pending) and room.sheet is not None:
-        search.room = replace(room, sheet=None)  # what is drawn beside the sheet is told elsewhere
+        search.room = replace(room, sheet=None)  # shapes outside the sheet are reported elsewhere
         pending = _searched(search, items, pending, search.room)
     if len(pending):
         raise _no_room(items[int(pending[0])], room)

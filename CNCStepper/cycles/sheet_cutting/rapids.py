@@ -60,7 +60,7 @@ def rapid_ways(
     """Return the rapid to each cut, begins float64[n, 2], from the end of the one before, ends float64[n, 2].
 
 
-    pieces: what the path of each cut encloses, which is free but for the kerf afterwards; None for nothing.
+    pieces: the area that each cut encloses, free but for the kerf afterwards; None for nothing.
     round_them: whether rapids go round free pieces.
     """
     starts = np.vstack([begins[:1], ends[:-1]])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Cutting parts out of sheet as a job file has it, checked; and what the process says where the job says nothing."""
+"""Cutting parts out of sheet as a job file has it, checked, with the process's defaults."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from CNCStepper.cycles.sheet_cutting.sheet_parameters import (
 from CNCStepper.machine.processes import Process
 from CNCStepper.quantities import MOST_ITEMS
 
-LEAD_KERFS = 2.0  # a lead is so many kerfs long, where neither job nor chart asks for more
+LEAD_KERFS = 2.0  # a lead is so many kerfs long, where neither job nor chart requires more
 
 
 class _Table(BaseModel):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a sheet's cut asks of process, tool and chart, and the measures that follow from them."""
+"""Requirements of a sheet's cut on process, tool and chart, and the measures that follow from them."""
 
 from __future__ import annotations
 

@@ -185,7 +185,7 @@ class _Planner:
             trial._begun()
         except NoScrap:
             return False
-        except CycleError:  # of something else, which is told once this is mended
+        except CycleError:  # of another kind, which is reported once this is corrected
             return True
         return True
 
@@ -258,7 +258,7 @@ class _Planner:
         return {number: None if number in small else lead for number, lead in found.items()}
 
     def _way(self, path: Curve, place_mm: float) -> Curve:
-        """Return a path from where it is begun, of a drag knife the way of its axis."""
+        """Return a path from its start, of a drag knife the path of its axis."""
         path = path.started_at_length(place_mm) if place_mm else path
         return knife_way(path, self.cycle.blade_offset_mm) if self.cycle.blade_offset_mm else path
 
@@ -335,7 +335,7 @@ def _turned(cut: Cut) -> Cut:
 
 
 def _powered(cut: Cut) -> list[Curve]:
-    """Return what is run with power, whole where it hangs together."""
+    """Return the paths with power, joined where they connect."""
     runs: list[list[Curve]] = [[cut.lead_in] if cut.lead_in is not None else []]
     for stroke in cut.strokes:
         if stroke.power:

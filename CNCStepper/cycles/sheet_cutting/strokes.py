@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A path in strokes of one power each, with a feed for each segment: what the rules of cutting make of it."""
+"""A path in strokes of one power each, with a feed for each segment, by the rules of cutting."""
 
 from __future__ import annotations
 

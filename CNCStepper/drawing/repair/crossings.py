@@ -10,10 +10,10 @@ import shapely
 
 from CNCStepper.cancellation import checkpoint
 from CNCStepper.geometry.curve import Curve
+from CNCStepper.tolerances import SAME_CROSSING_MM
 
 CHORD_MM = 0.002  # how far chords leave the arcs
 AT_ONCE = 256  # chains, or chords of one, of which crossings are looked for at once
-SAME_PLACE_MM = 0.01
 Place = tuple[float, float]
 
 
@@ -56,7 +56,7 @@ def _crossings_of(line: shapely.LineString, most: int) -> list[Place]:
     xy = xy[np.append(True, np.hypot(*np.diff(xy, axis=0).T) > 0.0)]
     chords = shapely.linestrings(np.stack([xy[:-1], xy[1:]], axis=1))
     tree, count = shapely.STRtree(chords), len(chords)
-    closed = bool(np.hypot(*(xy[-1] - xy[0])) <= SAME_PLACE_MM)
+    closed = bool(np.hypot(*(xy[-1] - xy[0])) <= SAME_CROSSING_MM)
     found: list[Place] = []
     for first in range(0, count, AT_ONCE):
         checkpoint()
@@ -71,7 +71,7 @@ def _crossings_of(line: shapely.LineString, most: int) -> list[Place]:
 
 
 def _is_new(place: Place, found: Sequence[Place]) -> bool:
-    return all(abs(place[0] - x) > SAME_PLACE_MM or abs(place[1] - y) > SAME_PLACE_MM for x, y in found)
+    return all(abs(place[0] - x) > SAME_CROSSING_MM or abs(place[1] - y) > SAME_CROSSING_MM for x, y in found)
 
 
 def _places(met: shapely.Geometry) -> Iterator[Place]:

@@ -16,7 +16,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-SIMILAR = 1e-9  # the share of the smaller part below which a transform keeps circles
+from CNCStepper.tolerances import SAME_SCALE
+
 NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
 TRANSFORM = re.compile(r"\s*,?\s*(matrix|translate|scale|rotate|skewX|skewY)\s*\(([^)]*)\)", re.ASCII)
 LENGTH = re.compile(rf"\s*({NUMBER.pattern})\s*(px|pt|pc|mm|cm|in|em|ex|q|%|)\s*", re.IGNORECASE | re.ASCII)
@@ -54,7 +55,7 @@ class Matrix:
     def circles(self) -> bool:
         """Whether circles stay circles."""
         small, large = sorted((abs(self.turn), abs(self.mirror)))
-        return small <= SIMILAR * large
+        return small <= SAME_SCALE * large
 
     @property
     def sense(self) -> float:

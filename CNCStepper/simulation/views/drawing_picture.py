@@ -25,7 +25,7 @@ LEAST_INCH, MOST_INCH = 3.0, 11.0  # height of the drawn area
 CHORD_SHARE = 1.0 / 4000.0  # of the drawing's size: how far chords leave the arcs
 MARGIN = 0.05
 MOST_MARKS, MOST_NUMBERS, MOST_LAYERS = 2000, 40, 8
-SAME_MARK = 0.012  # of the width: problems that are nearer have their numbers in one place
+MARK_SPACING = 0.012  # of the width: problems that are nearer have their numbers in one place
 PALETTE = ("#1f4e9e", "#b4530a", "#2f7d32", "#7a3fa0", "#0f7f86", "#8a6d00", "#a12c5b", "#4a5460")
 LIGHTEST = 0.72  # of the luminance: lighter lines could not be seen on the paper
 STYLES: dict[Kind, dict[str, Any]] = {
@@ -124,7 +124,7 @@ def _draw_problems(axes: Axes, problems: Sequence[Problem]) -> list[Line2D]:
         if own:
             places = np.array([problem.place_mm for problem in own])
             axes.plot(*places.T, ls="", ms=8, mec="white", mew=0.8, zorder=5, **STYLES[kind])
-    near_mm = SAME_MARK * (axes.get_xlim()[1] - axes.get_xlim()[0])
+    near_mm = MARK_SPACING * (axes.get_xlim()[1] - axes.get_xlim()[0])
     for place_mm, numbers, kind in _numbers(problems[:MOST_NUMBERS], near_mm):
         colour = STYLES[kind]["color"]
         axes.annotate(numbers, place_mm, (6, 5), textcoords="offset points", fontsize=9, color=colour, zorder=6)

@@ -40,7 +40,7 @@ THIN = (0.0128, 0.0128, 0.006, 0.006, 0.002, 0.002)  # of the radius: a chip bel
 BENT_RAD = math.radians(3.75)  # by which the first attempts may go above the bound in a channel's bends
 SURE_DEG = 0.5  # by which the first attempts keep below the bound: refitted ways are a little off
 UNSURE_DEG = 4.0  # by which attempts but the first keep below the bound: their lag hides more of the rim's side
-SHORTEST_MM = 1e-3  # what is walked less is left out
+SHORTEST_MM = 1e-3  # shorter walks are left out
 LEAD = 0.2  # of the radius: before the material begins, in the other attempts
 AHEAD = 0.1  # radians that it may turn to the right at once
 SIDEWAYS = 1.6  # the same, straight in
@@ -77,7 +77,7 @@ class Plan:
         return Run(tuple(self._passes(walls)), apart_mm, self.opening)
 
     def in_material_mm(self, run: Run) -> float:
-        """Return on how much of a run, which is cut anew for that, the tool meets material."""
+        """Return the share of a run, which is cut again for that, on which the tool meets material."""
         chart, length_mm = self.chart, 0.0
         chart.fill()
         chart.cut(0, chart.begins[1])
@@ -169,7 +169,7 @@ class Plan:
         return np.vstack([self._too_much(self._begun(loop)[0], chart) for loop in self.area.room.loops])
 
     def _walls(self) -> Iterator[Curve]:
-        """Yield the room's own loops as they are gone along; raises CycleError where that is above the bound."""
+        """Yield the room's own loops as they are cut; raises CycleError where the engagement exceeds the bound."""
         for loop in self.area.room.loops:
             wall, index = self._begun(loop)
             self.chart.branch(index)
@@ -201,7 +201,7 @@ class Plan:
         return bool((self.area.room.distances_mm(out) <= self.area.tolerance_mm / 4.0).all())
 
     def _passes(self, walls: Sequence[Curve]) -> Iterator[Pass]:
-        """Yield all passes: what is planned is cut anew, with links over what is cut by then."""
+        """Yield all passes: the planned walks are cut again, with links over cut material."""
         chart, links = self.chart, Links(self.chart, self.area.tool_mm, 0.75 * self.inset_mm)
         chart.fill()
         chart.cut(0, chart.begins[1])
@@ -218,7 +218,7 @@ class Plan:
             here = end - 1
 
     def _between(self, here: int, there: int, links: Links) -> list[Pass]:
-        """Return the way between two walks, by a place further back where it would be too short."""
+        """Return the link between two walks, by a place further back where it would be too short."""
         way, least_mm = links.link(here, there), REST * self.area.tool_mm
         if sum(one.curve.length_mm for one in way) >= least_mm:
             return way

@@ -68,11 +68,11 @@ class ClearingMap:
 
     @property
     def place(self) -> np.ndarray:
-        """Where the way ends."""
+        """The end of the path."""
         return self.way[self.count - 1]
 
     def add(self, points: np.ndarray) -> None:
-        """Let the way go on along points where all is cut already; raises CycleError when it is full."""
+        """Extend the path along points where all is cut already; raises CycleError when it is full."""
         if self.count + len(points) >= len(self.way):
             raise CycleError(
                 "blocks-many",
@@ -141,7 +141,7 @@ class ClearingMap:
         cut_until(self.map, self.way, begin, end - 1, math.inf, 0.0, self.front, self.met)
 
     def fill(self) -> None:
-        """Take all cuts back, but not the way."""
+        """Undo all cuts, but not the path."""
         self.map.field.fill(self.map.far)
         self.map.vertex.fill(-1)
         self.met[0] = 0
@@ -155,7 +155,7 @@ class ClearingMap:
         return MapSnapshot(window, chart.field[window].copy(), chart.vertex[window].copy(), int(self.met[0]))
 
     def restore(self, kept: MapSnapshot) -> None:
-        """Undo what a walk has changed since."""
+        """Undo the changes of a walk since."""
         self.map.field[kept.window], self.map.vertex[kept.window] = kept.field, kept.vertex
         self.met[0] = kept.met
 

@@ -31,7 +31,7 @@ ASIDE = 0.05  # of the radius: between the rings on which a clear place beside a
 RINGS = 10
 WAYS = 24
 WORTH = 0.5  # of the radius: shorter links stay on the floor
-LOOK = 0.1  # of the radius: between the places at which a straight way is looked at
+LOOK = 0.1  # of the radius: between the sample places of a straight link
 SLACK = 0.004  # of the radius: a chip that rounding may show where all is cut
 EIGHT = np.array([(0, 1), (1, 0), (0, -1), (-1, 0), (1, 1), (1, -1), (-1, -1), (-1, 1)])
 

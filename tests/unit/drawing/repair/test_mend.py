@@ -4,14 +4,18 @@
 from __future__ import annotations
 
 from collections import Counter
+from pathlib import Path
 
 import ezdxf
 import numpy as np
 import pytest
 
 from CNCStepper.drawing.drawing import Attributes, Chain, Drawing, Piece, joined_pieces
+from CNCStepper.drawing.read_drawing import ReadOptions, read_drawing
 from CNCStepper.drawing.repair.mend import fewer_segments, mended
 from CNCStepper.drawing.repair.problems import RepairLimits, problem_counts, problems_of
+from CNCStepper.drawing.writers.write_drawing import drawing_bytes
+from CNCStepper.errors import GeometryError
 from CNCStepper.geometry.curve import Curve, circle, from_points, straight
 from CNCStepper.geometry.shapes.rectangle import rectangle
 from helpers.drawing.damaged_drawings import DAMAGES, damaged
@@ -123,22 +127,21 @@ def test_a_polyline_of_many_points_becomes_few_arcs_and_its_arcs_stay() -> None:
 
 
 def test_too_many_lines_on_each_other_are_refused_in_no_time() -> None:
-    from CNCStepper.errors import GeometryError
-
     crowd = Drawing(tuple(Chain(circle((0, 0), 10), Attributes("CUT")) for _ in range(6000)))
     with pytest.raises(GeometryError, match="lie on each other"):
         problems_of(crowd, LIMITS)
 
 
-def test_what_is_mended_is_written_and_read_again(tmp_path) -> None:
-    from CNCStepper.drawing.read_drawing import ReadOptions, read_drawing
-    from CNCStepper.drawing.writers.write_drawing import drawing_bytes
-
+@pytest.mark.parametrize("suffix", [".dxf", ".svg"])
+def test_what_is_mended_is_written_and_read_again(tmp_path: Path, suffix: str) -> None:
     found, _ = mended(damaged(3).drawing, LIMITS)
-    path = tmp_path / "mended.dxf"
-    path.write_bytes(drawing_bytes(found, ".DXF"))
-    assert not ezdxf.readfile(path).audit().has_errors
+    coloured = tuple(Chain(chain.curve, Attributes("CUT", "#ff0000")) for chain in found.chains)
+    path = tmp_path / f"mended{suffix}"
+    path.write_bytes(drawing_bytes(Drawing(coloured), suffix.upper()))
+    if suffix == ".dxf":
+        assert not ezdxf.readfile(path).audit().has_errors
     again = read_drawing(path, ReadOptions())
     assert len(again.chains) == len(found.chains)
     for one, other in zip(again.chains, found.chains, strict=True):
-        assert away_mm(one.curve, other.curve) < 1e-6 and one.attributes.layer == "CUT"
+        assert away_mm(one.curve, other.curve) < 1e-5
+        assert (one.attributes.layer, one.attributes.colour) == ("CUT", "#ff0000")

@@ -15,6 +15,7 @@ from CNCStepper.job.model import load_job
 from CNCStepper.job.templates.drawing_job import DrawingJob, job_of_drawing
 from CNCStepper.job.templates.template import read_template
 
+EXAMPLES = Path(__file__).parents[4] / "examples"
 HEAD = """
 machine = "table-a"
 clearance_mm = 10
@@ -181,3 +182,31 @@ def test_a_later_rule_does_not_take_what_an_earlier_one_has_when_the_job_is_read
     """
     job = made(tmp_path, rules).job
     assert len(job.operation[0].pattern.holes()) == 2 and len(job.operation[1].curves) == 5
+
+
+def test_a_drawing_that_becomes_nested_deeper_is_noted(tmp_path: Path) -> None:
+    job = made(tmp_path)
+    assert not job.job.notes
+    job.write(tmp_path / "jobs" / "job.toml")
+    document = ezdxf.readfile(tmp_path / "part.dxf")
+    for radius in (8, 4):
+        document.modelspace().add_circle((30, 45), radius, dxfattribs={"layer": "pocket"})
+    document.saveas(tmp_path / "part.dxf")
+    deeper, _ = load_job(tmp_path / "jobs" / "job.toml")
+    assert [note for note in deeper.notes if "nesting level 3, 4" in note]
+
+
+def test_the_job_of_the_sign_is_what_the_template_makes_of_its_drawing() -> None:
+    template, path = EXAMPLES / "templates" / "sign.toml", EXAMPLES / "jobs" / "sign.toml"
+    job = job_of_drawing(read_template(template), EXAMPLES / "drawings" / "sign.svg", path, strict=True)
+    assert job.text == path.read_text("utf-8"), "make it anew: cncstepper job ... -o examples/jobs/sign.toml"
+    letters, pocket, contour = job.job.operation
+    assert [curve.box_mm for curve in contour.curves] == [pytest.approx((12, 12, 168, 88), abs=0.005)]
+    assert [len(pocket.outlines), len(pocket.islands), len(letters.outlines)] == [1, 1, 2]
+    assert letters.outlines[0].box_mm == pytest.approx((86, 36, 125.2, 72.4), abs=0.005)
+    assert letters.outlines[1].box_mm == pytest.approx((133.6, 36, 156, 72.4), abs=0.005)
+
+
+@pytest.mark.parametrize("name", ["sign", "sheet-plasma", "laser"])
+def test_the_templates_that_ship_are_templates(name: str) -> None:
+    assert read_template(EXAMPLES / "templates" / f"{name}.toml").rule
