@@ -6,6 +6,7 @@
 #   tools/setup.sh translations   .venv, and Qt's lrelease, which compiles the catalogues of translations
 #   tools/setup.sh all      .venv, and the programs of the system: FreeCAD, LinuxCNC's rs274, locale sources, and for the
 #                           tests in FreeCAD's window a screen that nobody sees (Xvfb), a window manager, software OpenGL
+#                           and CadQuery in an environment of its own, which all checkouts share in the user's cache folder
 #   tools/setup.sh matrix   all that, and debootstrap for the other FreeCADs
 #
 # On Debian and its family as root, missing system packages are installed; otherwise they are named.
@@ -122,6 +123,23 @@ make_locale() {
         fail "localedef could not make pt_BR.UTF-8"
 }
 
+# CadQuery for the tests of solids: 1.2 GB, 40 s, once for all checkouts. Without the packages that its windows take.
+make_cadquery() {
+    local python=$1 folder wanted
+    folder=${CNCSTEPPER_CADQUERIES:-${XDG_CACHE_HOME:-$HOME/.cache}/cncstepper-cadquery}
+    wanted=$("$python" -c 'import sys, tomllib
+extras = tomllib.load(open("pyproject.toml", "rb"))["project"]["optional-dependencies"]
+print(sys.version.split()[0], *extras["solids"], sep="\n")')
+    if [ -e "$folder/setup-done" ] && [ "$(cat "$folder/setup-done")" = "$wanted" ]; then return; fi
+    say "installing CadQuery into $folder (the first time takes a minute)"
+    mkdir -p "$(dirname "$folder")"
+    "$python" -m venv --clear "$folder"
+    tail -n +2 <<<"$wanted" >"$folder/requirements.txt"
+    PIP_DISABLE_PIP_VERSION_CHECK=1 "$folder/bin/python" -m pip install --quiet --no-deps --no-compile \
+        -r "$folder/requirements.txt" >&2 || fail "pip could not install CadQuery: check the network and run make again"
+    printf '%s\n' "$wanted" >"$folder/setup-done"
+}
+
 case "$(uname -s)" in
 MINGW* | MSYS* | CYGWIN*)
     fail "on Windows run: py -m venv .venv, then .venv\\Scripts\\pip install -e .[fast,dev], then .venv\\Scripts\\cncstepper --help"
@@ -130,3 +148,6 @@ esac
 lock
 system_packages "${1:-all}"
 make_venv "$(find_python)"
+case "${1:-all}" in
+all | matrix) make_cadquery "$(find_python)" ;;
+esac

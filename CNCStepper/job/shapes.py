@@ -25,13 +25,13 @@ from CNCStepper.drawing.drawing import Drawing, Share
 from CNCStepper.drawing.dxf.reader import read_dxf
 from CNCStepper.drawing.nesting_levels import nesting_levels
 from CNCStepper.drawing.point_list import read_points
-from CNCStepper.drawing.read_drawing import read_drawing
 from CNCStepper.drawing.repair.mend import CHANGES, Change, mended
 from CNCStepper.errors import GeometryError, JobError, Place, Text, placed
 from CNCStepper.geometry.curve import Curve, circle, from_points
 from CNCStepper.geometry.fitting.point_fit import refitted
 from CNCStepper.geometry.shapes.ellipse import Ellipse
 from CNCStepper.geometry.shapes.rectangle import rectangle
+from CNCStepper.job.drawings.read_any import read_any_drawing
 from CNCStepper.job.shape_forms.drawing_form import DrawingForm
 from CNCStepper.job.shape_forms.library_form import LibraryForm
 from CNCStepper.machine.profile import validated
@@ -323,7 +323,7 @@ class _Files:
                 )
 
     def _read(self, form: DrawingForm) -> Drawing:
-        drawing = read_drawing(self._folder / form.file, form.options(), self._share)
+        drawing = read_any_drawing(self._folder / form.file, form.options(), self._share)
         if form.mend is None:
             return drawing
         drawing, changes = mended(drawing, form.mend)

@@ -54,15 +54,15 @@ def command(
     Nothing is mended without --mend; every change is then printed. Exit 0 where the file was read, 1 where it is
     refused.
     """
-    from CNCStepper.drawing.read_drawing import read_drawing
     from CNCStepper.drawing.repair.mend import mended
     from CNCStepper.drawing.repair.problems import RepairLimits, problems_of
+    from CNCStepper.job.drawings.read_any import read_any_drawing
 
     limits = RepairLimits(
         join_mm=reading.join_mm, close_mm=close_mm, double_mm=double_mm, tiny_mm=tiny_mm, fit_mm=fit_mm or 0.0
     )
     with Progress(f"reading {file.name}") as progress:
-        drawing = read_drawing(file, reading.read_options(near_mm=close_mm), progress.share)
+        drawing = read_any_drawing(file, reading.read_options(near_mm=close_mm), progress.share)
         progress.doing(f"looking at {file.name}")
         changes: tuple[Change, ...] = ()
         if mend:

@@ -23,6 +23,7 @@ class ReadingOptions:
     unit_mm: float | None
     tolerance_mm: float
     join_mm: float
+    height_mm: float | None
     trace: dict[str, Any]
 
     def read_options(self, near_mm: float) -> ReadOptions:
@@ -32,7 +33,9 @@ class ReadingOptions:
 
         near_mm = max(near_mm, self.join_mm)
         trace = TraceOptions(**self.trace)
-        return ReadOptions(self.tolerance_mm, self.unit_mm, near_mm=near_mm, by_colour=True, trace=trace)
+        return ReadOptions(
+            self.tolerance_mm, self.unit_mm, near_mm=near_mm, by_colour=True, height_mm=self.height_mm, trace=trace
+        )
 
 
 TRACE_KEYS = ("threshold", "invert", "blur_px", "width_mm", "dpi", "simplify_mm", "speck_mm2")
@@ -42,6 +45,8 @@ OPTIONS = (
                  help="How far arcs may be off a spline or an ellipse, mm."),
     click.option("--join", "join_mm", type=NumberType(kind="tolerance"), default=0.05, show_default=True,
                  help="With --mend, ends that are moved together, mm."),
+    click.option("--height", "height_mm", type=NumberType(),
+                 help="Of a solid: the height of its faces or section, mm. [default: its outline from above]"),
     click.option("--threshold", type=click.IntRange(1, 255),
                  help="Of a picture: greys below it are dark. [default: found from the picture]"),
     click.option("--invert", is_flag=True, help="Of a picture: its light areas are traced."),
@@ -59,10 +64,11 @@ def reading_options(function: Callable[..., Any]) -> Callable[..., Any]:
     """Add the options to a verb, which takes them as `reading`."""
 
     @functools.wraps(function)
-    def called(*arguments: Any, unit_mm: float | None, tolerance_mm: float, join_mm: float, **others: Any) -> Any:
+    def called(*arguments: Any, **others: Any) -> Any:
+        own = {key: others.pop(key) for key in ("unit_mm", "tolerance_mm", "join_mm", "height_mm")}
         given = {key: others.pop(key) for key in TRACE_KEYS}
         trace = {key: value for key, value in given.items() if value is not None}
-        return function(*arguments, reading=ReadingOptions(unit_mm, tolerance_mm, join_mm, trace), **others)
+        return function(*arguments, reading=ReadingOptions(**own, trace=trace), **others)
 
     for option in reversed(OPTIONS):
         called = option(called)

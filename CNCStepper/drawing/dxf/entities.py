@@ -119,11 +119,11 @@ def _line(entity: Any, _: Fits) -> Curve:
 def _arc(entity: Any, _: Fits) -> Curve:
     first, last = math.radians(entity.dxf.start_angle), math.radians(entity.dxf.end_angle)
     sweep = (last - first) % math.tau or math.tau
-    return _from_above(entity, round_arc(entity.dxf.center, entity.dxf.radius, first, sweep))
+    return from_above(entity, round_arc(entity.dxf.center, entity.dxf.radius, first, sweep))
 
 
 def _circle(entity: Any, _: Fits) -> Curve:
-    return _from_above(entity, round_arc(entity.dxf.center, entity.dxf.radius, 0.0, math.tau))
+    return from_above(entity, round_arc(entity.dxf.center, entity.dxf.radius, 0.0, math.tau))
 
 
 def round_arc(centre: Any, radius: float, first_rad: float, sweep_rad: float) -> Curve:
@@ -138,8 +138,8 @@ def round_arc(centre: Any, radius: float, first_rad: float, sweep_rad: float) ->
 
 def _light_polyline(entity: Any, _: Fits) -> Curve:
     points = np.array(entity.get_points("xyb"), float).reshape(-1, 3)
-    _require_finite(points)
-    return _from_above(entity, _bulged(points, bool(entity.closed)))
+    require_finite(points)
+    return from_above(entity, bulged(points, bool(entity.closed)))
 
 
 def _polyline(entity: Any, _: Fits) -> Curve:
@@ -148,19 +148,19 @@ def _polyline(entity: Any, _: Fits) -> Curve:
     vertices = [vertex for vertex in entity.vertices if not vertex.dxf.flags & vertex.SPLINE_FRAME_CONTROL_POINT]
     rows = [(*vertex.dxf.location, vertex.dxf.get("bulge", 0.0)) for vertex in vertices]
     columns = np.array(rows, float).reshape(-1, 4)
-    _require_finite(columns)
+    require_finite(columns)
     _require_level(columns[:, 2])
-    curve = _bulged(columns[:, [0, 1, 3]], bool(entity.is_closed))
-    return _from_above(entity, curve) if entity.is_2d_polyline else curve
+    curve = bulged(columns[:, [0, 1, 3]], bool(entity.is_closed))
+    return from_above(entity, curve) if entity.is_2d_polyline else curve
 
 
-def _require_finite(rows: np.ndarray) -> None:
+def require_finite(rows: np.ndarray) -> None:
     """Raise GeometryError for a coordinate or bulge of a polyline that is no number, or too large a one."""
     if not (np.abs(rows) <= LARGEST).all():
         raise GeometryError("dxf-number", "one of its points is no number in bounds", limit=f"{LARGEST:g}")
 
 
-def _bulged(points: np.ndarray, closed: bool) -> Curve:
+def bulged(points: np.ndarray, closed: bool) -> Curve:
     """Return the polyline through rows of x, y and the bulge to the next one."""
     if closed and len(points) > 1:
         points = np.vstack([points, points[:1]])
@@ -232,7 +232,7 @@ def _require_spline(entity: Any) -> None:
         raise GeometryError("dxf-spline", "its weights are not above 0")
 
 
-def _from_above(entity: Any, curve: Curve) -> Curve:
+def from_above(entity: Any, curve: Curve) -> Curve:
     """Return a curve of the entity's own plane as seen from above; raises GeometryError where that plane leans."""
     ocs = entity.ocs()
     if not ocs.transform:

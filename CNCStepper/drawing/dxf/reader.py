@@ -5,7 +5,8 @@
          └─► ezdxf: header, tables, blocks, all other entities ──► entities.py: curves ─┴─► chains
 
 ezdxf mends a damaged file, then reads all of it. Blocks are taken apart where they are inserted; what they hold on
-layer 0 lies on the layer of the insertion. Only the model space is read, and of that what is visible.
+layer 0 lies on the layer of the insertion. Only the model space is read, and of that what is visible. Hatches and texts
+come after all that is joined.
 """
 
 from __future__ import annotations
@@ -14,12 +15,12 @@ import io
 import itertools
 import operator
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
 from CNCStepper.cancellation import checkpoint
-from CNCStepper.drawing.drawing import Attributes, Drawing, Piece, Share, Skipped, joined_pieces
+from CNCStepper.drawing.drawing import Attributes, Chain, Drawing, Piece, Share, Skipped, joined_pieces
 from CNCStepper.drawing.dxf.attributes import (
     BLACK,
     Insertion,
@@ -32,8 +33,11 @@ from CNCStepper.drawing.dxf.attributes import (
 )
 from CNCStepper.drawing.dxf.entities import BROKEN, Fits, curve_of
 from CNCStepper.drawing.dxf.ezdxf_log import collected_log
+from CNCStepper.drawing.dxf.hatches import hatch_curves, without_drawn
 from CNCStepper.drawing.dxf.limits import DEEPEST, MOST_BYTES, require_readable, require_small
 from CNCStepper.drawing.dxf.plain_entities import PlainEntity, SplitText, split_text
+from CNCStepper.drawing.dxf.texts import KINDS as TEXTS
+from CNCStepper.drawing.dxf.texts import Texts
 from CNCStepper.drawing.read_drawing import ReadOptions
 from CNCStepper.errors import GeometryError, JobError, Place, Text, placed
 from CNCStepper.geometry.chain_joining import NEAR_MM
@@ -46,6 +50,7 @@ from CNCStepper.tolerances import JOINED_ENDS_MM
 MOST_WORDS = 255  # characters of a name, and of what ezdxf says
 PARSED, CURVED = 0.4, 0.95  # of the time, for a drawing of lines, when ezdxf is done, and when all are curves
 TOLD_EVERY = 256  # entities
+HATCH = "HATCH"
 OUTSIDE = Insertion()
 UNIT_NAME = b"$INSUNITS"  # where a file does not hold it, ezdxf may take it for one in metres
 
@@ -78,11 +83,12 @@ def read_dxf(
         unit_mm = unit_mm or (_unit_mm(document) if UNIT_NAME in content else 1.0)
         unit_mm = Bounds("unit").require(unit_mm, "the drawing's unit", place)
         with placed(place):
-            pieces, skipped = _Reading(source, Fits(tolerance_mm / unit_mm), unit_mm).all(count, share)
+            reading = _Reading(source, Fits(tolerance_mm / unit_mm), unit_mm)
+            pieces, skipped = reading.all(count, share)
     damage = damage or (log[0] if log else "")
-    if not pieces and damage:
+    if not pieces and not reading.whole and damage:
         raise _no_dxf(path, damage)
-    if not pieces:
+    if not pieces and not reading.whole:
         raise JobError(
             "dxf-empty",
             "the drawing holds no curves",
@@ -94,7 +100,13 @@ def read_dxf(
         chains, gaps = joined_pieces(
             pieces, same_mm, near_mm, by_colour, lambda done: share(CURVED + (1.0 - CURVED) * done)
         )
-    return Drawing(chains, gaps, tuple(skipped), unit_mm, printable(damage, MOST_WORDS))
+    kept, doubles = without_drawn([*chains, *reading.whole])
+    warnings = list(reading.texts.warnings)
+    if doubles:
+        warnings.append(
+            Text("{doubles} boundaries of hatches are drawn as lines too; they are read once", doubles=doubles)
+        )
+    return Drawing(tuple(kept), gaps, tuple(skipped), unit_mm, printable(damage, MOST_WORDS), tuple(warnings))
 
 
 def read(path: Path, options: ReadOptions, share: Share) -> Drawing:
@@ -123,6 +135,8 @@ class _Reading:
     def __init__(self, source: _Source, fits: Fits, unit_mm: float):
         self._source, self._fits, self._unit_mm = source, fits, unit_mm
         self._layers = Layers(source.document)
+        self.whole: list[Chain] = []
+        self.texts = Texts(source.document, fits.tolerance)
         self._pieces: list[tuple[int, Piece]] = []
         self._skipped: list[tuple[int, Skipped]] = []
 
@@ -169,20 +183,35 @@ class _Reading:
             for insert in _inserts(entity):
                 for part in _taken_apart(insert):
                     yield from self._read(part, number, inside)
+            for attached in entity.attribs:
+                yield from self._read(attached, number, inside)
             return
+        own = attributes(layer, colour, str(entity.dxf.handle or ""), around)
         try:
-            own = attributes(layer, colour, str(entity.dxf.handle or ""), around)
-            self._add(number, curve_of(entity, self._fits), own)
+            if entity.dxftype() in (HATCH, *TEXTS):
+                self._read_whole(entity, own)
+            else:
+                self._add(number, curve_of(entity, self._fits), own)
         except GeometryError as error:
             self._skip(number, entity.dxftype(), layer, str(entity.dxf.handle or ""), error)
         yield
+
+    def _read_whole(self, entity: Any, own: Attributes) -> None:
+        """Take the curves of a hatch or a text, which are never joined with those of others."""
+        is_hatch = entity.dxftype() == HATCH
+        curves = hatch_curves(entity, self._fits) if is_hatch else self.texts.curves(entity)
+        filled = is_hatch or self.texts.is_filled(entity)
+        self.whole += [Chain(self._scaled(curve), replace(own, filled=filled)) for curve in curves]
 
     def _skip(self, number: int, kind: str, layer: str, handle: str, error: GeometryError) -> None:
         kind, layer, handle = (printable(text, MOST_WORDS) for text in (kind, layer, handle))
         self._skipped.append((number, Skipped(kind, layer, handle, error.what)))
 
     def _add(self, number: int, curve: Curve, own: Attributes) -> None:
-        self._pieces.append((number, Piece(curve if self._unit_mm == 1.0 else curve.scaled(self._unit_mm), own)))
+        self._pieces.append((number, Piece(self._scaled(curve), own)))
+
+    def _scaled(self, curve: Curve) -> Curve:
+        return curve if self._unit_mm == 1.0 else curve.scaled(self._unit_mm)
 
 
 def _source(path: Path, content: bytes) -> _Source:

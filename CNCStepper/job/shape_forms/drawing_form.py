@@ -26,7 +26,7 @@ class DrawingForm(Selection):
 
     nesting: only closed chains that lie in so many others of them. The drawing is turned about its zero and then
     moved. mend: repairs it first, within these limits; unit_mm as for DXF; trace: how a picture
-    becomes contours.
+    becomes contours; height_mm: of a solid, the height of its faces or section, else its outline from above.
     """
 
     file: str = Field(min_length=1)
@@ -39,11 +39,19 @@ class DrawingForm(Selection):
     by_colour: StrictBool = True
     mend: RepairLimits | None = None
     trace: TraceOptions = TraceOptions()
+    height_mm: Coordinate | None = None
 
     def options(self) -> ReadOptions:
         """Return how the drawing is read."""
         near_mm = max(NEAR_MM, self.mend.close_mm) if self.mend else NEAR_MM
-        return ReadOptions(self.tolerance_mm, self.unit_mm, near_mm=near_mm, by_colour=self.by_colour, trace=self.trace)
+        return ReadOptions(
+            self.tolerance_mm,
+            self.unit_mm,
+            near_mm=near_mm,
+            by_colour=self.by_colour,
+            height_mm=self.height_mm,
+            trace=self.trace,
+        )
 
     def selected(self, chains: Sequence[Chain]) -> tuple[Chain, ...]:
         """Return the chains that it means, before they are turned and moved."""

@@ -21,9 +21,9 @@ from CNCStepper.atomic_file import write_whole
 from CNCStepper.drawing.chain_list import Count, drawing_box_mm
 from CNCStepper.drawing.drawing import Chain, Drawing, Share
 from CNCStepper.drawing.nesting_levels import nesting_levels
-from CNCStepper.drawing.read_drawing import read_drawing
 from CNCStepper.drawing.repair.mend import mended
 from CNCStepper.errors import JobError, Place, Text, placed
+from CNCStepper.job.drawings.read_any import read_any_drawing
 from CNCStepper.job.files.job_text import content_text
 from CNCStepper.job.model import Job, job_of_content
 from CNCStepper.job.shapes import DrawingForm
@@ -116,7 +116,7 @@ def _form(template: Template, file: str, **keys: Any) -> DrawingForm:
 
 def _read(template: Template, path: Path, share: Share) -> Drawing:
     options = _form(template, path.name).options()
-    drawing = read_drawing(path, options, share)
+    drawing = read_any_drawing(path, options, share)
     return mended(drawing, template.drawing.mend)[0] if template.drawing.mend else drawing
 
 

@@ -191,7 +191,7 @@ def test_names_and_the_words_of_ezdxf_drive_no_terminal(
     document = new()
     layer, wild = "walls_and_more", b"walls\x1b]0;t\xe2\x80\xae"  # 14 bytes both
     document.modelspace().add_line((0, 0), (1, 1), {"layer": layer})
-    document.modelspace().add_text("x", dxfattribs={"layer": layer})
+    document.modelspace().add_point((0, 0), {"layer": layer})
     document.saveas(tmp_path / "a.dxf")
     (tmp_path / "a.dxf").write_bytes((tmp_path / "a.dxf").read_bytes().replace(layer.encode(), wild))
     drawing = read_dxf(tmp_path / "a.dxf", 0.005)

@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Reads a drawing of every format: those of `drawing/`, solids that take a process, and G-code.
+
+`drawing/` knows neither the interpreter nor processes, so these formats are rows here.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from CNCStepper.drawing.drawing import Drawing, Share
+from CNCStepper.drawing.read_drawing import READERS, ReadOptions, read_drawing
+
+ALL_READERS = READERS | {
+    ".step": "CNCStepper.job.drawings.solids",
+    ".stp": "CNCStepper.job.drawings.solids",
+    ".brep": "CNCStepper.job.drawings.solids",
+    ".brp": "CNCStepper.job.drawings.solids",
+    ".fcstd": "CNCStepper.job.drawings.solids",
+    ".nc": "CNCStepper.job.drawings.program_paths",
+    ".ngc": "CNCStepper.job.drawings.program_paths",
+    ".gcode": "CNCStepper.job.drawings.program_paths",
+    ".tap": "CNCStepper.job.drawings.program_paths",
+}
+
+
+def read_any_drawing(path: Path, options: ReadOptions, share: Share = lambda share: None) -> Drawing:
+    """Return the drawing in a file of any format, as `read_drawing` does; scripts are none (`solids.read_script`)."""
+    return read_drawing(path, options, share, ALL_READERS)
