@@ -76,6 +76,8 @@ def _edge(edge: Any, fits: Fits) -> Curve:
 
 def without_drawn(chains: Sequence[Chain]) -> tuple[list[Chain], int]:
     """Return the chains without filled ones that are drawn as lines on their layer too, and how many these were."""
+    if not any(chain.attributes.filled for chain in chains):
+        return list(chains), 0
     drawn = {_key(chain) for chain in chains if chain.curve.closed and not chain.attributes.filled}
     kept = [chain for chain in chains if not (chain.attributes.filled and _key(chain) in drawn)]
     return kept, len(chains) - len(kept)

@@ -11,7 +11,7 @@ import pytest
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpreter.interpret import interpret
-from CNCStepper.gcode.wire.translation import SAME_MM, TranslatedFile, translate
+from CNCStepper.gcode.wire.translation import ROUNDED_END_MM, TranslatedFile, translate
 from CNCStepper.state import Start
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, RAPID, join_chunks
 
@@ -94,7 +94,7 @@ def test_random_programs_lead_the_same_way(seed: int) -> None:
     assert (np.diff(own.end, axis=0) == 0).all(axis=1).any() or seed > 5 or "F" in text
     wire, path = translate(text, THESIS, FLAT)
     again = interpret(wire.text, path.start, FLAT).table()
-    assert np.abs(again.end - own.end).max() <= SAME_MM
+    assert np.abs(again.end - own.end).max() <= ROUNDED_END_MM
     assert np.array_equal(path.table().end, again.end), "what is planned is what the wire says"
     assert np.array_equal(path.table().line, own.line)
     assert all(len(line) < 80 for line in wire.lines)
