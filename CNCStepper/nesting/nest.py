@@ -27,7 +27,7 @@ from CNCStepper.nesting.strips import StripPacker
 STRIP_SHARE = 0.6  # of the time, on sheets; a strip gets nearly all
 FIRST_SHARE = 0.25  # of the time, for the first attempt where strips follow
 LONGEST_FIRST = 5.0  # times the time given, and so many seconds more
-LAST_SHARE = 0.04  # of the time, for sliding and judging
+LAST_SHARE = 0.02  # of the time, for sliding and judging
 Rank = tuple[float, ...]
 
 

@@ -27,6 +27,7 @@ PROGRAM = "G21 G90\nG0 X1 Y1 Z1\nG1 X10 F600\no<sub> call\nM2\n"
 IN_FOLDERS = {
     ("run",): ["program.nc", "report.json", "certificate-1-T2.zip", "part.png"],
     ("edit", "split"): ["p-2-T7.nc"],
+    ("slice",): ["slice-001.dxf", "slices.json", "assembled.png"],
     ("nest",): ["sheet-0.dxf", "remnant-0-1.dxf", "placements.json", "nest.png"],
 }
 WORDS = {"PROFILE": "m.toml", "DIALECT": "grbl", "SHAPE:MM": "flat:3", "NUMBER": "1", "X,Y": "1,1", "X,Y,Z": "1,1,1"}
@@ -84,6 +85,7 @@ def test_the_walk_finds_the_verbs_that_write() -> None:
         "machine-test",
         "nest",
         "arrange",
+        "slice",
     }
     assert {names[0] for names in WRITING} == writers <= set(FAMILY_OF)
 
