@@ -27,8 +27,8 @@ NEWLINE, RETURN = 10, 13
 
 
 def new_roles() -> np.ndarray:
-    """Return what each byte is, uint8[256]: the place of a letter, BLANK, LINE_END, or OTHER."""
-    roles = np.full(256, OTHER, np.uint8)
+    """Return what each byte is, int64[256]: the place of a letter, BLANK, LINE_END, or OTHER."""
+    roles = np.full(256, OTHER)  # plain Python calculates with its entries: in narrower integers they overflow
     for place, letter in enumerate(LETTERS + "G"):
         roles[[ord(letter), ord(letter.lower())]] = place
     roles[[ord(" "), ord("\t")]] = BLANK
@@ -46,17 +46,19 @@ def read_number(data, at, end, roles):
         at += 1
     mantissa, digits, decimals, step = 0, 0, 0, 0
     while at < end:
-        byte = data[at]
+        byte = np.int64(data[at])  # plain Python calculates in bytes with bytes, and these overflow
         if ZERO <= byte <= NINE:
-            mantissa = mantissa * 10 + (byte - ZERO)
             digits += 1
+            if digits > MOST_DIGITS:
+                return 0.0, LEFT
+            mantissa = mantissa * 10 + (byte - ZERO)
             decimals += step
         elif byte == POINT and step == 0:
             step = 1
         elif roles[byte] != BLANK:
             break
         at += 1
-    if digits == 0 or digits > MOST_DIGITS or digits - decimals > MOST_WHOLE_DIGITS or mantissa > MOST_MANTISSA:
+    if digits == 0 or digits - decimals > MOST_WHOLE_DIGITS or mantissa > MOST_MANTISSA:
         return 0.0, LEFT
     value = mantissa / POWERS[decimals] if decimals else float(mantissa)
     return -value if negative else value, at

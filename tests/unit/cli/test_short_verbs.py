@@ -10,6 +10,8 @@ from pathlib import Path
 
 import pytest
 
+from CNCStepper.gcode.interpreter.fast_path.policy import PAYS_WITH_LOADING
+
 SCRIPT = """
 import sys
 from CNCStepper.cli import main
@@ -50,3 +52,14 @@ def test_more_work_loads_it_in_the_middle(tmp_path: Path, verb: str) -> None:
     printed, loaded = said(verb, program)
     assert loaded == "True True"
     assert (printed, "False False") == said(verb, program, {"NUMBA_DISABLE_JIT": "1"})
+
+
+@pytest.mark.slow
+def test_a_text_for_which_it_is_loaded_is_read_by_compiled_kernels(tmp_path: Path) -> None:
+    program = tmp_path / "long.nc"
+    moves = (f"G1 X{123.456 + index % 7:.3f} Y{index % 5} F{1000 + index % 50}" for index in range(4200))
+    program.write_text("G21 G90\n" + "".join(f"{move:<240}\n" for move in moves), encoding="ascii")
+    assert program.stat().st_size > PAYS_WITH_LOADING
+    printed, loaded = said("time", program)
+    assert loaded == "True True"
+    assert (printed, "False False") == said("time", program, {"NUMBA_DISABLE_JIT": "1"})

@@ -12,12 +12,15 @@ PAYS_WITH_LOADING = 1_000_000  # and with loading it first, which takes half a s
 
 
 def pays(size: int) -> bool:
-    """Whether a text of so many characters is read sooner by kernels, and they are there."""
+    """Whether a text of so many characters is read sooner by kernels, and they are there; loads them where it is."""
     if size < (PAYS if "numba" in sys.modules else PAYS_WITH_LOADING):
         return False
     from CNCStepper import kernels
 
-    return kernels.compiles()
+    if not kernels.compiles():
+        return False
+    kernels.load()  # one call reads a whole piece: as plain Python that takes minutes
+    return True
 
 
 def as_bytes(text: str) -> bytes:

@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import json
 import os
+import subprocess
+import sys
 from collections import Counter
 from itertools import product
 from pathlib import Path
@@ -51,6 +53,15 @@ def check_both(text: str, start: Start, dialect: str) -> Watched:
 @pytest.mark.parametrize("seed", range(12))
 def test_random_programs_are_read_alike(dialect: str, seed: int) -> None:
     check_random(dialect, seed, 120)
+
+
+@pytest.mark.slow
+def test_plain_python_reads_alike_and_overflows_in_no_byte() -> None:
+    names = "test_random_programs_are_read_alike and (0- or 1-) or test_numbers_are_sent"
+    words = ["-W", "error::RuntimeWarning", "-m", "pytest", "-q", "-p", "no:cacheprovider", __file__, "-k", names]
+    environment = {**os.environ, "NUMBA_DISABLE_JIT": "1"}
+    run = subprocess.run([sys.executable, *words], env=environment, capture_output=True, text=True)
+    assert run.returncode == 0, run.stdout
 
 
 @pytest.mark.slow
