@@ -10,8 +10,6 @@ from pathlib import Path
 
 import pytest
 
-from CNCStepper.gcode.interpreter.fast_path.policy import PAYS_WITH_LOADING
-
 SCRIPT = """
 import sys
 from CNCStepper.cli import main
@@ -22,12 +20,16 @@ finally:
     from CNCStepper import kernels
     print("numba" in sys.modules, kernels.COMPILED, file=sys.stderr)
 """
+LESS_PAYS = """
+from CNCStepper.gcode.interpreter.fast_path import policy
+policy.PAYS_WITH_LOADING = 20_000
+"""
 THREE = "G21 G90\nG1 X10 F300\nG0 X0\n"
 
 
-def said(verb: str, program: Path, variables: dict[str, str] | None = None) -> tuple[str, str]:
+def said(verb: str, program: Path, variables: dict[str, str] | None = None, begin: str = "") -> tuple[str, str]:
     """Return what a verb prints, and whether numba was loaded and is there."""
-    words = [sys.executable, "-c", SCRIPT, verb, str(program), "--machine", "table-a"]
+    words = [sys.executable, "-c", begin + SCRIPT, verb, str(program), "--machine", "table-a"]
     environment = {**os.environ, **(variables or {})}
     result = subprocess.run(words, capture_output=True, text=True, env=environment)
     assert result.returncode == 0, result.stderr
@@ -57,9 +59,8 @@ def test_more_work_loads_it_in_the_middle(tmp_path: Path, verb: str) -> None:
 @pytest.mark.slow
 def test_a_text_for_which_it_is_loaded_is_read_by_compiled_kernels(tmp_path: Path) -> None:
     program = tmp_path / "long.nc"
-    moves = (f"G1 X{123.456 + index % 7:.3f} Y{index % 5} F{1000 + index % 50}" for index in range(4200))
-    program.write_text("G21 G90\n" + "".join(f"{move:<240}\n" for move in moves), encoding="ascii")
-    assert program.stat().st_size > PAYS_WITH_LOADING
-    printed, loaded = said("time", program)
+    moves = (f"G1 X{123.456 + index % 7:.3f} Y{index % 5} F{1000 + index % 50}" for index in range(200))
+    program.write_text("G21 G90\n" + "".join(f"{move:<200}\n" for move in moves), encoding="ascii")
+    printed, loaded = said("time", program, begin=LESS_PAYS)
     assert loaded == "True True"
     assert (printed, "False False") == said("time", program, {"NUMBA_DISABLE_JIT": "1"})
