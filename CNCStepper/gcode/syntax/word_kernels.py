@@ -44,7 +44,7 @@ def read_number(data, at, end, roles):
     negative = at < end and data[at] == MINUS
     if negative or (at < end and data[at] == PLUS):
         at += 1
-    mantissa, digits, decimals, step = 0, 0, 0, 0
+    mantissa, digits, decimals, step = np.int64(0), 0, 0, 0
     while at < end:
         byte = np.int64(data[at])  # plain Python calculates in bytes with bytes, and these overflow
         if ZERO <= byte <= NINE:
