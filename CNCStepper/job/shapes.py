@@ -34,6 +34,7 @@ from CNCStepper.geometry.shapes.rectangle import rectangle
 from CNCStepper.job.drawings.read_any import read_any_drawing
 from CNCStepper.job.shape_forms.drawing_form import DrawingForm
 from CNCStepper.job.shape_forms.library_form import LibraryForm
+from CNCStepper.job.shape_forms.text_form import TextForm
 from CNCStepper.machine.profile import validated
 from CNCStepper.quantities import MOST_ITEMS, Angle, Bounds, Coordinate, Length, LengthOr0, Unit, WidthOr0, shown
 
@@ -121,6 +122,7 @@ class ShapeForm(_Checked):
     dxf: DxfForm | None = None
     drawing: DrawingForm | None = None
     library: LibraryForm | None = None
+    text: TextForm | None = None
     curve: CurveField | None = None
 
     @model_validator(mode="after")
@@ -138,7 +140,7 @@ class ShapeForm(_Checked):
         return self
 
 
-WAYS = ("polygon_mm", "circle_mm", "rectangle_mm", "ellipse_mm", "points", "dxf", "drawing", "library", "curve")
+WAYS = ("polygon_mm", "circle_mm", "rectangle_mm", "ellipse_mm", "points", "dxf", "drawing", "library", "text", "curve")
 
 
 @dataclass(frozen=True)
@@ -276,9 +278,16 @@ class _Files:
             return self._selected(shape.name, shape.drawing)
         if shape.library is not None:
             return shape.library.curves()
+        if shape.text is not None:
+            return self._text(shape.text)
         form = shape.circle_mm or shape.rectangle_mm or shape.ellipse_mm
         assert form is not None  # the model has seen to it
         return (form.curve(),)
+
+    def _text(self, form: TextForm) -> tuple[Curve, ...]:
+        curves = form.curves(self._folder)
+        self._drawn.add(curves)
+        return curves
 
     def _points(self, path: Path, closed: bool, smooth_mm: float) -> tuple[Curve, ...]:
         drawn = read_points(path, closed)

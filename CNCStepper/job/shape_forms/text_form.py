@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`[[shape]] text = { ... }`: a text in a font of the system, or in a single-line font, on a line or along a curve."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Literal
+
+from pydantic import BaseModel, ConfigDict, Field, StrictBool, model_validator
+
+from CNCStepper.drawing.text.text_curves import MOST_CHARACTERS, Align, TextStyle, text_along, text_curves
+from CNCStepper.errors import JobError, Text
+from CNCStepper.geometry.curve import Curve, circle, straight
+from CNCStepper.quantities import Angle, Bounds, Coordinate, Height, Length, Turn
+
+Point = tuple[Coordinate, Coordinate]
+ALIGNED = {"left": 0.0, "center": 0.5, "right": 1.0}  # the share of a curve's length where its text is aligned
+
+
+class _Checked(BaseModel):
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+
+
+class ArcForm(_Checked):
+    """An arc under a text, mm and degrees: from `start_deg` on, counter-clockwise for a positive sweep.
+
+    Letters stand outside of an arc that runs clockwise, inside of one that runs counter-clockwise.
+    """
+
+    centre: Point
+    radius: Length
+    start_deg: Angle
+    sweep_deg: Turn
+
+    def curve(self) -> Curve:
+        """Return the arc."""
+        first_deg = self.start_deg + min(self.sweep_deg, 0.0)
+        whole = circle((0.0, 0.0), self.radius).rotated(first_deg)
+        length_mm = whole.length_mm * abs(self.sweep_deg) / 360.0
+        arc = (whole if abs(self.sweep_deg) == 360.0 else whole.part(0.0, length_mm)).moved(*self.centre)
+        return arc.reversed() if self.sweep_deg < 0.0 else arc
+
+
+class AlongForm(_Checked):
+    """The curve along which a text runs: a line by two points, or an arc. above_mm: how far above it letters stand."""
+
+    line: tuple[Point, Point] | None = None
+    arc: ArcForm | None = None
+    above_mm: Annotated[float, Bounds("coordinate", -1000.0, 1000.0)] = 0.0
+
+    @model_validator(mode="after")
+    def _is_one(self) -> AlongForm:
+        if (self.line is None) == (self.arc is None):
+            raise ValueError(Text("a text runs along a line or an arc: give one of them"))
+        if self.arc is not None and not self.arc.sweep_deg:
+            raise ValueError(Text("the arc of a text needs a sweep"))
+        return self
+
+    def curve(self) -> Curve:
+        """Return the line or arc."""
+        if self.line is not None:
+            return straight(*self.line)
+        assert self.arc is not None  # the model has seen to it
+        return self.arc.curve()
+
+
+class TextForm(_Checked):
+    """A text; sizes in mm.
+
+    The font is a `font` of the system in its `style`, a `file`, or a `single_line` font whose letters are open curves.
+    height_mm: of capitals, with size = "em" of the em. The text's first base line begins at `position_mm` (align:
+    ends there, or has its middle there) and is turned about it; along a curve align is the part of the curve.
+    part: all curves, the outlines of letters, or the holes in them (islands of a pocket).
+    """
+
+    text: str = Field(min_length=1, max_length=MOST_CHARACTERS)
+    font: str = Field(default="", max_length=200)
+    style: str = Field(default="", max_length=200)
+    file: str = ""
+    single_line: str = Field(default="", max_length=200)
+    height_mm: Height
+    size: Literal["cap", "em"] = "cap"
+    position_mm: Point = (0.0, 0.0)
+    rotation_deg: Angle = 0.0
+    align: Align = "left"
+    spacing_mm: Annotated[float, Bounds("coordinate", -1000.0, 1000.0)] = 0.0
+    line_spacing: Annotated[float, Bounds("factor", 0.1, 10.0)] = 1.0
+    slant_deg: Annotated[float, Bounds("angle", -60.0, 60.0)] = 0.0
+    kerning: StrictBool = True
+    along: AlongForm | None = None
+    part: Literal["all", "outlines", "holes"] = "all"
+    tolerance_mm: Annotated[float, Bounds("tolerance", most=1.0)] = 0.005
+
+    @model_validator(mode="after")
+    def _has_one_font(self) -> TextForm:
+        if sum(map(bool, (self.font, self.file, self.single_line))) != 1:
+            raise ValueError(Text("a text needs one of font, file and single_line"))
+        return self
+
+    def curves(self, folder: Path) -> tuple[Curve, ...]:
+        """Return the text's curves; a font file is looked for in `folder`.
+
+        Raises JobError as text_curves does, and for a part of the letters that there is not.
+        """
+        wanted = {"all": (False, True), "outlines": (False,), "holes": (True,)}[self.part]
+        chosen = tuple(curve for curve in self._set(folder) if (curve.closed and curve.area_mm2 < 0.0) in wanted)
+        if not chosen:
+            what, advice = Text("the letters of the text have no {part}", part=self.part), 'leave part = "holes" out'
+            raise JobError("text-part", what, advice=advice)
+        return chosen
+
+    def _set(self, folder: Path) -> tuple[Curve, ...]:
+        style = TextStyle(
+            font=self.font,
+            style=self.style,
+            file=folder / self.file if self.file else None,
+            single_line=self.single_line,
+            height_mm=self.height_mm,
+            size=self.size,
+            align=self.align,
+            letter_spacing_mm=self.spacing_mm,
+            line_spacing=self.line_spacing,
+            slant_deg=self.slant_deg,
+            kerning=self.kerning,
+        )
+        if self.along is not None:
+            curve = self.along.curve()
+            along_mm = ALIGNED[self.align] * curve.length_mm
+            return text_along(style, self.text, curve, self.tolerance_mm, along_mm, self.along.above_mm)
+        curves = text_curves(style, self.text, self.tolerance_mm)
+        return tuple(curve.rotated(self.rotation_deg).moved(*self.position_mm) for curve in curves)
