@@ -7854,11 +7854,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>(begin operation: {0})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>(finish operation: {0})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>(nu=7, ph=3.8, pd=0.4, ch=1.5, fr=3850, kw=1.5)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>(program {number} of {count}, tool {tool})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>({0}: {1} stretches arranged)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8087,6 +8099,14 @@
         </message>
         <message>
             <source>CNCStepper journal</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>CNCStepper report</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>CadQuery or FreeCAD</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8498,6 +8518,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Nested parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Nimbus Mono PS</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8539,6 +8563,10 @@
         </message>
         <message>
             <source>P of G04 is seconds on some controls and milliseconds on others</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>PID eq {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8818,6 +8846,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a corner of the mesh is no number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a corner of the mesh is no number in bounds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a corner of the profile is too small for its fillet or chamfer</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8835,6 +8871,10 @@
         </message>
         <message>
             <source>a cut goes into stock while the spindle stands</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a cut of the arranged program lies elsewhere, or has another feed, spindle or tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9026,6 +9066,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a line that changes the tool does more than that</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a line that runs by itself at every start moves without anybody who looks</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9206,6 +9250,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a program that goes to machine positions cannot be placed beside others</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a program that sets or chooses a work offset cannot be placed beside others</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a program with subroutines, loops or branches is not rewritten</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9258,6 +9310,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a rotation of {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a rule has one of operation, marks_for and ignore = true</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9306,6 +9362,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a strip must be the only sheet of an order</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a subroutine in another file moves: it is not edited with the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9331,6 +9391,14 @@
         </message>
         <message>
             <source>a text is too long</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a text needs one of font, file and single_line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a text runs along a line or an arc: give one of them</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9454,6 +9522,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a {what} needs one of {ways}; it has {told}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>above 0 and below the least</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9574,6 +9646,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>an arc of another plane than XY</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>an arc of several turns cannot be sent to a controller of this computer</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9591,6 +9667,14 @@
         </message>
         <message>
             <source>an axis is missing: {text}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>an edge of the solid is no curve: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>an edge of the solid is of no kind that is known</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10238,6 +10322,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>close it, or name another layer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>close it, or use side "left", "right" or "on"</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10414,6 +10502,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>correct the file, or export it as STEP</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>correct the folder's name</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10455,6 +10547,10 @@
         </message>
         <message>
             <source>correct the program, and check it again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct the script</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10762,6 +10858,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>export it again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>export it again, as binary STL</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>export the solid as STEP again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>expressions in brackets are not part of this dialect</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10822,6 +10930,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>formats inside MTEXT are not applied</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>free the machine from the switch, then home it</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10863,6 +10975,10 @@
         </message>
         <message>
             <source>gaps were closed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give --at once for each copy</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10914,7 +11030,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give a height_mm within the solid, or none for its whole outline</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give a line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give a program that cuts along X and Y</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10954,6 +11078,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give each outline a drawing or a layer of its own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give each row its own number</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10967,6 +11095,10 @@
         </message>
         <message>
             <source>give every row as many</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give fewer copies, a smaller gap or a larger --sheet</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11270,6 +11402,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>import importlib.util, sys; sys.exit(importlib.util.find_spec({0}) is None)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>in absolute mode the control drives an axis without a word to 0</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11310,6 +11446,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>install it: python -m pip install spyrrow</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>install them in one (python -m pip install {packages}), or set {variable} to a Python that has them</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11319,6 +11459,10 @@
         </message>
         <message>
             <source>it begins with {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it changes a file</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11346,6 +11490,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it ends with {0}: {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it goes on by itself</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11355,6 +11503,10 @@
         </message>
         <message>
             <source>it has neither a stroke nor a fill</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it has no boundary</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11371,6 +11523,10 @@
         </message>
         <message>
             <source>it has no subroutines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it has no visible object with a face</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11442,6 +11598,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it is no BREP file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it is no STEP file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it is one program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11458,6 +11622,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it makes a folder</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it makes a link</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it maps no characters</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11466,7 +11638,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it opens a connection</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it removed its file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it removes a file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it removes a folder</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it renames a file</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11478,7 +11666,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it shows no solid: give one to show_object, or name it result</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it starts a process</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it starts a program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it takes more memory than it may</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it takes nothing for {limit:g} s</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it takes too long</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11499,6 +11707,22 @@
         </message>
         <message>
             <source>it would forget the settings: write the settings that are to change one by one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it writes a file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>item {number}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>its begin is not known</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>its boundary is not closed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11526,6 +11750,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>its height is no length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>its host is not this computer</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11535,6 +11763,10 @@
         </message>
         <message>
             <source>its knots do not rise</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>its letters lean too far</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12350,6 +12582,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>name a script with the suffix .py</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>name both axes</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12359,6 +12595,10 @@
         </message>
         <message>
             <source>name it once</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>name one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12622,6 +12862,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>not a FreeCAD document</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>not a JSON file: {error}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12703,6 +12947,10 @@
         </message>
         <message>
             <source>not all of the wall is seen from the middle of the room</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>not an STL file, or one that ends too early: it names {claimed} triangles</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12946,6 +13194,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>part '{name}': {what}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>part of the drawn shape lies beside the stock</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13003,6 +13255,10 @@
         </message>
         <message>
             <source>place not known</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>place them farther apart, or --allow-overlap</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13190,6 +13446,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>reading '{suffix}' files takes {programs}, which is not here</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>reading the solid takes too long</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>reading the solid takes too much memory</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>reading was cancelled</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13239,6 +13507,10 @@
         </message>
         <message>
             <source>renumber by hand</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>repair the mesh, and export it again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13323,6 +13595,10 @@
         </message>
         <message>
             <source>rx ry</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>save it again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13558,6 +13834,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>set {cadquery} to a Python that has CadQuery, or {freecad} to FreeCAD's command</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>sets G92 as it was: {array}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13582,6 +13862,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>sheet {number}: {small} pieces below 1 mm2 left out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>sheet_cut does not cut by {process}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13599,6 +13883,10 @@
         </message>
         <message>
             <source>shorten the start-up line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>simplify the solid, or end the script's loop</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13663,6 +13951,10 @@
         </message>
         <message>
             <source>split the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>spyrrow is not installed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13890,7 +14182,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>take text out of it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>take the kerf from the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take the line out; the arranged program lies in one work offset</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take the others out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13994,6 +14298,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the arc of a text needs a sweep</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the arc would go through another angle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14007,6 +14315,10 @@
         </message>
         <message>
             <source>the arc's radius is not larger than the tool's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the arranged program has {count} cuts, not {wanted}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14111,6 +14423,10 @@
         </message>
         <message>
             <source>the checksum is wrong</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the columns of MTEXT are set one below the other</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14354,6 +14670,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the count of copies is out of bounds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the curve has no length</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14486,6 +14806,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the document unpacks to too much</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the drawing '{deleted_drawing}' that it followed was deleted</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14522,7 +14846,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the drawing has no closed outline</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the drawing has no curves on a layer '{name}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the drawing has outlines beside each other</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14535,6 +14867,10 @@
         </message>
         <message>
             <source>the drawing has too many {of_what}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the drawing has too much text</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14734,6 +15070,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the file needs a strip_height above 0 and a list of items</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the file system can only be read</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14755,6 +15095,10 @@
         </message>
         <message>
             <source>the file was changed while it was read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the first {0} are drawn</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14787,6 +15131,10 @@
         </message>
         <message>
             <source>the font '{family}' has no style '{style}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the font '{font}' is not here; its text is set in {other}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14994,6 +15342,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the knots and poles of a spline of the solid do not belong together</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the largest disc of the {tool} tool stands more than a pitch above its tip: it cuts no thread</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15047,6 +15399,10 @@
         </message>
         <message>
             <source>the letters move {axis}, which this machine does not have</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the letters of the text have no {part}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15378,6 +15734,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the packing of a strip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the parallel port's controller</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15614,6 +15974,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the program cuts nothing at a known place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the program has no F word</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15642,6 +16006,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the program holds no feed that is seen from above</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the program is larger than the travel of {name}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15651,6 +16019,10 @@
         </message>
         <message>
             <source>the program is not the one that was proven: its text differs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the program is read as {dialect}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15679,6 +16051,10 @@
         </message>
         <message>
             <source>the program sets its own work zero (G10)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the program that reads the solid ended without an answer (status {status})</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15795,6 +16171,10 @@
         </message>
         <message>
             <source>the room of the tool's centre has islands or several parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the rotations of {name} are no list of 1 to 360</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15934,6 +16314,26 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the solid cannot be read: {why}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the solid has nothing at that height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the solid has too many edges or triangles</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the solid has too many edges there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the solid is not closed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the spindle cannot turn at this speed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15967,6 +16367,10 @@
         </message>
         <message>
             <source>the splines and ellipses of the drawing are too many and too wild for the tolerance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the stack has too many sheets</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16195,6 +16599,10 @@
         </message>
         <message>
             <source>the torch may not be taken off</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the triangles of the STL file are not whole</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16462,6 +16870,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>there is no program to arrange</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there is no relay {0}; there are {1}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16567,6 +16979,10 @@
         </message>
         <message>
             <source>this is a fault of this program: report it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this is no Python script</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17170,6 +17586,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use thicker sheets</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use {functions} or ATAN</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17371,6 +17791,10 @@
         </message>
         <message>
             <source>words were left over that no command uses</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>work surface</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17586,6 +18010,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write each program so that it stands alone</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write each turn</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17615,6 +18043,10 @@
         </message>
         <message>
             <source>write it as two</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write it in lines of its own</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17810,6 +18242,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} MB, {1} files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} and {1} mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17826,6 +18262,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} cm³, {1} of the solid</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} in islands {1}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17838,7 +18278,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} open edges</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} parts without a place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} segments fewer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} sheets of {1} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17918,6 +18370,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{count} copies have {places} places</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{count} copies of {name} have no place on the work surface</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{count} dashed strokes are read as whole lines</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17987,6 +18447,10 @@
         </message>
         <message>
             <source>{doing} failed by a fault of its own: {kind}: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{doubles} boundaries of hatches are drawn as lines too; they are read once</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18410,6 +18874,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{name} is no object</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{name} is no port that takes pulses</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18527,6 +18995,10 @@
         </message>
         <message>
             <source>{obj} is not cut by {process}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{one} and {other} cut into each other</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

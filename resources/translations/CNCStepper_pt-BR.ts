@@ -7854,12 +7854,24 @@
             <translation>'{word}' não muda nenhuma chave</translation>
         </message>
         <message>
+            <source>(begin operation: {0})</source>
+            <translation>(begin operation: {0})</translation>
+        </message>
+        <message>
+            <source>(finish operation: {0})</source>
+            <translation>(finish operation: {0})</translation>
+        </message>
+        <message>
             <source>(nu=7, ph=3.8, pd=0.4, ch=1.5, fr=3850, kw=1.5)</source>
             <translation>(nu=7, ph=3.8, pd=0.4, ch=1.5, fr=3850, kw=1.5)</translation>
         </message>
         <message>
             <source>(program {number} of {count}, tool {tool})</source>
             <translation>(programa {number} de {count}, ferramenta {tool})</translation>
+        </message>
+        <message>
+            <source>({0}: {1} stretches arranged)</source>
+            <translation>({0}: {1} trechos dispostos)</translation>
         </message>
         <message>
             <source>/ (block delete) may stand only at the beginning of a line</source>
@@ -8059,7 +8071,7 @@
         </message>
         <message>
             <source>Adobe Illustrator</source>
-            <translation type="unfinished"></translation>
+            <translation>Adobe Illustrator</translation>
         </message>
         <message>
             <source>An angle of two legs, its outer corner at the zero, a hole near the end of each leg.</source>
@@ -8090,6 +8102,14 @@
             <translation>CNCStepper journal</translation>
         </message>
         <message>
+            <source>CNCStepper report</source>
+            <translation>Relatório do CNCStepper</translation>
+        </message>
+        <message>
+            <source>CadQuery or FreeCAD</source>
+            <translation>CadQuery ou FreeCAD</translation>
+        </message>
+        <message>
             <source>Chamfer along each side</source>
             <translation>Chanfro ao longo de cada lado</translation>
         </message>
@@ -8111,15 +8131,15 @@
         </message>
         <message>
             <source>DejaVu Sans</source>
-            <translation type="unfinished"></translation>
+            <translation>DejaVu Sans</translation>
         </message>
         <message>
             <source>DejaVu Sans Mono</source>
-            <translation type="unfinished"></translation>
+            <translation>DejaVu Sans Mono</translation>
         </message>
         <message>
             <source>DejaVu Serif</source>
-            <translation type="unfinished"></translation>
+            <translation>DejaVu Serif</translation>
         </message>
         <message>
             <source>Diameter cut away</source>
@@ -8415,15 +8435,15 @@
         </message>
         <message>
             <source>Liberation Mono</source>
-            <translation type="unfinished"></translation>
+            <translation>Liberation Mono</translation>
         </message>
         <message>
             <source>Liberation Sans</source>
-            <translation type="unfinished"></translation>
+            <translation>Liberation Sans</translation>
         </message>
         <message>
             <source>Liberation Serif</source>
-            <translation type="unfinished"></translation>
+            <translation>Liberation Serif</translation>
         </message>
         <message>
             <source>LinuxCNC with QtPlasmaC</source>
@@ -8498,16 +8518,20 @@
             <translation>NÃO cortado em nenhum material: os limites da máquina são verificados, mas ninguém vê se um avanço rápido encontra material; dê --job, ou --stock e --tool</translation>
         </message>
         <message>
+            <source>Nested parts</source>
+            <translation>Peças aninhadas</translation>
+        </message>
+        <message>
             <source>Nimbus Mono PS</source>
-            <translation type="unfinished"></translation>
+            <translation>Nimbus Mono PS</translation>
         </message>
         <message>
             <source>Nimbus Roman</source>
-            <translation type="unfinished"></translation>
+            <translation>Nimbus Roman</translation>
         </message>
         <message>
             <source>Nimbus Sans</source>
-            <translation type="unfinished"></translation>
+            <translation>Nimbus Sans</translation>
         </message>
         <message>
             <source>O-words are nested too deeply</source>
@@ -8540,6 +8564,10 @@
         <message>
             <source>P of G04 is seconds on some controls and milliseconds on others</source>
             <translation>o P de G04 são segundos em alguns comandos e milissegundos em outros</translation>
+        </message>
+        <message>
+            <source>PID eq {0}</source>
+            <translation>PID eq {0}</translation>
         </message>
         <message>
             <source>Parts and signs</source>
@@ -8655,7 +8683,7 @@
         </message>
         <message>
             <source>Times New Roman</source>
-            <translation type="unfinished"></translation>
+            <translation>Times New Roman</translation>
         </message>
         <message>
             <source>Trial {0} pulses/s late mean {1} us worst {2} us</source>
@@ -8783,7 +8811,7 @@
         </message>
         <message>
             <source>a collection of {0} faces</source>
-            <translation type="unfinished"></translation>
+            <translation>uma coleção de {0} fontes</translation>
         </message>
         <message>
             <source>a comment is closed that was not opened</source>
@@ -8818,6 +8846,14 @@
             <translation>um canto é arredondado (A) ou chanfrado (C)</translation>
         </message>
         <message>
+            <source>a corner of the mesh is no number</source>
+            <translation>um vértice da malha não é um número</translation>
+        </message>
+        <message>
+            <source>a corner of the mesh is no number in bounds</source>
+            <translation>um vértice da malha não é um número dentro dos limites</translation>
+        </message>
+        <message>
             <source>a corner of the profile is too small for its fillet or chamfer</source>
             <translation>um canto do perfil é pequeno demais para o seu arredondamento ou chanfro</translation>
         </message>
@@ -8836,6 +8872,10 @@
         <message>
             <source>a cut goes into stock while the spindle stands</source>
             <translation>um corte entra no material com o spindle parado</translation>
+        </message>
+        <message>
+            <source>a cut of the arranged program lies elsewhere, or has another feed, spindle or tool</source>
+            <translation>um corte do programa disposto está em outro lugar ou tem outro avanço, outra rotação ou outra ferramenta</translation>
         </message>
         <message>
             <source>a cutting move begins at an unknown position, so it is not checked against the stock</source>
@@ -8895,15 +8935,15 @@
         </message>
         <message>
             <source>a glyph calls too many subroutines</source>
-            <translation type="unfinished"></translation>
+            <translation>um glifo chama sub-rotinas demais</translation>
         </message>
         <message>
             <source>a glyph has too many parts</source>
-            <translation type="unfinished"></translation>
+            <translation>um glifo tem partes demais</translation>
         </message>
         <message>
             <source>a glyph has too many segments</source>
-            <translation type="unfinished"></translation>
+            <translation>um glifo tem segmentos demais</translation>
         </message>
         <message>
             <source>a height field needs two rows and two columns of finite heights at least</source>
@@ -9026,6 +9066,10 @@
             <translation>uma linha que começa com $ é um ajuste ou comando para o controlador, não faz parte de um programa</translation>
         </message>
         <message>
+            <source>a line that changes the tool does more than that</source>
+            <translation>uma linha que troca a ferramenta faz mais do que isso</translation>
+        </message>
+        <message>
             <source>a line that runs by itself at every start moves without anybody who looks</source>
             <translation>uma linha que roda sozinha a cada partida move a máquina sem ninguém olhando</translation>
         </message>
@@ -9035,11 +9079,11 @@
         </message>
         <message>
             <source>a list has no entry {0}</source>
-            <translation type="unfinished"></translation>
+            <translation>uma lista não tem o item {0}</translation>
         </message>
         <message>
             <source>a list of glyphs is longer than its table</source>
-            <translation type="unfinished"></translation>
+            <translation>uma lista de glifos é mais longa que a sua tabela</translation>
         </message>
         <message>
             <source>a machine is cutting</source>
@@ -9103,7 +9147,7 @@
         </message>
         <message>
             <source>a number is out of range</source>
-            <translation type="unfinished"></translation>
+            <translation>um número está fora dos limites</translation>
         </message>
         <message>
             <source>a number of hundreds of digits</source>
@@ -9139,7 +9183,7 @@
         </message>
         <message>
             <source>a path has no length, or a coordinate that is no length in mm</source>
-            <translation type="unfinished"></translation>
+            <translation>um caminho não tem comprimento ou tem uma coordenada que não é um comprimento em mm</translation>
         </message>
         <message>
             <source>a path is mirrored along X or Y</source>
@@ -9147,7 +9191,7 @@
         </message>
         <message>
             <source>a path is too long for its tolerance</source>
-            <translation type="unfinished"></translation>
+            <translation>um caminho é longo demais para a sua tolerância</translation>
         </message>
         <message>
             <source>a pattern has at most {0} characters</source>
@@ -9155,7 +9199,7 @@
         </message>
         <message>
             <source>a picture and no line</source>
-            <translation type="unfinished"></translation>
+            <translation>uma imagem, e não uma linha</translation>
         </message>
         <message>
             <source>a pin in the configuration is wrong</source>
@@ -9171,7 +9215,7 @@
         </message>
         <message>
             <source>a place before the begin of a table</source>
-            <translation type="unfinished"></translation>
+            <translation>um lugar antes do início de uma tabela</translation>
         </message>
         <message>
             <source>a point is too far away</source>
@@ -9199,11 +9243,19 @@
         </message>
         <message>
             <source>a program of the mini-lathe begins at the work zero and cannot be entered in its middle</source>
-            <translation type="unfinished"></translation>
+            <translation>um programa do minitorno começa no zero da peça e não pode ser retomado no meio</translation>
         </message>
         <message>
             <source>a program on the controller stopped at an error</source>
             <translation>um programa no controlador parou em um erro</translation>
+        </message>
+        <message>
+            <source>a program that goes to machine positions cannot be placed beside others</source>
+            <translation>um programa que vai a posições de máquina não pode ser colocado ao lado de outros</translation>
+        </message>
+        <message>
+            <source>a program that sets or chooses a work offset cannot be placed beside others</source>
+            <translation>um programa que define ou escolhe um sistema de coordenadas não pode ser colocado ao lado de outros</translation>
         </message>
         <message>
             <source>a program with subroutines, loops or branches is not rewritten</source>
@@ -9258,6 +9310,10 @@
             <translation>um pedido sem a chave da sessão</translation>
         </message>
         <message>
+            <source>a rotation of {0}</source>
+            <translation>uma rotação de {0}</translation>
+        </message>
+        <message>
             <source>a rule has one of operation, marks_for and ignore = true</source>
             <translation>uma regra tem um só de operation, marks_for e ignore = true</translation>
         </message>
@@ -9306,6 +9362,10 @@
             <translation>um passo fica entre um nanômetro e 100 mm</translation>
         </message>
         <message>
+            <source>a strip must be the only sheet of an order</source>
+            <translation>uma faixa precisa ser a única chapa de um pedido</translation>
+        </message>
+        <message>
             <source>a subroutine in another file moves: it is not edited with the program</source>
             <translation>uma sub-rotina em outro arquivo faz movimentos: ela não é editada junto com o programa</translation>
         </message>
@@ -9331,7 +9391,15 @@
         </message>
         <message>
             <source>a text is too long</source>
-            <translation type="unfinished"></translation>
+            <translation>um texto é longo demais</translation>
+        </message>
+        <message>
+            <source>a text needs one of font, file and single_line</source>
+            <translation>um texto precisa de um entre font, file e single_line</translation>
+        </message>
+        <message>
+            <source>a text runs along a line or an arc: give one of them</source>
+            <translation>um texto segue uma reta ou um arco: dê um dos dois</translation>
         </message>
         <message>
             <source>a tolerance must be above 0</source>
@@ -9403,7 +9471,7 @@
         </message>
         <message>
             <source>a variation that is not there</source>
-            <translation type="unfinished"></translation>
+            <translation>uma variação que não existe</translation>
         </message>
         <message>
             <source>a whole number</source>
@@ -9452,6 +9520,10 @@
         <message>
             <source>a {tool_shape} tool mills no thread</source>
             <translation>uma ferramenta {tool_shape} não fresa rosca</translation>
+        </message>
+        <message>
+            <source>a {what} needs one of {ways}; it has {told}</source>
+            <translation>{what} precisa de um entre {ways}; tem {told}</translation>
         </message>
         <message>
             <source>above 0 and below the least</source>
@@ -9574,6 +9646,10 @@
             <translation>um arco precisa de um ponto inicial conhecido</translation>
         </message>
         <message>
+            <source>an arc of another plane than XY</source>
+            <translation>um arco em outro plano que não XY</translation>
+        </message>
+        <message>
             <source>an arc of several turns cannot be sent to a controller of this computer</source>
             <translation>um arco de várias voltas não pode ser enviado a um controlador deste computador</translation>
         </message>
@@ -9587,11 +9663,19 @@
         </message>
         <message>
             <source>an arc without numbers</source>
-            <translation type="unfinished"></translation>
+            <translation>um arco sem números</translation>
         </message>
         <message>
             <source>an axis is missing: {text}</source>
             <translation>falta um eixo: {text}</translation>
+        </message>
+        <message>
+            <source>an edge of the solid is no curve: {error}</source>
+            <translation>uma aresta do sólido não é uma curva: {error}</translation>
+        </message>
+        <message>
+            <source>an edge of the solid is of no kind that is known</source>
+            <translation>uma aresta do sólido é de um tipo desconhecido</translation>
         </message>
         <message>
             <source>an expression begins with [</source>
@@ -9907,7 +9991,7 @@
         </message>
         <message>
             <source>bytes when it is unpacked</source>
-            <translation type="unfinished"></translation>
+            <translation>bytes depois de descompactado</translation>
         </message>
         <message>
             <source>canned cycles may not be used</source>
@@ -9955,7 +10039,7 @@
         </message>
         <message>
             <source>characters with its entities in their places</source>
-            <translation type="unfinished"></translation>
+            <translation>caracteres com as entidades substituídas</translation>
         </message>
         <message>
             <source>charts are there for: {processes}</source>
@@ -10131,7 +10215,7 @@
         </message>
         <message>
             <source>choose another font, or other characters</source>
-            <translation type="unfinished"></translation>
+            <translation>escolha outra fonte ou outros caracteres</translation>
         </message>
         <message>
             <source>choose another name</source>
@@ -10238,6 +10322,10 @@
             <translation>feche-a ou deixe só linhas fechadas no desenho</translation>
         </message>
         <message>
+            <source>close it, or name another layer</source>
+            <translation>feche-o ou indique outra camada</translation>
+        </message>
+        <message>
             <source>close it, or use side "left", "right" or "on"</source>
             <translation>feche-a ou use o lado "left", "right" ou "on"</translation>
         </message>
@@ -10295,7 +10383,7 @@
         </message>
         <message>
             <source>convert the text to paths in the drawing program</source>
-            <translation type="unfinished"></translation>
+            <translation>converta o texto em caminhos no programa de desenho</translation>
         </message>
         <message>
             <source>coordinate systems may not be changed</source>
@@ -10414,6 +10502,10 @@
             <translation>corrija o nome do arquivo</translation>
         </message>
         <message>
+            <source>correct the file, or export it as STEP</source>
+            <translation>corrija o arquivo ou exporte-o como STEP</translation>
+        </message>
+        <message>
             <source>correct the folder's name</source>
             <translation>corrija o nome da pasta</translation>
         </message>
@@ -10456,6 +10548,10 @@
         <message>
             <source>correct the program, and check it again</source>
             <translation>corrija o programa e verifique-o de novo</translation>
+        </message>
+        <message>
+            <source>correct the script</source>
+            <translation>corrija o script</translation>
         </message>
         <message>
             <source>correct the value or its unit</source>
@@ -10555,11 +10651,11 @@
         </message>
         <message>
             <source>cx cy</source>
-            <translation type="unfinished"></translation>
+            <translation>cx cy</translation>
         </message>
         <message>
             <source>cx cy r</source>
-            <translation type="unfinished"></translation>
+            <translation>cx cy r</translation>
         </message>
         <message>
             <source>define it, or put its file beside the program</source>
@@ -10639,7 +10735,7 @@
         </message>
         <message>
             <source>draw visible shapes, paths or texts; convert pictures to paths in the drawing program</source>
-            <translation type="unfinished"></translation>
+            <translation>desenhe formas, caminhos ou textos visíveis; converta imagens em caminhos no programa de desenho</translation>
         </message>
         <message>
             <source>drawings with the suffix '{suffix}' cannot be read</source>
@@ -10667,7 +10763,7 @@
         </message>
         <message>
             <source>elements within each other</source>
-            <translation type="unfinished"></translation>
+            <translation>elementos uns dentro dos outros</translation>
         </message>
         <message>
             <source>enable homing ($22=1) or switch soft limits off ($20=0)</source>
@@ -10762,6 +10858,18 @@
             <translation>desdobre-o em movimentos simples</translation>
         </message>
         <message>
+            <source>export it again</source>
+            <translation>exporte-o de novo</translation>
+        </message>
+        <message>
+            <source>export it again, as binary STL</source>
+            <translation>exporte-o de novo, como STL binário</translation>
+        </message>
+        <message>
+            <source>export the solid as STEP again</source>
+            <translation>exporte o sólido de novo como STEP</translation>
+        </message>
+        <message>
             <source>expressions in brackets are not part of this dialect</source>
             <translation>expressões entre colchetes não fazem parte deste dialeto</translation>
         </message>
@@ -10822,6 +10930,10 @@
             <translation>flute_length_mm não pode passar de length_mm</translation>
         </message>
         <message>
+            <source>formats inside MTEXT are not applied</source>
+            <translation>as formatações dentro do MTEXT não são aplicadas</translation>
+        </message>
+        <message>
             <source>free the machine from the switch, then home it</source>
             <translation>solte a máquina do fim de curso e referencie-a</translation>
         </message>
@@ -10864,6 +10976,10 @@
         <message>
             <source>gaps were closed</source>
             <translation>vãos foram fechados</translation>
+        </message>
+        <message>
+            <source>give --at once for each copy</source>
+            <translation>dê --at uma vez para cada cópia</translation>
         </message>
         <message>
             <source>give /dev/parport0, socket://host:port, a serial device, or record:FILE</source>
@@ -10914,8 +11030,16 @@
             <translation>informe uma altura maior</translation>
         </message>
         <message>
+            <source>give a height_mm within the solid, or none for its whole outline</source>
+            <translation>dê um height_mm dentro do sólido, ou nenhum para o contorno inteiro</translation>
+        </message>
+        <message>
             <source>give a line</source>
             <translation>informe uma linha</translation>
+        </message>
+        <message>
+            <source>give a program that cuts along X and Y</source>
+            <translation>dê um programa que corte em X e Y</translation>
         </message>
         <message>
             <source>give a smaller file</source>
@@ -10954,6 +11078,10 @@
             <translation>dê a cada material um número próprio</translation>
         </message>
         <message>
+            <source>give each outline a drawing or a layer of its own</source>
+            <translation>dê a cada contorno um desenho ou uma camada própria</translation>
+        </message>
+        <message>
             <source>give each row its own number</source>
             <translation>dê a cada linha um número próprio</translation>
         </message>
@@ -10968,6 +11096,10 @@
         <message>
             <source>give every row as many</source>
             <translation>dê a mesma quantidade a cada linha</translation>
+        </message>
+        <message>
+            <source>give fewer copies, a smaller gap or a larger --sheet</source>
+            <translation>dê menos cópias, uma folga menor ou um --sheet maior</translation>
         </message>
         <message>
             <source>give fewer points</source>
@@ -11270,6 +11402,10 @@
             <translation>se estava cortando, a posição é desconhecida: olhe a máquina e depois veja {session_file}</translation>
         </message>
         <message>
+            <source>import importlib.util, sys; sys.exit(importlib.util.find_spec({0}) is None)</source>
+            <translation>import importlib.util, sys; sys.exit(importlib.util.find_spec({0}) is None)</translation>
+        </message>
+        <message>
             <source>in absolute mode the control drives an axis without a word to 0</source>
             <translation>no modo absoluto o comando leva para 0 um eixo sem palavra</translation>
         </message>
@@ -11295,7 +11431,7 @@
         </message>
         <message>
             <source>install it again, or choose another font</source>
-            <translation type="unfinished"></translation>
+            <translation>instale-a de novo ou escolha outra fonte</translation>
         </message>
         <message>
             <source>install it for the Python that proves (python -m pip install NAME)</source>
@@ -11310,6 +11446,10 @@
             <translation>instale-o: python -m pip install pyserial</translation>
         </message>
         <message>
+            <source>install it: python -m pip install spyrrow</source>
+            <translation>instale-o: python -m pip install spyrrow</translation>
+        </message>
+        <message>
             <source>install them in one (python -m pip install {packages}), or set {variable} to a Python that has them</source>
             <translation>instale-os em um (python -m pip install {packages}), ou aponte {variable} para um Python que os tenha</translation>
         </message>
@@ -11319,7 +11459,11 @@
         </message>
         <message>
             <source>it begins with {0}</source>
-            <translation type="unfinished"></translation>
+            <translation>começa com {0}</translation>
+        </message>
+        <message>
+            <source>it changes a file</source>
+            <translation>ele altera um arquivo</translation>
         </message>
         <message>
             <source>it closed the connection</source>
@@ -11331,7 +11475,7 @@
         </message>
         <message>
             <source>it does not begin with M</source>
-            <translation type="unfinished"></translation>
+            <translation>não começa com M</translation>
         </message>
         <message>
             <source>it ended with an error</source>
@@ -11346,6 +11490,10 @@
             <translation>termina cedo demais</translation>
         </message>
         <message>
+            <source>it ends with {0}: {1}</source>
+            <translation>termina com {0}: {1}</translation>
+        </message>
+        <message>
             <source>it goes on by itself</source>
             <translation>continua sozinho</translation>
         </message>
@@ -11355,31 +11503,39 @@
         </message>
         <message>
             <source>it has neither a stroke nor a fill</source>
-            <translation type="unfinished"></translation>
+            <translation>não tem traço nem preenchimento</translation>
+        </message>
+        <message>
+            <source>it has no boundary</source>
+            <translation>não tem fronteira</translation>
         </message>
         <message>
             <source>it has no face {0}</source>
-            <translation type="unfinished"></translation>
+            <translation>não tem a fonte {0}</translation>
         </message>
         <message>
             <source>it has no glyph {0}</source>
-            <translation type="unfinished"></translation>
+            <translation>não tem o glifo {0}</translation>
         </message>
         <message>
             <source>it has no outlines</source>
-            <translation type="unfinished"></translation>
+            <translation>não tem contornos</translation>
         </message>
         <message>
             <source>it has no subroutines</source>
-            <translation type="unfinished"></translation>
+            <translation>não tem sub-rotinas</translation>
+        </message>
+        <message>
+            <source>it has no visible object with a face</source>
+            <translation>não tem nenhum objeto visível com uma face</translation>
         </message>
         <message>
             <source>it has no widths</source>
-            <translation type="unfinished"></translation>
+            <translation>não tem larguras</translation>
         </message>
         <message>
             <source>it has no {0}</source>
-            <translation type="unfinished"></translation>
+            <translation>não tem {0}</translation>
         </message>
         <message>
             <source>it has none</source>
@@ -11391,7 +11547,7 @@
         </message>
         <message>
             <source>it has too many tables of pairs</source>
-            <translation type="unfinished"></translation>
+            <translation>tem tabelas de pares demais</translation>
         </message>
         <message>
             <source>it has {known}</source>
@@ -11399,7 +11555,7 @@
         </message>
         <message>
             <source>it has {styles}</source>
-            <translation type="unfinished"></translation>
+            <translation>tem {styles}</translation>
         </message>
         <message>
             <source>it has {ways}</source>
@@ -11442,6 +11598,14 @@
             <translation>ela é para {processes}: escolha outra tabela ou outro processo</translation>
         </message>
         <message>
+            <source>it is no BREP file</source>
+            <translation>não é um arquivo BREP</translation>
+        </message>
+        <message>
+            <source>it is no STEP file</source>
+            <translation>não é um arquivo STEP</translation>
+        </message>
+        <message>
             <source>it is one program</source>
             <translation>é um só programa</translation>
         </message>
@@ -11458,16 +11622,40 @@
             <translation>está dentro de uma entrada no corte, que começa na linha {file_line}</translation>
         </message>
         <message>
+            <source>it makes a folder</source>
+            <translation>ele cria uma pasta</translation>
+        </message>
+        <message>
+            <source>it makes a link</source>
+            <translation>ele cria um link</translation>
+        </message>
+        <message>
             <source>it maps no characters</source>
-            <translation type="unfinished"></translation>
+            <translation>não associa nenhum caractere</translation>
         </message>
         <message>
             <source>it names no operation: choose a line</source>
             <translation>ele não nomeia nenhuma operação: escolha uma linha</translation>
         </message>
         <message>
+            <source>it opens a connection</source>
+            <translation>ele abre uma conexão</translation>
+        </message>
+        <message>
             <source>it removed its file</source>
             <translation>ele removeu seu arquivo</translation>
+        </message>
+        <message>
+            <source>it removes a file</source>
+            <translation>ele apaga um arquivo</translation>
+        </message>
+        <message>
+            <source>it removes a folder</source>
+            <translation>ele apaga uma pasta</translation>
+        </message>
+        <message>
+            <source>it renames a file</source>
+            <translation>ele renomeia um arquivo</translation>
         </message>
         <message>
             <source>it says nothing</source>
@@ -11478,16 +11666,36 @@
             <translation>deveria ser *{summed}</translation>
         </message>
         <message>
+            <source>it shows no solid: give one to show_object, or name it result</source>
+            <translation>não mostra nenhum sólido: passe um a show_object ou dê a ele o nome result</translation>
+        </message>
+        <message>
+            <source>it starts a process</source>
+            <translation>ele inicia um processo</translation>
+        </message>
+        <message>
+            <source>it starts a program</source>
+            <translation>ele inicia um programa</translation>
+        </message>
+        <message>
+            <source>it takes more memory than it may</source>
+            <translation>ocupa mais memória do que pode</translation>
+        </message>
+        <message>
             <source>it takes nothing for {limit:g} s</source>
             <translation>não aceita nada há {limit:g} s</translation>
         </message>
         <message>
+            <source>it takes too long</source>
+            <translation>demora demais</translation>
+        </message>
+        <message>
             <source>it uses '{address}', which is not in the file</source>
-            <translation type="unfinished"></translation>
+            <translation>usa '{address}', que não está no arquivo</translation>
         </message>
         <message>
             <source>it uses itself, or too many others within each other</source>
-            <translation type="unfinished"></translation>
+            <translation>usa a si mesmo, ou elementos demais uns dentro dos outros</translation>
         </message>
         <message>
             <source>it was a restart itself: the first line not certainly cut is the program's {story}</source>
@@ -11500,6 +11708,22 @@
         <message>
             <source>it would forget the settings: write the settings that are to change one by one</source>
             <translation>ele esqueceria as configurações: escreva uma a uma as que devem mudar</translation>
+        </message>
+        <message>
+            <source>it writes a file</source>
+            <translation>ele escreve um arquivo</translation>
+        </message>
+        <message>
+            <source>item {number}</source>
+            <translation>item {number}</translation>
+        </message>
+        <message>
+            <source>its begin is not known</source>
+            <translation>o seu início não é conhecido</translation>
+        </message>
+        <message>
+            <source>its boundary is not closed</source>
+            <translation>a sua fronteira não está fechada</translation>
         </message>
         <message>
             <source>its controller's process has ended ({status})</source>
@@ -11515,7 +11739,7 @@
         </message>
         <message>
             <source>its first element is no &lt;svg&gt;</source>
-            <translation type="unfinished"></translation>
+            <translation>o seu primeiro elemento não é &lt;svg&gt;</translation>
         </message>
         <message>
             <source>its head is no object of JSON</source>
@@ -11524,6 +11748,10 @@
         <message>
             <source>its head is too large</source>
             <translation>seu cabeçalho é grande demais</translation>
+        </message>
+        <message>
+            <source>its height is no length</source>
+            <translation>a sua altura não é um comprimento</translation>
         </message>
         <message>
             <source>its host is not this computer</source>
@@ -11536,6 +11764,10 @@
         <message>
             <source>its knots do not rise</source>
             <translation>seus nós não crescem</translation>
+        </message>
+        <message>
+            <source>its letters lean too far</source>
+            <translation>as suas letras inclinam-se demais</translation>
         </message>
         <message>
             <source>its line map is no array of whole numbers</source>
@@ -11579,7 +11811,7 @@
         </message>
         <message>
             <source>its radius is not above 0</source>
-            <translation type="unfinished"></translation>
+            <translation>o seu raio não é maior que 0</translation>
         </message>
         <message>
             <source>its shape '{kind}' is none of {shapes}</source>
@@ -11591,7 +11823,7 @@
         </message>
         <message>
             <source>its transform is damaged</source>
-            <translation type="unfinished"></translation>
+            <translation>a sua transformação está danificada</translation>
         </message>
         <message>
             <source>its weights are not above 0</source>
@@ -11599,11 +11831,11 @@
         </message>
         <message>
             <source>its width or height is not above 0</source>
-            <translation type="unfinished"></translation>
+            <translation>a sua largura ou altura não é maior que 0</translation>
         </message>
         <message>
             <source>its {0} has {1} numbers</source>
-            <translation type="unfinished"></translation>
+            <translation>{0} tem {1} números</translation>
         </message>
         <message>
             <source>its {name} are no numbers in bounds</source>
@@ -12091,7 +12323,7 @@
         </message>
         <message>
             <source>make several texts of it</source>
-            <translation type="unfinished"></translation>
+            <translation>divida-o em vários textos</translation>
         </message>
         <message>
             <source>make spacing_mm larger</source>
@@ -12139,7 +12371,7 @@
         </message>
         <message>
             <source>make the text smaller, move its start, or lengthen the curve</source>
-            <translation type="unfinished"></translation>
+            <translation>diminua o texto, mude o seu início ou alongue a curva</translation>
         </message>
         <message>
             <source>make them lower</source>
@@ -12327,7 +12559,7 @@
         </message>
         <message>
             <source>name a file that ends in .ttf, .otf, .ttc or .otc; unpack a web font first</source>
-            <translation type="unfinished"></translation>
+            <translation>indique um arquivo que termine em .ttf, .otf, .ttc ou .otc; descompacte antes uma fonte da web</translation>
         </message>
         <message>
             <source>name a file that is not there yet, in a folder that you may write in</source>
@@ -12350,6 +12582,10 @@
             <translation>indique uma porta paralela, um dispositivo serial, socket://host:porta ou record:ARQUIVO</translation>
         </message>
         <message>
+            <source>name a script with the suffix .py</source>
+            <translation>indique um script com o sufixo .py</translation>
+        </message>
+        <message>
             <source>name both axes</source>
             <translation>indique os dois eixos</translation>
         </message>
@@ -12362,12 +12598,16 @@
             <translation>nomeie-a uma só vez</translation>
         </message>
         <message>
+            <source>name one</source>
+            <translation>indique um</translation>
+        </message>
+        <message>
             <source>name one of them</source>
             <translation>nomeie uma delas</translation>
         </message>
         <message>
             <source>name one of {names}</source>
-            <translation type="unfinished"></translation>
+            <translation>indique um entre {names}</translation>
         </message>
         <message>
             <source>name one of: {known}</source>
@@ -12375,7 +12615,7 @@
         </message>
         <message>
             <source>name one that the system has: {families}</source>
-            <translation type="unfinished"></translation>
+            <translation>indique uma que o sistema tenha: {families}</translation>
         </message>
         <message>
             <source>name the machine (--machine)</source>
@@ -12622,6 +12862,10 @@
             <translation>não é um arquivo DXF: {why}</translation>
         </message>
         <message>
+            <source>not a FreeCAD document</source>
+            <translation>não é um documento do FreeCAD</translation>
+        </message>
+        <message>
             <source>not a JSON file: {error}</source>
             <translation>não é um arquivo JSON: {error}</translation>
         </message>
@@ -12635,7 +12879,7 @@
         </message>
         <message>
             <source>not a TrueType or OpenType font</source>
-            <translation type="unfinished"></translation>
+            <translation>não é uma fonte TrueType ou OpenType</translation>
         </message>
         <message>
             <source>not a curve with xy and bulge: {error}</source>
@@ -12706,8 +12950,12 @@
             <translation>nem toda a parede é vista do meio do espaço</translation>
         </message>
         <message>
+            <source>not an STL file, or one that ends too early: it names {claimed} triangles</source>
+            <translation>não é um arquivo STL, ou termina cedo demais: declara {claimed} triângulos</translation>
+        </message>
+        <message>
             <source>not an SVG file: {why}</source>
-            <translation type="unfinished"></translation>
+            <translation>não é um arquivo SVG: {why}</translation>
         </message>
         <message>
             <source>not an error: its words are none</source>
@@ -12831,7 +13079,7 @@
         </message>
         <message>
             <source>numbers behind {0}</source>
-            <translation type="unfinished"></translation>
+            <translation>números depois de {0}</translation>
         </message>
         <message>
             <source>o&lt;name&gt; sub ends with o&lt;name&gt; endsub</source>
@@ -12946,6 +13194,10 @@
             <translation>aqui parênteses não são comentário</translation>
         </message>
         <message>
+            <source>part '{name}': {what}</source>
+            <translation>peça '{name}': {what}</translation>
+        </message>
+        <message>
             <source>part of the drawn shape lies beside the stock</source>
             <translation>parte da forma desenhada fica fora do bloco</translation>
         </message>
@@ -13004,6 +13256,10 @@
         <message>
             <source>place not known</source>
             <translation>local desconhecido</translation>
+        </message>
+        <message>
+            <source>place them farther apart, or --allow-overlap</source>
+            <translation>afaste-os mais ou use --allow-overlap</translation>
         </message>
         <message>
             <source>places of the machine became those of the work, right for this work zero only</source>
@@ -13190,6 +13446,18 @@
             <translation>leia o programa inteiro</translation>
         </message>
         <message>
+            <source>reading '{suffix}' files takes {programs}, which is not here</source>
+            <translation>para ler arquivos '{suffix}' é preciso {programs}, que não está aqui</translation>
+        </message>
+        <message>
+            <source>reading the solid takes too long</source>
+            <translation>a leitura do sólido demora demais</translation>
+        </message>
+        <message>
+            <source>reading the solid takes too much memory</source>
+            <translation>a leitura do sólido ocupa memória demais</translation>
+        </message>
+        <message>
             <source>reading was cancelled</source>
             <translation>a leitura foi cancelada</translation>
         </message>
@@ -13240,6 +13508,10 @@
         <message>
             <source>renumber by hand</source>
             <translation>renumere à mão</translation>
+        </message>
+        <message>
+            <source>repair the mesh, and export it again</source>
+            <translation>repare a malha e exporte-a de novo</translation>
         </message>
         <message>
             <source>reset it, then home it or set its zero again</source>
@@ -13323,7 +13595,11 @@
         </message>
         <message>
             <source>rx ry</source>
-            <translation type="unfinished"></translation>
+            <translation>rx ry</translation>
+        </message>
+        <message>
+            <source>save it again</source>
+            <translation>salve-o de novo</translation>
         </message>
         <message>
             <source>save it again as PNG</source>
@@ -13331,7 +13607,7 @@
         </message>
         <message>
             <source>save it again from the drawing program as plain SVG</source>
-            <translation type="unfinished"></translation>
+            <translation>salve-o de novo no programa de desenho como SVG simples</translation>
         </message>
         <message>
             <source>save it as DXF again, as R2000 or newer</source>
@@ -13351,7 +13627,7 @@
         </message>
         <message>
             <source>save it with styles as attributes</source>
-            <translation type="unfinished"></translation>
+            <translation>salve-o com os estilos como atributos</translation>
         </message>
         <message>
             <source>save the file as UTF-8 text</source>
@@ -13379,7 +13655,7 @@
         </message>
         <message>
             <source>scripts that are written from the right are not set</source>
-            <translation type="unfinished"></translation>
+            <translation>escritas da direita para a esquerda não são compostas</translation>
         </message>
         <message>
             <source>see its log, and the machine</source>
@@ -13558,6 +13834,10 @@
             <translation>ponha width_mm em no máximo {width_mm:.2f}</translation>
         </message>
         <message>
+            <source>set {cadquery} to a Python that has CadQuery, or {freecad} to FreeCAD's command</source>
+            <translation>aponte {cadquery} para um Python que tenha o CadQuery, ou {freecad} para o comando do FreeCAD</translation>
+        </message>
+        <message>
             <source>sets G92 as it was: {array}</source>
             <translation>define G92 como estava: {array}</translation>
         </message>
@@ -13582,6 +13862,10 @@
             <translation>forma '{name}': duas pontas ficam a {size_mm:.3g} mm uma da outra em X{x:.3f} Y{y:.3f}</translation>
         </message>
         <message>
+            <source>sheet {number}: {small} pieces below 1 mm2 left out</source>
+            <translation>chapa {number}: {small} pedaços abaixo de 1 mm2 ficaram de fora</translation>
+        </message>
+        <message>
             <source>sheet_cut does not cut by {process}</source>
             <translation>sheet_cut não corta com {process}</translation>
         </message>
@@ -13600,6 +13884,10 @@
         <message>
             <source>shorten the start-up line</source>
             <translation>encurte a linha de partida</translation>
+        </message>
+        <message>
+            <source>simplify the solid, or end the script's loop</source>
+            <translation>simplifique o sólido ou termine o laço do script</translation>
         </message>
         <message>
             <source>smooth_mm belongs to points</source>
@@ -13639,7 +13927,7 @@
         </message>
         <message>
             <source>split it into several drawings</source>
-            <translation type="unfinished"></translation>
+            <translation>divida-o em vários desenhos</translation>
         </message>
         <message>
             <source>split it, or send it with cncstepper send</source>
@@ -13664,6 +13952,10 @@
         <message>
             <source>split the program</source>
             <translation>divida o programa</translation>
+        </message>
+        <message>
+            <source>spyrrow is not installed</source>
+            <translation>o spyrrow não está instalado</translation>
         </message>
         <message>
             <source>start it with cncstepper send</source>
@@ -13787,7 +14079,7 @@
         </message>
         <message>
             <source>switch the lathe off and on, set its zero by hand, and send the whole program</source>
-            <translation type="unfinished"></translation>
+            <translation>desligue e ligue o torno, ajuste o zero à mão e envie o programa inteiro</translation>
         </message>
         <message>
             <source>switch the lathe on in manual mode before it moves; its position is reckoned, nothing reports it</source>
@@ -13827,11 +14119,11 @@
         </message>
         <message>
             <source>take a larger tolerance</source>
-            <translation type="unfinished"></translation>
+            <translation>use uma tolerância maior</translation>
         </message>
         <message>
             <source>take a larger tolerance, or draw lines or arcs in their place</source>
-            <translation type="unfinished"></translation>
+            <translation>use uma tolerância maior ou desenhe retas ou arcos no lugar</translation>
         </message>
         <message>
             <source>take a larger tolerance_mm, or draw polylines or arcs in their place</source>
@@ -13890,8 +14182,20 @@
             <translation>retire {word}</translation>
         </message>
         <message>
+            <source>take text out of it</source>
+            <translation>retire texto dele</translation>
+        </message>
+        <message>
             <source>take the kerf from the chart</source>
             <translation>use a largura do corte da tabela</translation>
+        </message>
+        <message>
+            <source>take the line out; the arranged program lies in one work offset</source>
+            <translation>retire a linha; o programa disposto usa um só sistema de coordenadas</translation>
+        </message>
+        <message>
+            <source>take the others out</source>
+            <translation>retire os outros</translation>
         </message>
         <message>
             <source>take up to 60 letters of a to z, digits, - and _, a letter or digit first</source>
@@ -13994,6 +14298,10 @@
             <translation>o arco precisa de {axis} ou {axis2} no plano {name}</translation>
         </message>
         <message>
+            <source>the arc of a text needs a sweep</source>
+            <translation>o arco de um texto precisa de um ângulo de abertura</translation>
+        </message>
+        <message>
             <source>the arc would go through another angle</source>
             <translation>o arco percorreria outro ângulo</translation>
         </message>
@@ -14008,6 +14316,10 @@
         <message>
             <source>the arc's radius is not larger than the tool's</source>
             <translation>o raio do arco não é maior que o da ferramenta</translation>
+        </message>
+        <message>
+            <source>the arranged program has {count} cuts, not {wanted}</source>
+            <translation>o programa disposto tem {count} cortes, e não {wanted}</translation>
         </message>
         <message>
             <source>the auxiliary port does not exist or is in use</source>
@@ -14112,6 +14424,10 @@
         <message>
             <source>the checksum is wrong</source>
             <translation>a soma de verificação está errada</translation>
+        </message>
+        <message>
+            <source>the columns of MTEXT are set one below the other</source>
+            <translation>as colunas do MTEXT são postas uma abaixo da outra</translation>
         </message>
         <message>
             <source>the command is allowed only while the machine is idle</source>
@@ -14354,6 +14670,10 @@
             <translation>os cantos da diagonal de um retângulo têm de diferir em x e em y</translation>
         </message>
         <message>
+            <source>the count of copies is out of bounds</source>
+            <translation>o número de cópias está fora dos limites</translation>
+        </message>
+        <message>
             <source>the curve has no length</source>
             <translation>a curva não tem comprimento</translation>
         </message>
@@ -14367,7 +14687,7 @@
         </message>
         <message>
             <source>the curves of the drawing are too many and too wild for the tolerance</source>
-            <translation type="unfinished"></translation>
+            <translation>as curvas do desenho são muitas e irregulares demais para a tolerância</translation>
         </message>
         <message>
             <source>the cut</source>
@@ -14486,6 +14806,10 @@
             <translation>o disco</translation>
         </message>
         <message>
+            <source>the document unpacks to too much</source>
+            <translation>o documento descompactado é grande demais</translation>
+        </message>
+        <message>
             <source>the drawing '{deleted_drawing}' that it followed was deleted</source>
             <translation>o desenho '{deleted_drawing}' que ela seguia foi excluído</translation>
         </message>
@@ -14519,23 +14843,35 @@
         </message>
         <message>
             <source>the drawing declares entities that stand for more than a short text</source>
-            <translation type="unfinished"></translation>
+            <translation>o desenho declara entidades que representam mais do que um texto curto</translation>
+        </message>
+        <message>
+            <source>the drawing has no closed outline</source>
+            <translation>o desenho não tem nenhum contorno fechado</translation>
         </message>
         <message>
             <source>the drawing has no curves on a layer '{name}'</source>
             <translation>o desenho não tem curvas em uma camada '{name}'</translation>
         </message>
         <message>
+            <source>the drawing has outlines beside each other</source>
+            <translation>o desenho tem contornos um ao lado do outro</translation>
+        </message>
+        <message>
             <source>the drawing has too many elements with those that it uses</source>
-            <translation type="unfinished"></translation>
+            <translation>o desenho tem elementos demais, contando os que ele usa</translation>
         </message>
         <message>
             <source>the drawing has too many rules of style</source>
-            <translation type="unfinished"></translation>
+            <translation>o desenho tem regras de estilo demais</translation>
         </message>
         <message>
             <source>the drawing has too many {of_what}</source>
             <translation>o desenho tem demais: {of_what}</translation>
+        </message>
+        <message>
+            <source>the drawing has too much text</source>
+            <translation>o desenho tem texto demais</translation>
         </message>
         <message>
             <source>the drawing holds no curves</source>
@@ -14699,11 +15035,11 @@
         </message>
         <message>
             <source>the file gives no size in mm or inches: {dpi:g} pixels an inch are taken</source>
-            <translation type="unfinished"></translation>
+            <translation>o arquivo não dá um tamanho em mm ou polegadas: são usados {dpi:g} pixels por polegada</translation>
         </message>
         <message>
             <source>the file gives no size of its sheet: zero is the upper left corner</source>
-            <translation type="unfinished"></translation>
+            <translation>o arquivo não dá o tamanho da folha: o zero é o canto superior esquerdo</translation>
         </message>
         <message>
             <source>the file has no pulse letter</source>
@@ -14734,6 +15070,10 @@
             <translation>o arquivo é grande demais</translation>
         </message>
         <message>
+            <source>the file needs a strip_height above 0 and a list of items</source>
+            <translation>o arquivo precisa de um strip_height maior que 0 e de uma lista de items</translation>
+        </message>
+        <message>
             <source>the file system can only be read</source>
             <translation>o sistema de arquivos só pode ser lido</translation>
         </message>
@@ -14756,6 +15096,10 @@
         <message>
             <source>the file was changed while it was read</source>
             <translation>o arquivo foi alterado enquanto era lido</translation>
+        </message>
+        <message>
+            <source>the first {0} are drawn</source>
+            <translation>os primeiros {0} são desenhados</translation>
         </message>
         <message>
             <source>the flanges' width</source>
@@ -14787,15 +15131,19 @@
         </message>
         <message>
             <source>the font '{family}' has no style '{style}'</source>
-            <translation type="unfinished"></translation>
+            <translation>a fonte '{family}' não tem o estilo '{style}'</translation>
+        </message>
+        <message>
+            <source>the font '{font}' is not here; its text is set in {other}</source>
+            <translation>a fonte '{font}' não está aqui; o texto é composto em {other}</translation>
         </message>
         <message>
             <source>the font '{font}' lacks characters of the text</source>
-            <translation type="unfinished"></translation>
+            <translation>faltam na fonte '{font}' caracteres do texto</translation>
         </message>
         <message>
             <source>the font is damaged: {why}</source>
-            <translation type="unfinished"></translation>
+            <translation>a fonte está danificada: {why}</translation>
         </message>
         <message>
             <source>the grid has too many holes</source>
@@ -14994,6 +15342,10 @@
             <translation>a largura da chaveta</translation>
         </message>
         <message>
+            <source>the knots and poles of a spline of the solid do not belong together</source>
+            <translation>os nós e polos de uma spline do sólido não correspondem</translation>
+        </message>
+        <message>
             <source>the largest disc of the {tool} tool stands more than a pitch above its tip: it cuts no thread</source>
             <translation>o maior disco da ferramenta {tool} fica mais de um passo acima da ponta: ela não corta rosca</translation>
         </message>
@@ -15048,6 +15400,10 @@
         <message>
             <source>the letters move {axis}, which this machine does not have</source>
             <translation>as letras movem {axis}, que esta máquina não tem</translation>
+        </message>
+        <message>
+            <source>the letters of the text have no {part}</source>
+            <translation>as letras do texto não têm {part}</translation>
         </message>
         <message>
             <source>the library has no shape '{kind}'</source>
@@ -15331,11 +15687,11 @@
         </message>
         <message>
             <source>the numbers of an arc are damaged</source>
-            <translation type="unfinished"></translation>
+            <translation>os números de um arco estão danificados</translation>
         </message>
         <message>
             <source>the numbers of {0} are damaged</source>
-            <translation type="unfinished"></translation>
+            <translation>os números de {0} estão danificados</translation>
         </message>
         <message>
             <source>the object of this program is no longer there</source>
@@ -15376,6 +15732,10 @@
         <message>
             <source>the overrides are not what they were before the reset</source>
             <translation>os ajustes de velocidade não são os de antes do reinício</translation>
+        </message>
+        <message>
+            <source>the packing of a strip</source>
+            <translation>o empacotamento de uma faixa</translation>
         </message>
         <message>
             <source>the parallel port's controller</source>
@@ -15551,7 +15911,7 @@
         </message>
         <message>
             <source>the process that plays the pulses stood still: it was stopped, or the computer gave it no time; everything is off, and steps may be lost</source>
-            <translation type="unfinished"></translation>
+            <translation>o processo que emite os pulsos ficou parado: foi suspenso, ou o computador não lhe deu tempo; tudo está desligado, e passos podem ter se perdido</translation>
         </message>
         <message>
             <source>the process that proves the program ended without an answer</source>
@@ -15614,6 +15974,10 @@
             <translation>o programa não corta nada</translation>
         </message>
         <message>
+            <source>the program cuts nothing at a known place</source>
+            <translation>o programa não corta nada em um lugar conhecido</translation>
+        </message>
+        <message>
             <source>the program has no F word</source>
             <translation>o programa não tem palavra F</translation>
         </message>
@@ -15642,6 +16006,10 @@
             <translation>o programa tem {place}, que parte do zero próprio da máquina</translation>
         </message>
         <message>
+            <source>the program holds no feed that is seen from above</source>
+            <translation>o programa não tem nenhum avanço visível de cima</translation>
+        </message>
+        <message>
             <source>the program is larger than the travel of {name}</source>
             <translation>o programa é maior que o curso de {name}</translation>
         </message>
@@ -15652,6 +16020,10 @@
         <message>
             <source>the program is not the one that was proven: its text differs</source>
             <translation>o programa não é o que foi verificado: o texto é outro</translation>
+        </message>
+        <message>
+            <source>the program is read as {dialect}</source>
+            <translation>o programa é lido como {dialect}</translation>
         </message>
         <message>
             <source>the program is too long for it to be known which pieces fall</source>
@@ -15680,6 +16052,10 @@
         <message>
             <source>the program sets its own work zero (G10)</source>
             <translation>o programa define seu próprio zero da peça (G10)</translation>
+        </message>
+        <message>
+            <source>the program that reads the solid ended without an answer (status {status})</source>
+            <translation>o programa que lê o sólido terminou sem resposta (status {status})</translation>
         </message>
         <message>
             <source>the program waits with the power on in the middle of a cut</source>
@@ -15796,6 +16172,10 @@
         <message>
             <source>the room of the tool's centre has islands or several parts</source>
             <translation>o espaço do centro da ferramenta tem ilhas ou várias partes</translation>
+        </message>
+        <message>
+            <source>the rotations of {name} are no list of 1 to 360</source>
+            <translation>as rotações de {name} não são uma lista de 1 a 360</translation>
         </message>
         <message>
             <source>the row leads to an unknown place along {axis}</source>
@@ -15934,6 +16314,26 @@
             <translation>a largura do rasgo</translation>
         </message>
         <message>
+            <source>the solid cannot be read: {why}</source>
+            <translation>o sólido não pode ser lido: {why}</translation>
+        </message>
+        <message>
+            <source>the solid has nothing at that height</source>
+            <translation>o sólido não tem nada nessa altura</translation>
+        </message>
+        <message>
+            <source>the solid has too many edges or triangles</source>
+            <translation>o sólido tem arestas ou triângulos demais</translation>
+        </message>
+        <message>
+            <source>the solid has too many edges there</source>
+            <translation>o sólido tem arestas demais ali</translation>
+        </message>
+        <message>
+            <source>the solid is not closed</source>
+            <translation>o sólido não está fechado</translation>
+        </message>
+        <message>
             <source>the spindle cannot turn at this speed</source>
             <translation>o spindle não pode girar nesta rotação</translation>
         </message>
@@ -15968,6 +16368,10 @@
         <message>
             <source>the splines and ellipses of the drawing are too many and too wild for the tolerance</source>
             <translation>as splines e elipses do desenho são muitas e sinuosas demais para a tolerância</translation>
+        </message>
+        <message>
+            <source>the stack has too many sheets</source>
+            <translation>a pilha tem chapas demais</translation>
         </message>
         <message>
             <source>the stand that this answers to is over</source>
@@ -16015,7 +16419,7 @@
         </message>
         <message>
             <source>the system has no font</source>
-            <translation type="unfinished"></translation>
+            <translation>o sistema não tem nenhuma fonte</translation>
         </message>
         <message>
             <source>the table gives it no diameter</source>
@@ -16027,11 +16431,11 @@
         </message>
         <message>
             <source>the table of tables is damaged</source>
-            <translation type="unfinished"></translation>
+            <translation>o diretório de tabelas está danificado</translation>
         </message>
         <message>
             <source>the table {0} lies beyond the end of the file</source>
-            <translation type="unfinished"></translation>
+            <translation>a tabela {0} fica além do fim do arquivo</translation>
         </message>
         <message>
             <source>the tabs are as high as the contour is deep</source>
@@ -16051,11 +16455,11 @@
         </message>
         <message>
             <source>the text has no letter</source>
-            <translation type="unfinished"></translation>
+            <translation>o texto não tem nenhuma letra</translation>
         </message>
         <message>
             <source>the text is longer than the curve from its place on</source>
-            <translation type="unfinished"></translation>
+            <translation>o texto é mais longo que a curva a partir do seu lugar</translation>
         </message>
         <message>
             <source>the text is not found, or is the same already</source>
@@ -16063,7 +16467,7 @@
         </message>
         <message>
             <source>the text is too long</source>
-            <translation type="unfinished"></translation>
+            <translation>o texto é longo demais</translation>
         </message>
         <message>
             <source>the thickness of material {number}</source>
@@ -16196,6 +16600,10 @@
         <message>
             <source>the torch may not be taken off</source>
             <translation>a tocha não pode ser desligada</translation>
+        </message>
+        <message>
+            <source>the triangles of the STL file are not whole</source>
+            <translation>os triângulos do arquivo STL não estão completos</translation>
         </message>
         <message>
             <source>the turn of the work system went into the coordinates</source>
@@ -16411,7 +16819,7 @@
         </message>
         <message>
             <source>there is no font '{family}'</source>
-            <translation type="unfinished"></translation>
+            <translation>não há nenhuma fonte '{family}'</translation>
         </message>
         <message>
             <source>there is no function {name}</source>
@@ -16462,6 +16870,10 @@
             <translation>não existe o processo '{name}'</translation>
         </message>
         <message>
+            <source>there is no program to arrange</source>
+            <translation>não há nenhum programa para dispor</translation>
+        </message>
+        <message>
             <source>there is no relay {0}; there are {1}</source>
             <translation>não há relé {0}; há {1}</translation>
         </message>
@@ -16487,7 +16899,7 @@
         </message>
         <message>
             <source>there is no single-line font '{name}'</source>
-            <translation type="unfinished"></translation>
+            <translation>não há nenhuma fonte de linha única '{name}'</translation>
         </message>
         <message>
             <source>there is no subroutine o&lt;{seeking}&gt;</source>
@@ -16499,7 +16911,7 @@
         </message>
         <message>
             <source>there is no such font file</source>
-            <translation type="unfinished"></translation>
+            <translation>esse arquivo de fonte não existe</translation>
         </message>
         <message>
             <source>there is no such part of the program</source>
@@ -16568,6 +16980,10 @@
         <message>
             <source>this is a fault of this program: report it</source>
             <translation>isto é uma falha deste programa: relate-a</translation>
+        </message>
+        <message>
+            <source>this is no Python script</source>
+            <translation>isto não é um script Python</translation>
         </message>
         <message>
             <source>this is no certificate</source>
@@ -16763,7 +17179,7 @@
         </message>
         <message>
             <source>too many numbers</source>
-            <translation type="unfinished"></translation>
+            <translation>números demais</translation>
         </message>
         <message>
             <source>too many points</source>
@@ -17170,6 +17586,10 @@
             <translation>use a versão do CNCStepper que a iniciou</translation>
         </message>
         <message>
+            <source>use thicker sheets</source>
+            <translation>use chapas mais grossas</translation>
+        </message>
+        <message>
             <source>use {functions} or ATAN</source>
             <translation>use {functions} ou ATAN</translation>
         </message>
@@ -17374,6 +17794,10 @@
             <translation>sobraram palavras que nenhum comando usa</translation>
         </message>
         <message>
+            <source>work surface</source>
+            <translation>superfície de trabalho</translation>
+        </message>
+        <message>
             <source>work zero</source>
             <translation>zero da peça</translation>
         </message>
@@ -17531,7 +17955,7 @@
         </message>
         <message>
             <source>write a letter</source>
-            <translation type="unfinished"></translation>
+            <translation>escreva uma letra</translation>
         </message>
         <message>
             <source>write a library, with the ending .fctl</source>
@@ -17586,6 +18010,10 @@
             <translation>escreva os dois, como em: NAME = mild-steel 3 mm 45A</translation>
         </message>
         <message>
+            <source>write each program so that it stands alone</source>
+            <translation>escreva cada programa de modo que funcione sozinho</translation>
+        </message>
+        <message>
             <source>write each turn</source>
             <translation>escreva cada volta</translation>
         </message>
@@ -17616,6 +18044,10 @@
         <message>
             <source>write it as two</source>
             <translation>escreva-a em duas</translation>
+        </message>
+        <message>
+            <source>write it in lines of its own</source>
+            <translation>escreva-o em linhas próprias</translation>
         </message>
         <message>
             <source>write it in the controller's own: cncstepper convert PROGRAM --dialect {dialect} --to {own} -o NEW</source>
@@ -17799,7 +18231,7 @@
         </message>
         <message>
             <source>x y width height</source>
-            <translation type="unfinished"></translation>
+            <translation>x y largura altura</translation>
         </message>
         <message>
             <source>zero of</source>
@@ -17808,6 +18240,10 @@
         <message>
             <source>zero of {axes} set in {system}</source>
             <translation>zero de {axes} definido em {system}</translation>
+        </message>
+        <message>
+            <source>{0} MB, {1} files</source>
+            <translation>{0} MB, {1} arquivos</translation>
         </message>
         <message>
             <source>{0} and {1} mm</source>
@@ -17826,6 +18262,10 @@
             <translation>{0} de {1} a {2} mm</translation>
         </message>
         <message>
+            <source>{0} cm³, {1} of the solid</source>
+            <translation>{0} cm³, {1} do sólido</translation>
+        </message>
+        <message>
             <source>{0} in islands {1}</source>
             <translation>{0} em ilhas {1}</translation>
         </message>
@@ -17838,8 +18278,20 @@
             <translation>{0} mm/min</translation>
         </message>
         <message>
+            <source>{0} open edges</source>
+            <translation>{0} arestas abertas</translation>
+        </message>
+        <message>
+            <source>{0} parts without a place</source>
+            <translation>{0} peças sem lugar</translation>
+        </message>
+        <message>
             <source>{0} segments fewer</source>
             <translation>{0} segmentos a menos</translation>
+        </message>
+        <message>
+            <source>{0} sheets of {1} mm</source>
+            <translation>{0} chapas de {1} mm</translation>
         </message>
         <message>
             <source>{0} to {1} mm</source>
@@ -17855,7 +18307,7 @@
         </message>
         <message>
             <source>{0} units an em</source>
-            <translation type="unfinished"></translation>
+            <translation>{0} unidades por em</translation>
         </message>
         <message>
             <source>{0}, program {1} of {2}</source>
@@ -17911,15 +18363,23 @@
         </message>
         <message>
             <source>{count} characters</source>
-            <translation type="unfinished"></translation>
+            <translation>{count} caracteres</translation>
         </message>
         <message>
             <source>{count} clip paths and masks are not applied: what they hide is read too</source>
-            <translation type="unfinished"></translation>
+            <translation>{count} recortes e máscaras não são aplicados: o que eles escondem também é lido</translation>
+        </message>
+        <message>
+            <source>{count} copies have {places} places</source>
+            <translation>{count} cópias têm {places} lugares</translation>
+        </message>
+        <message>
+            <source>{count} copies of {name} have no place on the work surface</source>
+            <translation>{count} cópias de {name} não têm lugar na superfície de trabalho</translation>
         </message>
         <message>
             <source>{count} dashed strokes are read as whole lines</source>
-            <translation type="unfinished"></translation>
+            <translation>{count} traços tracejados são lidos como linhas contínuas</translation>
         </message>
         <message>
             <source>{count} joints do not fit on {chain}</source>
@@ -17927,7 +18387,7 @@
         </message>
         <message>
             <source>{count} paths are damaged and read up to the damage</source>
-            <translation type="unfinished"></translation>
+            <translation>{count} caminhos estão danificados e são lidos até o dano</translation>
         </message>
         <message>
             <source>{count} pulses do not fit: no room, or ticks that do not rise</source>
@@ -17935,11 +18395,11 @@
         </message>
         <message>
             <source>{count} texts are set in another font or style than the file names: {names}</source>
-            <translation type="unfinished"></translation>
+            <translation>{count} textos são compostos em outra fonte ou estilo que os do arquivo: {names}</translation>
         </message>
         <message>
             <source>{count} transforms are damaged and not applied</source>
-            <translation type="unfinished"></translation>
+            <translation>{count} transformações estão danificadas e não são aplicadas</translation>
         </message>
         <message>
             <source>{crossing} rapid(s) lead over parts that are already free</source>
@@ -17988,6 +18448,10 @@
         <message>
             <source>{doing} failed by a fault of its own: {kind}: {error}</source>
             <translation>{doing} falhou por um defeito próprio: {kind}: {error}</translation>
+        </message>
+        <message>
+            <source>{doubles} boundaries of hatches are drawn as lines too; they are read once</source>
+            <translation>{doubles} fronteiras de hachuras também estão desenhadas como linhas; são lidas uma só vez</translation>
         </message>
         <message>
             <source>{ends} of {curves} open, the first from {end}</source>
@@ -18410,6 +18874,10 @@
             <translation>{name} está em uso</translation>
         </message>
         <message>
+            <source>{name} is no object</source>
+            <translation>{name} não é um objeto</translation>
+        </message>
+        <message>
             <source>{name} is no port that takes pulses</source>
             <translation>{name} não é uma porta que receba pulsos</translation>
         </message>
@@ -18528,6 +18996,10 @@
         <message>
             <source>{obj} is not cut by {process}</source>
             <translation>{obj} não se corta por {process}</translation>
+        </message>
+        <message>
+            <source>{one} and {other} cut into each other</source>
+            <translation>{one} e {other} cortam um ao outro</translation>
         </message>
         <message>
             <source>{one} cuts into a piece that {other} has set free: nothing holds it</source>
@@ -18671,7 +19143,7 @@
         </message>
         <message>
             <source>{skipped} other things, the first: {why}</source>
-            <translation type="unfinished"></translation>
+            <translation>{skipped} outros elementos, o primeiro: {why}</translation>
         </message>
         <message>
             <source>{stale} has changed since the program was made</source>
@@ -18763,7 +19235,7 @@
         </message>
         <message>
             <source>{width_mm:.2f} mm from {begin_mm:.2f} mm on</source>
-            <translation type="unfinished"></translation>
+            <translation>{width_mm:.2f} mm a partir de {begin_mm:.2f} mm</translation>
         </message>
         <message>
             <source>{width_mm:g} mm wide</source>
