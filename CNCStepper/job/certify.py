@@ -17,7 +17,7 @@ from pydantic import TypeAdapter
 from CNCStepper import __version__
 from CNCStepper.control.program.certificate import CHECK_AGAIN, FORMAT, OTHER, VERSION, Certificate, digest_of
 from CNCStepper.control.program.send_job import SendJob
-from CNCStepper.control.protocol.grbl.readiness import expected_settings
+from CNCStepper.control.protocol.grbl.settings import expected_settings
 from CNCStepper.errors import JobError
 from CNCStepper.gcode.interpreter.functions.coordinate_offsets import HOMES
 from CNCStepper.gcode.interpreter.interpret import interpret

@@ -16,7 +16,7 @@ import numpy as np
 
 from CNCStepper.control.program.certificate import digest_of_pieces
 from CNCStepper.control.program.send_job import SendJob
-from CNCStepper.control.protocol.grbl.readiness import expected_settings
+from CNCStepper.control.protocol.grbl.settings import expected_settings
 from CNCStepper.errors import JobError, MachineRefusal, Place, ProgramError, Text
 from CNCStepper.job.planned_times import milestones
 from CNCStepper.machine.controller_family import makes_pulses

@@ -126,7 +126,7 @@ class Proof:
 
     def draw(self, path: Path, title: str, tools: str) -> None:
         """Draw the cut part and the tool's paths as PNG or SVG; `tools` names the cutters for people."""
-        from CNCStepper.simulation.views.picture import facts_of, save_picture
+        from CNCStepper.simulation.views.proof_picture import facts_of, save_picture
 
         scene = self.scene()
         save_picture(path, scene, title, facts_of(scene, tools, self.report["time_s"]))

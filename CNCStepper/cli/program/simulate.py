@@ -116,8 +116,9 @@ class _Show:
 
     def draw(self, out: Path, view: str | None, time_s: float | None) -> None:
         """Draw the part at a time (None: the end), or animate all up to it."""
-        from CNCStepper.simulation.views.picture import save_picture
-        from CNCStepper.simulation.views.single_view import is_movie, save_animation, save_view
+        from CNCStepper.simulation.views.animation import is_movie, save_animation
+        from CNCStepper.simulation.views.proof_picture import save_picture
+        from CNCStepper.simulation.views.single_view import save_view
 
         if is_movie(out):
             if view is None:
@@ -145,7 +146,7 @@ class _Show:
         return f"{self._scene.part.removed_volume_mm3 / 1000:.1f} cm³ removed in {time_s:.1f} s{at}"
 
     def _frames(self, time_s: float | None) -> Iterator[tuple[Scene, list[str]]]:
-        from CNCStepper.simulation.views.single_view import FRAMES_A_S
+        from CNCStepper.simulation.views.animation import FRAMES_A_S
 
         timeline = self._timeline()
         end_s = timeline.duration_s if time_s is None else time_s
@@ -164,7 +165,7 @@ class _Show:
         return self._proof.scene(self._moment, timeline.at(time_s))
 
     def _facts(self) -> list[str]:
-        from CNCStepper.simulation.views.picture import facts_of
+        from CNCStepper.simulation.views.proof_picture import facts_of
 
         tools = [self._tools] if isinstance(self._tools, Tool) else self._tools.values()
         words = ", ".join(tool.words for tool in tools)

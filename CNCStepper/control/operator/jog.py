@@ -18,7 +18,7 @@ from math import hypot, inf
 from typing import Protocol
 
 from CNCStepper.control.protocol.grbl.driver import JOG_CANCEL, Answered, Grbl
-from CNCStepper.control.protocol.grbl.readiness import ACCELERATION, MAX_RATE
+from CNCStepper.control.protocol.grbl.settings import ACCELERATION, MAX_RATE
 from CNCStepper.control.session.command import Command
 from CNCStepper.errors import MachineRefusal, Text
 

@@ -48,13 +48,8 @@ from CNCStepper.control.protocol.grbl.firmware import (
     firmware_of_controller,
 )
 from CNCStepper.control.protocol.grbl.motion_interlock import UNKNOWN
-from CNCStepper.control.protocol.grbl.readiness import (
-    OFFSET_TOLERANCE_MM,
-    check_offsets,
-    check_settings,
-    differences,
-    offset_differences,
-)
+from CNCStepper.control.protocol.grbl.readiness import OFFSET_TOLERANCE_MM, check_offsets, offset_differences
+from CNCStepper.control.protocol.grbl.settings import check_settings, differences
 from CNCStepper.control.protocol.grbl.status_reports import Vector
 from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.errors import MachineRefusal, Text

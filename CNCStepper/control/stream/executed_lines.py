@@ -17,7 +17,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 
 from CNCStepper.control.protocol.grbl.driver import PLANNER_BLOCKS, Received
-from CNCStepper.control.protocol.grbl.readiness import STEPS_PER_MM
+from CNCStepper.control.protocol.grbl.settings import STEPS_PER_MM
 from CNCStepper.control.protocol.grbl.status_reports import Feedback, Status, sizes
 from CNCStepper.gcode.syntax.words import scanned_words
 

@@ -20,7 +20,8 @@ from CNCStepper.control.program.wire_line import ARCS
 from CNCStepper.control.protocol.grbl.connect import ControllerInfo, offsets_of
 from CNCStepper.control.protocol.grbl.driver import Grbl
 from CNCStepper.control.protocol.grbl.firmware import LATHE
-from CNCStepper.control.protocol.grbl.readiness import CHECK, STEPS_PER_MM, state_refusal
+from CNCStepper.control.protocol.grbl.readiness import CHECK, state_refusal
+from CNCStepper.control.protocol.grbl.settings import STEPS_PER_MM
 from CNCStepper.control.protocol.grbl.status_reports import Status, Vector
 from CNCStepper.control.stream.backlash_side import BacklashTracker
 from CNCStepper.control.stream.executed_lines import SEGMENTS, finished_lines, longest_step_mm

@@ -36,7 +36,7 @@ from CNCStepper.control.program.program_columns import message_members, messages
 from CNCStepper.control.program.send_job import SendJob, program_members
 from CNCStepper.control.protocol.grbl import connect
 from CNCStepper.control.protocol.grbl.driver import Grbl
-from CNCStepper.control.protocol.grbl.readiness import MAX_RATE, STEPS_PER_MM
+from CNCStepper.control.protocol.grbl.settings import MAX_RATE, STEPS_PER_MM
 from CNCStepper.control.protocol.grbl.status_reports import Vector
 from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.control.session.job_phase import LEG_BEGINS, Phase

@@ -19,7 +19,7 @@ from typing import Any
 
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.protocol.grbl.driver import Grbl
-from CNCStepper.control.protocol.grbl.readiness import LASER_MODE
+from CNCStepper.control.protocol.grbl.settings import LASER_MODE
 from CNCStepper.machine.processes import PROCESSES
 
 OFF = "M5"

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The dialects by name; each is one small definition in a file of its own.
 
-A dialect with settings is named with them: `mach:dwell=ms`, `mini-lathe:g20=diameter,g70=inch`; `machine_settings`
+A dialect with settings is named with them: `mach:dwell=ms`, `mini-lathe:g20=diameter,g70=inch`; `dialect_options`
 has those that every dialect takes.
 """
 
@@ -12,13 +12,13 @@ from types import MappingProxyType
 
 from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects.definition import ArcRule, Dialect, Writing
+from CNCStepper.gcode.dialects.dialect_options import with_machine_setting
 from CNCStepper.gcode.dialects.fluidnc import FLUIDNC
 from CNCStepper.gcode.dialects.grbl import GRBL
 from CNCStepper.gcode.dialects.grblhal import GRBLHAL
 from CNCStepper.gcode.dialects.iso import ISO
 from CNCStepper.gcode.dialects.linuxcnc import LINUXCNC
 from CNCStepper.gcode.dialects.mach import MACH
-from CNCStepper.gcode.dialects.machine_settings import with_machine_setting
 from CNCStepper.gcode.dialects.marlin import MARLIN
 from CNCStepper.gcode.dialects.mini_lathe import MINI_LATHE
 from CNCStepper.gcode.dialects.qtplasmac import QTPLASMAC

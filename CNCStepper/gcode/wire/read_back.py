@@ -11,7 +11,7 @@ import numpy as np
 
 from CNCStepper.errors import Place, ProgramError
 from CNCStepper.gcode.dialects import Dialect, dialect_named
-from CNCStepper.gcode.dialects.machine_settings import as_sent
+from CNCStepper.gcode.dialects.dialect_options import as_sent
 from CNCStepper.gcode.interpreter.flow.program_flow import refusals, run_whole
 from CNCStepper.gcode.interpreter.flow.subprogram_files import library_of
 from CNCStepper.gcode.interpreter.interpret import interpret

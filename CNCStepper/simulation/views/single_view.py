@@ -1,24 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One view of a program as a picture of its own, or as an animation over the planned time."""
+"""One view of a program as a picture of its own."""
 
 from __future__ import annotations
 
-import tempfile
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-from matplotlib.animation import AbstractMovieWriter, FFMpegWriter, PillowWriter
 from matplotlib.figure import Figure
-from PIL import Image
-from PIL.PngImagePlugin import PngInfo
 
-from CNCStepper.atomic_file import write_whole
-from CNCStepper.errors import JobError, Text
 from CNCStepper.simulation.views import flat_views, isometric_view
 from CNCStepper.simulation.views.path_lines import FROM_ABOVE
-from CNCStepper.simulation.views.picture_style import DPI, TEXTS, head, heights_scale, legend, new_figure, save_figure
+from CNCStepper.simulation.views.picture_style import TEXTS, head, heights_scale, legend, new_figure, save_figure
 from CNCStepper.simulation.views.scene import Scene
 
 VIEWS = ("isometric", "xy", "zy", "depth")
@@ -26,72 +19,13 @@ WIDTH_INCH = 11.0
 HEAD_INCH, FOOT_INCH = 1.45, {"isometric": 0.6, "xy": 1.05, "zy": 1.05, "depth": 1.05}
 LEFT_INCH, RIGHT_INCH, SCALE_INCH = 0.9, 0.45, 0.9  # SCALE: what the colours' scale needs more on the right
 MOST_INCH, LEAST_INCH = 7.5, 1.0  # height of the view itself
-FRAMES_A_S = 10
-ABOUT = "CNCStepper"  # in every animation's description
-SOFTWARE = 0x0131  # of EXIF
-
-
-class _ImageWriter(PillowWriter):
-    """Writes an animation with a description, which matplotlib leaves out."""
-
-    def finish(self) -> None:
-        first, *others = self._frames  # type: ignore[attr-defined]
-        text = PngInfo()
-        text.add_text("Software", ABOUT)
-        exif = Image.Exif()
-        exif[SOFTWARE] = ABOUT
-        about: dict[str, dict[str, Any]] = {
-            ".gif": {"comment": ABOUT},
-            ".apng": {"pnginfo": text},
-            ".webp": {"exif": exif},
-        }
-        own = about[Path(self.outfile).suffix]
-        first.save(self.outfile, save_all=True, append_images=others, duration=int(1000 / self.fps), loop=0, **own)
-
-
-MOVIES: dict[str, Any] = {".gif": _ImageWriter, ".apng": _ImageWriter, ".webp": _ImageWriter, ".mp4": FFMpegWriter}
-Captioned = tuple[Scene, list[str]]  # a scene and the facts of its head
 
 
 def save_view(file: Path, view: str, scene: Scene, title: str, facts: Iterable[str]) -> None:
     """Write one of VIEWS as PNG or SVG, with a title and facts above it; raises JobError for another kind of file."""
-    figure = _figure(view, scene)
-    _draw(figure, view, scene, title, facts)
+    figure = view_figure(view, scene)
+    draw_view(figure, view, scene, title, facts)
     save_figure(figure, file)
-
-
-def save_animation(file: Path, view: str, scenes: Iterator[Captioned], title: str) -> None:
-    """Write one of VIEWS as an animation of scenes of one program; its kind is the ending of the file's name.
-
-    Raises JobError where there is no encoder for it.
-    """
-    writer = _writer(file)
-    first = next(scenes)
-    figure = _figure(view, first[0])
-    with tempfile.TemporaryDirectory() as folder:  # of ours alone; ffmpeg writes by name
-        draft = Path(folder) / f"animation{file.suffix.lower()}"
-        with writer.saving(figure, str(draft), DPI):
-            for scene, facts in (first, *scenes):
-                figure.clear()
-                _draw(figure, view, scene, title, facts)
-                writer.grab_frame()
-        write_whole(file, draft.read_bytes())
-
-
-def is_movie(file: Path) -> bool:
-    """Return whether a file's name is that of an animation."""
-    return file.suffix.lower() in MOVIES
-
-
-def _writer(file: Path) -> AbstractMovieWriter:
-    writer = MOVIES[file.suffix.lower()]
-    if not writer.isAvailable():
-        raise JobError(
-            "encoder",
-            Text("no encoder for '{file}' is installed", file=file.name),
-            advice="end it in .gif, or install ffmpeg",
-        )
-    return writer(fps=FRAMES_A_S, metadata={"comment": ABOUT})
 
 
 def _bounds(view: str, scene: Scene) -> np.ndarray:
@@ -114,12 +48,13 @@ def _size_inch(view: str, scene: Scene) -> tuple[float, float]:
     return scale * (high[0] - low[0]), scale * (high[1] - low[1])
 
 
-def _figure(view: str, scene: Scene) -> Figure:
+def view_figure(view: str, scene: Scene) -> Figure:
     """Return an empty figure in which the view fits exactly between head and foot."""
     return new_figure(WIDTH_INCH, HEAD_INCH + max(_size_inch(view, scene)[1], LEAST_INCH) + FOOT_INCH[view])
 
 
-def _draw(figure: Figure, view: str, scene: Scene, title: str, facts: Iterable[str]) -> None:
+def draw_view(figure: Figure, view: str, scene: Scene, title: str, facts: Iterable[str]) -> None:
+    """Draw one of VIEWS into a figure of `view_figure`, with a title and facts above it."""
     size, whole = np.array(_size_inch(view, scene)), figure.get_size_inches()
     free = (WIDTH_INCH - LEFT_INCH - RIGHT_INCH - (SCALE_INCH if view == "depth" else 0.0)) - size[0]
     middle = FOOT_INCH[view] + (whole[1] - HEAD_INCH - FOOT_INCH[view] - size[1]) / 2

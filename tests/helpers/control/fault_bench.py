@@ -10,7 +10,7 @@ from pathlib import Path
 
 from CNCStepper.control.journal.writer import MENDED, Journal
 from CNCStepper.control.program.send_job import SendJob
-from CNCStepper.control.protocol.grbl.readiness import expected_settings
+from CNCStepper.control.protocol.grbl.settings import expected_settings
 from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.control.service.position_trust_file import PositionTrustFile
 from CNCStepper.control.service.sender import Sender

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from math import inf
 
 from CNCStepper.control.program.send_job import SendJob
-from CNCStepper.control.protocol.grbl.readiness import expected_settings
+from CNCStepper.control.protocol.grbl.settings import expected_settings
 from CNCStepper.control.service.sender import Sender
 from CNCStepper.control.session.status import Outcome
 from CNCStepper.errors import LinkError

@@ -275,7 +275,7 @@ def test_an_animation_is_known_again(ending: str, tmp_path: Path) -> None:
     from PIL import Image
 
     from CNCStepper.output_files import is_ours
-    from CNCStepper.simulation.views.single_view import _ImageWriter
+    from CNCStepper.simulation.views.animation import _ImageWriter
 
     writer = _ImageWriter(fps=10)
     writer.outfile = str(tmp_path / f"a.{ending}")

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from CNCStepper.control.program.send_job import SendJob
-from CNCStepper.control.protocol.grbl.readiness import expected_settings
+from CNCStepper.control.protocol.grbl.settings import expected_settings
 from CNCStepper.control.session.client import SessionClient
 from CNCStepper.control.session.status import DONE, REFUSED, STOPPED
 from CNCStepper.machine.profile import load_machine

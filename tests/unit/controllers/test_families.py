@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from CNCStepper.control.journal.replay import read_replay
-from CNCStepper.control.protocol.grbl.readiness import expected_settings
+from CNCStepper.control.protocol.grbl.settings import expected_settings
 from CNCStepper.control.session.status import DONE, FAILED, STOPPED
 from CNCStepper.errors import LinkError
 from CNCStepper.job.certify import certificate_of

@@ -19,7 +19,7 @@ from hypothesis import strategies as st
 from CNCStepper.control.program.bundle import LINE_MAP, WIRE, Bundle
 from CNCStepper.control.program.certificate import Certificate, digest_of, digest_of_lines, digest_of_text, sendable
 from CNCStepper.control.program.send_job import write_job
-from CNCStepper.control.protocol.grbl.readiness import expected_settings
+from CNCStepper.control.protocol.grbl.settings import expected_settings
 from CNCStepper.errors import JobError, Place
 from CNCStepper.gcode.wire.encoder import prepare
 from CNCStepper.job.certify import (

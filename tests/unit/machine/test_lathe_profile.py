@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import pytest
 
-from CNCStepper.control.protocol.grbl.readiness import expected_settings
+from CNCStepper.control.protocol.grbl.settings import expected_settings
 from CNCStepper.errors import JobError
 from CNCStepper.machine.profile import NO_AXIS, Machine, load_machine
 from CNCStepper.machine.step_wait_tables import pull_out_s

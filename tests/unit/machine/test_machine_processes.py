@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from CNCStepper.control.protocol.grbl.readiness import expected_settings
+from CNCStepper.control.protocol.grbl.settings import expected_settings
 from CNCStepper.errors import JobError
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.job.certify import machine_digest

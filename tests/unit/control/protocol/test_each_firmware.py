@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import pytest
 
-from CNCStepper.control.protocol.grbl.readiness import expected_settings
+from CNCStepper.control.protocol.grbl.settings import expected_settings
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.virtual.grbl.firmware import FIRMWARES, FLUIDNC, GRBL, GRBLHAL
 from CNCStepper.virtual.grbl.settings import INCHES

@@ -25,7 +25,8 @@ from CNCStepper.control.program.wire_line import (
     stores,
 )
 from CNCStepper.control.protocol.grbl.firmware import GRBL
-from CNCStepper.control.protocol.grbl.readiness import check_offsets, differences, offset_differences
+from CNCStepper.control.protocol.grbl.readiness import check_offsets, offset_differences
+from CNCStepper.control.protocol.grbl.settings import differences
 from CNCStepper.control.protocol.grbl.status_reports import (
     Alarm,
     Answer,

@@ -8,7 +8,7 @@ import pytest
 from CNCStepper.control.operator.jog import LAPSE_S
 from CNCStepper.control.program.certificate import FORMAT, VERSION, Certificate, digest_of_lines
 from CNCStepper.control.protocol.grbl.driver import HOLD, JOG_CANCEL, RESET
-from CNCStepper.control.protocol.grbl.readiness import expected_settings
+from CNCStepper.control.protocol.grbl.settings import expected_settings
 from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.control.session.status import DONE, FAILED, REFUSED, STOPPED
 from CNCStepper.errors import LinkError

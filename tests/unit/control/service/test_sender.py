@@ -12,7 +12,7 @@ from CNCStepper.control.program.bundle import write_bundle
 from CNCStepper.control.program.send_job import SendJob, read_job, write_job
 from CNCStepper.control.protocol.grbl.connect import ControllerInfo
 from CNCStepper.control.protocol.grbl.driver import Grbl
-from CNCStepper.control.protocol.grbl.readiness import expected_settings
+from CNCStepper.control.protocol.grbl.settings import expected_settings
 from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.control.session.status import DONE, FAILED, REFUSED, STOPPED
 from CNCStepper.control.stream.overrides import override_byte

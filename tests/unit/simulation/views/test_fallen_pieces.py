@@ -12,7 +12,7 @@ from CNCStepper.simulation.removal.heightmap import HeightMap
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.simulation.views.fallen_pieces import HATCH, draw_fallen, fallen_until
 from CNCStepper.simulation.views.path_lines import Until
-from CNCStepper.simulation.views.picture import save_picture
+from CNCStepper.simulation.views.proof_picture import save_picture
 from CNCStepper.simulation.views.scene import scene_at
 from helpers.simulation.programs import FLAT, begun
 

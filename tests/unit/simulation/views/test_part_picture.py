@@ -6,8 +6,8 @@ from matplotlib.image import imread
 from CNCStepper.errors import JobError
 from CNCStepper.simulation.removal.heightmap import height_map
 from CNCStepper.simulation.stock import Stock
-from CNCStepper.simulation.views.picture import facts_of, save_picture
 from CNCStepper.simulation.views.picture_style import duration_text
+from CNCStepper.simulation.views.proof_picture import facts_of, save_picture
 from CNCStepper.simulation.views.scene import scene_at
 from CNCStepper.toolpath import ARC_CCW
 from helpers.simulation.programs import FLAT, Program, begun, square_pocket

@@ -18,12 +18,13 @@ from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.simulation.removal.heightmap import height_map
 from CNCStepper.simulation.removal.timeline import Timeline
 from CNCStepper.simulation.stock import Cylinder, Stock
-from CNCStepper.simulation.views import single_view
+from CNCStepper.simulation.views import animation
+from CNCStepper.simulation.views.animation import save_animation
 from CNCStepper.simulation.views.isometric_view import surface
 from CNCStepper.simulation.views.path_lines import Until, drawn_path
 from CNCStepper.simulation.views.picture_style import COLOURS, GROUND
 from CNCStepper.simulation.views.scene import Scene, scene_at
-from CNCStepper.simulation.views.single_view import VIEWS, save_animation, save_view
+from CNCStepper.simulation.views.single_view import VIEWS, draw_view, save_view, view_figure
 from CNCStepper.toolpath import ARC_CCW
 from helpers.simulation.programs import FLAT, begun
 
@@ -192,7 +193,7 @@ def test_without_an_encoder_there_is_a_sentence(tmp_path: Path, monkeypatch: pyt
     class Missing:
         isAvailable = staticmethod(lambda: False)
 
-    monkeypatch.setitem(single_view.MOVIES, ".mp4", Missing)
+    monkeypatch.setitem(animation.MOVIES, ".mp4", Missing)
     with pytest.raises(JobError, match=r"end it in \.gif"):
         save_animation(tmp_path / "p.mp4", "xy", iter([(scene_of(), [])]), "p")
 
@@ -215,7 +216,7 @@ def test_the_depth_map_names_the_limits_only_where_one_is_seen(tmp_path: Path) -
     for zero_x_mm, seen in ((-200.0, False), (-29.0, True)):
         scene = scene_of(machine=machine)
         scene.limits_mm[:, 0] = (-400 - zero_x_mm, -zero_x_mm)
-        figure = single_view._figure("depth", scene)
-        single_view._draw(figure, "depth", scene, "p", [])
+        figure = view_figure("depth", scene)
+        draw_view(figure, "depth", scene, "p", [])
         texts = [text.get_text() for one in figure.legends for text in one.get_texts()]
         assert ("limits of travel" in texts) is seen
