@@ -43,7 +43,7 @@ def send(proof: Proof, port: str, *, zero_confirmed: bool = False, baud: int = 1
     home_first. Raises JobError "certificate-errors" for a proof with errors; an Outcome tells every other end.
     """
     from CNCStepper.control.session.client import SessionClient
-    from CNCStepper.job.certify import certificate_of
+    from CNCStepper.job.make_certificate import certificate_of
 
     certificate = certificate_of(proof)
     certificate.check_clean()

@@ -20,7 +20,7 @@ from pathlib import Path
 
 import numpy as np
 
-from CNCStepper.control.pulses.pulse_output import PulseOutput
+from CNCStepper.control.pulses.pulse_player_client import PulseOutput
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.machine.profile import Machine, load_machine
 from CNCStepper.motion.planner.buffers import TICKS_PER_S, UNLIMITED

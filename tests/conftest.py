@@ -25,7 +25,7 @@ pytest.register_assert_rewrite("helpers")
 ROOT = Path(__file__).parents[1]
 GOLDEN = Path(__file__).parent / "golden"
 PICTURES = GOLDEN / "pictures"
-FIRST = ("unit/job/test_certify.py", "unit/geometry/test_offset.py")  # compile what most others call, a worker each
+FIRST = ("unit/job/test_make_certificate.py", "unit/geometry/test_offset.py")  # compile what others call, a worker each
 PIXEL_DIFFERS = 32  # of 255, in any colour
 PIXELS_DIFFER = 0.001  # share of all pixels
 

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from CNCStepper.control.pulses.pacing import Jitter
-from CNCStepper.control.pulses.pulse_output import PulseOutput
+from CNCStepper.control.pulses.pulse_player_client import PulseOutput
 from CNCStepper.errors import MachineRefusal
 
 

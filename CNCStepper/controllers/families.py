@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Protocol
 
-from CNCStepper.control.pulses.pulse_output import PulseOutput
+from CNCStepper.control.pulses.pulse_player_client import PulseOutput
 from CNCStepper.controllers.lathe.board import open_lathe
 from CNCStepper.controllers.pulse_axes import load_kernels
 from CNCStepper.controllers.pulse_board import PulseBoard

@@ -25,7 +25,7 @@ from CNCStepper.gcode.wire.line_runs import compiled_runs
 from CNCStepper.job.make import cut_operations
 from CNCStepper.job.model import load_job
 from CNCStepper.machine.wiring import Signals
-from CNCStepper.motion.signals.parallel_port import RegisterWriter
+from CNCStepper.motion.signals.parallel_port_registers import RegisterWriter
 from CNCStepper.motion.signals.port_bytes import BoardWriter
 from CNCStepper.motion.signals.pulse_player import PLAYED_AXES
 

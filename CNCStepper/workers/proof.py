@@ -47,7 +47,7 @@ def main(arguments: list[str]) -> int:
 
 def answer(folder: Path, name: str) -> None:
     """Read the question, prove, and write the answer; raises what the core raises."""
-    from CNCStepper.job.certify import certificate_of
+    from CNCStepper.job.make_certificate import certificate_of
     from CNCStepper.job.proof_folder import read_dialect, read_question, write_answer, write_part
     from CNCStepper.job.prove import prior_proofs, prove_job
     from CNCStepper.job.start_state_file import read_start

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The process that plays pulses, as control/pulses/pulse_output.py starts it: `... CNCStepper.workers.pulse_output`.
+"""The process `... CNCStepper.workers.pulse_output` plays pulses; control/pulses/pulse_player_client.py starts it.
 
 The first line of standard input says what it plays and where: {"ring", "port", "is_board", "signals", "axes",
 "places_file"}. It answers {"ready": {}} or {"error": {...}}; everything else passes through the ring. At its end it
@@ -28,7 +28,7 @@ from CNCStepper.control.pulses.pulse_ring import BEGIN_NS, FAILED, STATE, PulseR
 from CNCStepper.control.session.status import error_to_json
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.machine.wiring import Signals
-from CNCStepper.motion.signals.parallel_port import RegisterWriter
+from CNCStepper.motion.signals.parallel_port_registers import RegisterWriter
 from CNCStepper.motion.signals.port_bytes import BoardWriter
 
 IGNORED = ("SIGINT", "SIGHUP", "SIGQUIT", "SIGTSTP", "SIGBREAK")

@@ -25,7 +25,7 @@ FLOORS = [  # from the top; rooms on one line do not know each other
     {"motion"},
     {"gcode", "cycles", "drawing", "nesting"},
     {"toolpath"},
-    {"geometry", "machine", "state", "canned_drilling_moves"},
+    {"geometry", "machine", "state", "canned_cycle_expansion"},
     {"output_files", "input_file", "quantities", "text_json"},
     {"errors", "units", "kernels", "atomic_file", "cancellation", "dependencies"},
     {"kernel_cache", "safe_text", "tolerances"},

@@ -19,12 +19,12 @@ OWN_STATE = "the user's own state folder of 0700, by O_EXCL"
 BUFFER = "into memory, then whole"
 REASONS = {
     "control/pulses/output_ports": "a recording that grows while pulses are sent, never over a file that is none",
+    "control/pulses/parallel_port": "the device of a parallel port; it is no file",
     "control/pulses/pulse_ring": "memory that two processes share, of a file that loses its name at once",
     "atomic_file": "the one writer",
     "cli/machine/console": "the line history of the user's own state folder, by readline",
     "control/journal/writer": "O_EXCL; a journal grows line by line and is never replaced",
     "control/session/detached_process": "O_EXCL; a log that grows",
-    "control/pulses/ports": "a recording grows while pulses go out; only a recording is opened, links are checked",
     "cli/program/check": "a temporary folder of 0700 that goes when it is read",
     "control/session/files": OWN_STATE,
     "control/program/bundle": OWN_STATE,

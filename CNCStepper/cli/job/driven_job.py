@@ -50,6 +50,6 @@ def _copy_of(content: Mapping[str, Any]) -> Path:
 
 def with_rate(job: SendJob) -> SendJob:
     """Return the job with its fastest rate of pulses, where its controller is to try that."""
-    from CNCStepper.job.certify import peak_rate
+    from CNCStepper.job.make_certificate import peak_rate
 
     return job if job.pulses_per_s else replace(job, pulses_per_s=peak_rate(job))

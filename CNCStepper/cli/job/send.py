@@ -276,7 +276,7 @@ def _check_dialect(dialect: str, machine: Machine | None) -> None:
 def _certified(path: Path, wanted: _Wanted, given: ProgramOptions, despite: bool) -> SendJob:
     """Return the certificate's own job; refuses whatever differs from it, or prints it when `despite`."""
     from CNCStepper.control.program.certificate import Certificate
-    from CNCStepper.job.certify import proven_start
+    from CNCStepper.job.make_certificate import proven_start
 
     try:
         certificate = Certificate.read(path)
@@ -299,7 +299,7 @@ def _certified(path: Path, wanted: _Wanted, given: ProgramOptions, despite: bool
 
 def _refusals(certificate: Certificate, wanted: _Wanted, dialect: str) -> Iterator[JobError]:
     """Yield each thing in which what is wanted is not what was proven, and the proof's own errors."""
-    from CNCStepper.job.certify import (
+    from CNCStepper.job.make_certificate import (
         check_cut,
         cut_content,
         keep_out_digest,
@@ -333,7 +333,7 @@ def _other_wire(certificate: Certificate, wanted: _Wanted, dialect: str) -> str:
 
     So it is with the same program, read in the same way, that leads to no other file: it need not be held whole then.
     """
-    from CNCStepper.job.certify import proven_wire
+    from CNCStepper.job.make_certificate import proven_wire
 
     asked = (wanted.program.sha256, wanted.start and wanted.start.sha256(), dialect)
     proven = (
@@ -348,7 +348,7 @@ def _other_wire(certificate: Certificate, wanted: _Wanted, dialect: str) -> str:
 
 def _checked(wanted: _Wanted, dialect: str, unchecked: bool) -> SendJob:
     """Read the program back and check it; exits with 1 where a check refuses it."""
-    from CNCStepper.job.certify import send_job
+    from CNCStepper.job.make_certificate import send_job
     from CNCStepper.job.wire_round_trip import wire_round_trip
     from CNCStepper.simulation.finding import refused
     from CNCStepper.toolpath import require_straight_axes
@@ -393,7 +393,7 @@ def _findings(wanted: _Wanted, machine: Machine, toolpath: Toolpath, motors: Too
 def _uncertified(wanted: _Wanted, dialect: str) -> SendJob:
     """Return the job of a program that no certificate covers, which somebody wants sent all the same."""
     from CNCStepper.gcode.wire.backlash_compensation import backlash_of
-    from CNCStepper.job.certify import send_job
+    from CNCStepper.job.make_certificate import send_job
     from CNCStepper.job.wire_round_trip import wire_of
 
     play = backlash_of(wanted.machine, dialect)

@@ -147,7 +147,7 @@ def _conclude(proof: Proof | FileProof, program: Path, json_path: Path | None, c
         write_report(json_path, proof.report)
     if certificate:
         from CNCStepper.cli.common.options import reproduce_options
-        from CNCStepper.job.certify import certificate_of
+        from CNCStepper.job.make_certificate import certificate_of
 
         certificate_of(proof).sending(made_with=reproduce_options()).write(certificate)
     show_figures(proof.report)

@@ -96,7 +96,7 @@ def _write_program(file: Path, text: str) -> None:
 
 def _conclude(proof: Proof, file: Path, suffix: str, title: str, job: Job, made_with: ReproduceOptions) -> None:
     """Write report, certificate and picture beside a program, and print the findings."""
-    from CNCStepper.job.certify import certificate_of
+    from CNCStepper.job.make_certificate import certificate_of
 
     report, certificate = file.with_name(f"report{suffix}.json"), file.with_name(f"certificate{suffix}.zip")
     picture = file.with_name(f"part{suffix}.png")

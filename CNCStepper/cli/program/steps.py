@@ -150,7 +150,7 @@ def _coded(stream: PulseStream, machine: Machine, form: str, coils: str) -> Iter
     """Yield a stream in one of FORMS; coils: one of COILS."""
     from CNCStepper.motion.signals import signal_export
     from CNCStepper.motion.signals.coils import WIRES
-    from CNCStepper.motion.signals.parallel_port import port_chunks
+    from CNCStepper.motion.signals.parallel_port_registers import port_chunks
     from CNCStepper.motion.signals.port_bytes import Board
     from CNCStepper.motion.signals.step_direction import Timeline
     from CNCStepper.motion.signals.step_letters import letters_of

@@ -38,7 +38,7 @@ from typing import Any, Protocol
 from CNCStepper.control.protocol.grbl.driver import Received
 from CNCStepper.control.protocol.grbl.status_reports import Greeting, Status
 from CNCStepper.control.protocol.grbl.timeouts import Timing
-from CNCStepper.control.pulses.ports import CLAIM, READ_STATUS, RELEASE, high_pins, is_parallel_port, no_port
+from CNCStepper.control.pulses.parallel_port import CLAIM, READ_STATUS, RELEASE, high_pins, is_parallel_port, no_port
 from CNCStepper.control.session.command import Command
 from CNCStepper.errors import JobError, LinkError, Text
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The certificate of a program: which bytes were proven, against what, what was found, and all that a sender needs.
 
-`job.certify` makes it; here it is read, so that who sends need not know how a proof is made. What was proven
+`job.make_certificate` makes it; here it is read, so that who sends need not know how a proof is made. What was proven
 (program, wire, start, machine, stock, tools, clamps) stands in it with its SHA-256; one more, over the whole, finds
 what was changed in the certificate itself. None of them is a signature: they stop mistakes, not a forger.
 """
@@ -78,7 +78,7 @@ def _digest(pieces: Iterable[bytes]) -> str:
 
 @dataclass(frozen=True)
 class Certificate:
-    """The result of a proof; content: plain data with the keys that `job.certify` writes.
+    """The result of a proof; content: plain data with the keys that `job.make_certificate` writes.
 
     lines, file_lines, messages: what is sent, as a `SendJob` has it.
     """

@@ -38,7 +38,8 @@ class SendJob:
     dialect: in which the lines were read; empty: nobody has read them, so that it is not compared. program_dialect: of
     the program, where that is another one.
     machine, program_sha256, certificate_sha256: for the journal, empty where there is none.
-    retrace: what a way back along the cut is proven with (dialect, start, machine: `job.certify`); empty: not known.
+    retrace: what a way back along the cut is proven with (dialect, start, machine: `job.make_certificate`); empty: not
+    known.
     plan: lines of the file in rising order, each with the planned time by its end, s; empty: not known.
     by_line: wait before each line until somebody resumes. inputs: the machine's own buttons, as
     `machine.input_pins.Input`

@@ -15,14 +15,16 @@ from __future__ import annotations
 import os
 import select
 import socket
+import stat
 import time
 from contextlib import suppress
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any, BinaryIO, Protocol
 from urllib.parse import urlsplit
 
+from CNCStepper.atomic_file import followed
 from CNCStepper.control.pulses.pacing import NEVER_NS, NS_PER_S
-from CNCStepper.control.pulses.ports import READ_STATUS, ParallelPort, is_parallel_port, recording_file
+from CNCStepper.control.pulses.parallel_port import ParallelPort, is_parallel_port
 from CNCStepper.control.pulses.pulse_ring import NO_INPUTS
 from CNCStepper.errors import LinkError, Text
 
@@ -31,7 +33,7 @@ READ_LIMIT_S, WRITE_LIMIT_S = 3.0, 1.0  # of the board's source
 BOARD_BAUD = 1_000_000  # the FIFO has none; the driver wants a number
 NETWORK_PATIENCE_NS = 250_000_000
 BOARD_PATIENCE_NS = 20_000_000
-BUSY_NS, REAL_BUSY_NS = 150_000, 1_000_000
+BUSY_NS = 150_000
 FLUSH_S = 0.1
 SEND_BUFFER_BYTES = 4096
 HEADS = (b"t_s,data,control\n", b"t_s,byte\n")
@@ -79,7 +81,7 @@ def open_output(name: str, is_board: bool, begin_ns: int, again: bool = False) -
     if is_parallel_port(Path(name)):
         if is_board:
             raise LinkError("pulse-port", Text("{name} is a parallel port, and the machine is a board", name=name))
-        return ParallelOutput(Path(name))
+        return ParallelPort(Path(name))
     return SerialOutput(name, is_board)
 
 
@@ -128,22 +130,26 @@ class RecordedOutput:
         self._file.close()
 
 
-class ParallelOutput(ParallelPort):
-    """A parallel port by its device file, with its status pins."""
+def recording_file(path: Path, begin: bytes) -> BinaryIO:
+    """Open a file to record in, empty; raises LinkError where it holds something else, which is left as it is.
 
-    patience_ns, is_real, sleep_ns = 0, True, REAL_BUSY_NS
-
-    def status(self) -> int:
-        """Return the status register."""
-        register: bytes = self._ioctl(self._file, READ_STATUS, b"\0")
-        return register[0]
-
-    def queued(self) -> int:
-        """Return 0: registers are set at once."""
-        return 0
-
-    def rest(self) -> None:
-        """Do nothing."""
+    begin: what each recording of the kind begins with.
+    """
+    try:
+        target = followed(path)
+        target.touch()
+        file = target.open("r+b", buffering=1 << 20)
+    except OSError as error:
+        raise LinkError("pulse-port", Text("{path} cannot be written: {error}", path=path, error=error)) from error
+    if not stat.S_ISREG(os.fstat(file.fileno()).st_mode) or file.read(len(begin)) not in (b"", begin):
+        file.close()
+        advice = "name a new file, or one that pulses were recorded in"
+        raise LinkError(
+            "pulse-port", Text("{path} is no recording of pulses, and is not written over", path=path), advice=advice
+        )
+    file.seek(0)
+    file.truncate()
+    return file
 
 
 class _StreamOutput:

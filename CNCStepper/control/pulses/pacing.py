@@ -18,9 +18,8 @@ import time
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
-from CNCStepper.control.pulses.ports import Port
 from CNCStepper.errors import LinkError, Text
 
 TRIAL_S = 3.0  # what comes between pulses once a second comes in it
@@ -57,6 +56,16 @@ def stall_ns(writes_per_s: float) -> int:
 
 
 Bins = list[int] | memoryview
+
+
+class Port(Protocol):
+    """Two registers that are written together."""
+
+    def write(self, data: int, control: int) -> None:
+        """Set both registers."""
+
+    def close(self) -> None:
+        """Let go of the port."""
 
 
 class Pacer:

@@ -26,7 +26,7 @@ from CNCStepper.control.transport.port_identity import identify
 from CNCStepper.errors import LinkError, Text
 from CNCStepper.machine.controller_family import family_of
 from CNCStepper.machine.profile import Machine
-from CNCStepper.motion.signals.parallel_port import RegisterWriter, idle_registers
+from CNCStepper.motion.signals.parallel_port_registers import RegisterWriter, idle_registers
 from CNCStepper.motion.signals.port_bytes import BoardWriter
 
 MOST_LOOK_S = 0.1

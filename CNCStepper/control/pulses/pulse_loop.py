@@ -81,7 +81,7 @@ MOST_TRIAL_PULSES = 1_000_000
 
 
 class Writer(Protocol):
-    """Makes the writes of pulses: motion/signals/parallel_port.py or port_bytes.py."""
+    """Makes the writes of pulses: motion/signals/parallel_port_registers.py or port_bytes.py."""
 
     @property
     def lead_ns(self) -> int:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from CNCStepper.controllers.lathe.program import MOST_LINES
+from CNCStepper.controllers.lathe.chunk_sender import MOST_LINES
 from CNCStepper.machine.profile import Machine
 from CNCStepper.virtual.grbl.alarms_and_errors import refused
 from CNCStepper.virtual.grbl.firmware import Firmware

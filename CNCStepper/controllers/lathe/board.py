@@ -15,9 +15,9 @@ from collections.abc import Callable
 
 from CNCStepper.control.protocol.lathe.serial_port import LathePort, open_port
 from CNCStepper.controllers.lathe.answers import FIRMWARE, Answers
+from CNCStepper.controllers.lathe.chunk_sender import Program
 from CNCStepper.controllers.lathe.manual import Manual
 from CNCStepper.controllers.lathe.outward_line import OutwardLine
-from CNCStepper.controllers.lathe.program import Program
 from CNCStepper.controllers.lathe.records import RecordReader
 from CNCStepper.controllers.lathe.typed_jog import jog_of
 from CNCStepper.errors import LinkError, MachineRefusal

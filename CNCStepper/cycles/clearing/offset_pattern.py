@@ -19,7 +19,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from CNCStepper.cycles.clearing.entry_moves import HELIX_SHARES
+from CNCStepper.cycles.clearing.helix_and_ramp_entry import HELIX_SHARES
 from CNCStepper.cycles.clearing.offset_rings import Ring, ring_tree, spots
 from CNCStepper.cycles.clearing.pattern import Area, Run
 from CNCStepper.cycles.clearing.ring_links import RingLinker

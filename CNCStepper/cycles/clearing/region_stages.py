@@ -17,7 +17,7 @@ from itertools import groupby, pairwise
 
 import numpy as np
 
-from CNCStepper.cycles.clearing.entry_moves import Entry, Plunge, entry_for, opened
+from CNCStepper.cycles.clearing.helix_and_ramp_entry import Entry, Plunge, entry_for, opened
 from CNCStepper.cycles.clearing.pattern import Area, Pass, Pattern, Run
 from CNCStepper.cycles.clearing.straight_links import LinkRegion
 from CNCStepper.cycles.moves import Point, Track, point_of

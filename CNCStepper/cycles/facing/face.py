@@ -21,7 +21,7 @@ from pydantic import BaseModel, ConfigDict, Field
 from shapely import Polygon
 from shapely.geometry.base import BaseGeometry
 
-from CNCStepper.cycles.clearing.entry_moves import Entry, entry_for
+from CNCStepper.cycles.clearing.helix_and_ramp_entry import Entry, entry_for
 from CNCStepper.cycles.clearing.pattern import Area
 from CNCStepper.cycles.clearing.straight_links import LinkRegion
 from CNCStepper.cycles.cycle import Answer, Removal, Setup

@@ -13,7 +13,7 @@ from __future__ import annotations
 from pydantic import BaseModel, ConfigDict
 from shapely import Polygon
 
-from CNCStepper.canned_drilling_moves import OWN_WORD, Canned
+from CNCStepper.canned_cycle_expansion import OWN_WORD, Canned
 from CNCStepper.cycles.cycle import Answer, Removal, Setup
 from CNCStepper.cycles.holes.hole_cycle import cut_canned, discs
 from CNCStepper.cycles.holes.hole_parameters import DrillParameters

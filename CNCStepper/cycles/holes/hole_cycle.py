@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 import shapely
 from shapely.geometry.base import BaseGeometry
 
-from CNCStepper.canned_drilling_moves import DWELL, FEED, OWN_WORD, Canned
+from CNCStepper.canned_cycle_expansion import DWELL, FEED, OWN_WORD, Canned
 from CNCStepper.cycles.cycle import Setup
 from CNCStepper.cycles.holes.hole_patterns import Hole
 from CNCStepper.cycles.moves import Point

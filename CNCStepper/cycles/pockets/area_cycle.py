@@ -4,7 +4,7 @@
     curves ──► rooms ──────► parts ─────────────────────► levels ──────► Answer
                reachable_regions.py      region_stages.py                    depth_levels.py
                walls,        runs of the pattern,         down and      the removal, what is
-               roughed       ways down (entry_moves.py)       around        reachable, corners
+               roughed       ways down (helix_and_ramp_entry)  around        reachable, corners
 
 A cycle derives from `AreaCycle`, adds its own keys and calls `_clear` with its curves and a pattern.
 """

@@ -24,6 +24,7 @@ from CNCStepper.cycles.contours.neighbour_parts import open_edge_warnings
 from CNCStepper.cycles.cycle import Answer, Removal, Setup
 from CNCStepper.cycles.moves import Moves, point_of, require_setup
 from CNCStepper.cycles.passes import require_few_blocks, whole_passes
+from CNCStepper.cycles.pockets.elliptical_entry import Entry, entry_of
 from CNCStepper.cycles.pockets.elliptical_rings import (
     OUTLINE_ERROR_MM,
     Way,
@@ -32,7 +33,6 @@ from CNCStepper.cycles.pockets.elliptical_rings import (
     rings_along,
     similar_way,
 )
-from CNCStepper.cycles.pockets.pocket_entry import Entry, entry_of
 from CNCStepper.cycles.pockets.pocket_parameters import EllipticalPocketParameters
 from CNCStepper.cycles.tool_requirements import require_flat, require_stepover
 from CNCStepper.errors import CycleError, Text

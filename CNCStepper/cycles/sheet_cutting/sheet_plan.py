@@ -17,10 +17,11 @@ from CNCStepper.cycles.contours.contour_model import Lead
 from CNCStepper.cycles.contours.disc_swept_area import swept
 from CNCStepper.cycles.cycle import Answer, Removal, RestCorner, Setup
 from CNCStepper.cycles.sheet_cutting.chain_polygons import parts_of
-from CNCStepper.cycles.sheet_cutting.chains import Chain, narrow_warnings, nested, polygon_of, require_gaps, with_paths
+from CNCStepper.cycles.sheet_cutting.chains import Chain, nested, polygon_of
 from CNCStepper.cycles.sheet_cutting.chord_pieces import ChordPieces, points_of
 from CNCStepper.cycles.sheet_cutting.corner_loops import knife_way, loops_at, where_clear
 from CNCStepper.cycles.sheet_cutting.cut_precedence import precedence
+from CNCStepper.cycles.sheet_cutting.kerf_offset import narrow_warnings, require_gaps, with_paths
 from CNCStepper.cycles.sheet_cutting.lead_places import LEAST, Item, lead_ins, lead_outs
 from CNCStepper.cycles.sheet_cutting.lead_room import LeadRoom, NoScrap
 from CNCStepper.cycles.sheet_cutting.rapids import cut_order, rapid_ways

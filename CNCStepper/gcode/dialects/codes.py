@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Any
 
-from CNCStepper.canned_drilling_moves import CYCLE_NAMES, OWN_WORD
+from CNCStepper.canned_cycle_expansion import CYCLE_NAMES, OWN_WORD
 from CNCStepper.state import WORK_SYSTEMS
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, PLANE_NAMES, RAPID
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """grbl 1.1: the language as its documentation and its parser have it."""
 
-from CNCStepper.canned_drilling_moves import CYCLE_NAMES
+from CNCStepper.canned_cycle_expansion import CYCLE_NAMES
 from CNCStepper.gcode.dialects.definition import ArcRule, Dialect, Writing, changed, rs274_codes, same_advice
 from CNCStepper.toolpath import RAPID
 

@@ -10,7 +10,7 @@ O-words ("NGC" options of the build) are read; the wire text has them expanded.
 
 from dataclasses import replace
 
-from CNCStepper.canned_drilling_moves import CYCLE_NAMES
+from CNCStepper.canned_cycle_expansion import CYCLE_NAMES
 from CNCStepper.gcode.dialects.codes import RS274
 from CNCStepper.gcode.dialects.definition import same_advice
 from CNCStepper.gcode.dialects.grbl import GRBL

@@ -3,7 +3,7 @@
 
 from math import sqrt
 
-from CNCStepper.canned_drilling_moves import CYCLE_NAMES
+from CNCStepper.canned_cycle_expansion import CYCLE_NAMES
 from CNCStepper.gcode.dialects.codes import CYCLES, MORE_REPEATS, RS274
 from CNCStepper.gcode.dialects.definition import ArcRule, Dialect, Writing, same_advice
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, RAPID

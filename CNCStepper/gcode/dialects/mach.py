@@ -7,7 +7,7 @@ in ms"): `mach` is in seconds, `mach:dwell=ms` in milliseconds. G28.1 homes the 
 are macros (M codes above 30).
 """
 
-from CNCStepper.canned_drilling_moves import CYCLE_NAMES
+from CNCStepper.canned_cycle_expansion import CYCLE_NAMES
 from CNCStepper.gcode.dialects.codes import RS274
 from CNCStepper.gcode.dialects.definition import ArcRule, Dialect, Writing, rs274_codes, same_advice
 

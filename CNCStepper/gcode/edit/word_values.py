@@ -21,7 +21,7 @@ import math
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from CNCStepper.canned_drilling_moves import CYCLE_NAMES
+from CNCStepper.canned_cycle_expansion import CYCLE_NAMES
 from CNCStepper.gcode.dialects import Dialect
 from CNCStepper.gcode.dialects.codes import AXES
 from CNCStepper.gcode.edit.line_tokens import Token

@@ -18,9 +18,9 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import partial
 
-from CNCStepper.canned_drilling_moves import DWELL, FEED, OWN_WORD, PECK_BACK_MM, RAPID, Canned, Place, Stroke
+from CNCStepper.canned_cycle_expansion import DWELL, FEED, OWN_WORD, PECK_BACK_MM, RAPID, Canned, Place, Stroke
 from CNCStepper.errors import ProgramError, Text
-from CNCStepper.gcode.dialects.codes import ALL_AXES, AXES, CYCLES, MOTION_NAMES
+from CNCStepper.gcode.dialects.codes import ALL_AXES, AXES, CYCLES, MOTION_NAMES, Code
 from CNCStepper.gcode.interpreter.block import Block
 from CNCStepper.gcode.interpreter.functions.outputs import OVERRIDE_CALLS
 from CNCStepper.gcode.interpreter.functions.spindle import STOP, need_turning, turn
@@ -142,6 +142,12 @@ def run_block(block: Block, motion: int, before: int) -> None:
     places = _places(block, axes, begin, cycle)
     _check_strokes(cycle, len(places))
     _execute(block, cycle, axes, begin, initial, places)
+
+
+def retract(block: Block, code: Code) -> None:
+    """G98, G99: canned cycles go back to where they began, or to R."""
+    block.uncompensated("the retract mode may not be changed", code.name)
+    block.model.to_initial = code.name == "G98"
 
 
 def _execute(block: Block, cycle: Canned, axes: tuple[int, int, int], begin: Place, initial: float, places) -> None:

@@ -30,7 +30,7 @@ from CNCStepper.gcode.dialects.codes import (
     Code,
 )
 from CNCStepper.gcode.interpreter.block import Block
-from CNCStepper.gcode.interpreter.canned_cycles import run_block
+from CNCStepper.gcode.interpreter.canned_cycles import retract, run_block
 from CNCStepper.gcode.interpreter.canonical_output import SET_FEED
 from CNCStepper.gcode.interpreter.cutter_compensation import compensation_codes
 from CNCStepper.gcode.interpreter.cutter_compensation.compensation_codes import (
@@ -157,12 +157,6 @@ def path(block: Block, code: Code) -> None:
     block.uncompensated("the path mode may not be changed", code.name)
     block.model.path_calls = (code.calls[0], block.model.path_calls[1])
     block.model.change(blend_mm=0.0)
-
-
-def retract(block: Block, code: Code) -> None:
-    """G98, G99: canned cycles go back to where they began, or to R."""
-    block.uncompensated("the retract mode may not be changed", code.name)
-    block.model.to_initial = code.name == "G98"
 
 
 def stop(block: Block, code: Code) -> None:

@@ -26,7 +26,7 @@ from CNCStepper.gcode.interpreter.canonical_output import Canon
 from CNCStepper.gcode.interpreter.execute import Execution
 from CNCStepper.gcode.interpreter.expression_words import ExpressionWords, is_computed, read_items
 from CNCStepper.gcode.interpreter.fast_path import fast_line
-from CNCStepper.gcode.interpreter.flow.o_words import has_profile, leads
+from CNCStepper.gcode.interpreter.flow.flow_line_parser import has_profile, leads
 from CNCStepper.gcode.interpreter.functions import plasma
 from CNCStepper.gcode.interpreter.state.interpreter_state import Model, Point, model_at
 from CNCStepper.gcode.interpreter.state.modal_state_stack import leave_level

@@ -26,7 +26,7 @@ import numpy as np
 from CNCStepper.errors import Place, ProgramError
 from CNCStepper.gcode.dialects import Dialect, dialect_named
 from CNCStepper.gcode.dialects.preprocessor import Piece, pieces
-from CNCStepper.gcode.interpreter.flow.o_words import is_plain
+from CNCStepper.gcode.interpreter.flow.flow_line_parser import is_plain
 from CNCStepper.gcode.syntax.words import Comment, Word, is_percent_mark, split_line, words_of
 from CNCStepper.gcode.wire.backlash_compensation import with_backlash_compensation
 from CNCStepper.gcode.wire.expansion import Block, expanded, is_expanded

@@ -30,7 +30,7 @@ import numpy as np
 from CNCStepper.errors import Place, ProgramError
 from CNCStepper.gcode.dialects import Dialect, dialect_named
 from CNCStepper.gcode.dialects.dialect_options import as_sent
-from CNCStepper.gcode.interpreter.flow.o_words import is_plain
+from CNCStepper.gcode.interpreter.flow.flow_line_parser import is_plain
 from CNCStepper.gcode.interpreter.program_file import FileReading, LineStore, byte_pieces, encoding_of, text_pieces
 from CNCStepper.gcode.syntax.text_format import BOM
 from CNCStepper.gcode.syntax.words import program_lines

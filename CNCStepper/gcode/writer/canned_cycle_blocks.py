@@ -17,7 +17,7 @@ from collections import defaultdict
 from dataclasses import dataclass
 from math import ceil
 
-from CNCStepper.canned_drilling_moves import DWELL, FEED, OWN_WORD, PECK_BACK_MM, RAPID, Canned, Stroke
+from CNCStepper.canned_cycle_expansion import DWELL, FEED, OWN_WORD, PECK_BACK_MM, RAPID, Canned, Stroke
 from CNCStepper.gcode.dialects.codes import AXES
 from CNCStepper.gcode.writer.block_emitter import BlockEmitter
 from CNCStepper.gcode.writer.move_rows import RowWriter

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Moves as pulses on a planned clock, which an output plays (`control/pulses/pulse_output.py`).
+"""Moves as pulses on a planned clock, which an output plays (`control/pulses/pulse_player_client.py`).
 
 moves ──► MoveSource ──make──► PlannedPulses ──append──► output ──► port
           planned clock        tick, step, speed          real clock: hold, resume and a lower share stretch the

@@ -15,7 +15,7 @@ from CNCStepper.errors import MachineRefusal
 from CNCStepper.kernels import njit
 from CNCStepper.motion.signals.coils import coil_words
 from CNCStepper.motion.signals.device_switching import Switch
-from CNCStepper.motion.signals.parallel_port import PortChunk
+from CNCStepper.motion.signals.parallel_port_registers import PortChunk
 from CNCStepper.motion.signals.pulse_stream import PulseStream
 from CNCStepper.motion.signals.step_direction import Timeline
 

@@ -16,8 +16,8 @@ from typing import Any, Unpack
 from CNCStepper.control.journal.replay import FirstProgram, pairs_of
 from CNCStepper.control.program.certificate import Certificate, digest_of_text
 from CNCStepper.errors import Place
-from CNCStepper.job.certify import certificate_of
 from CNCStepper.job.make import is_split, make_parts, make_program
+from CNCStepper.job.make_certificate import certificate_of
 from CNCStepper.job.model import Job
 from CNCStepper.job.prove import (
     PriorPrograms,

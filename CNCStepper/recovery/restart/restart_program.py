@@ -26,7 +26,7 @@ from typing import Any
 
 import numpy as np
 
-from CNCStepper.canned_drilling_moves import OWN_WORD
+from CNCStepper.canned_cycle_expansion import OWN_WORD
 from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects import Dialect
 from CNCStepper.gcode.dialects.codes import ALL_AXES, CYCLES, MOTION_NAMES, NO_MOTION

@@ -22,7 +22,7 @@ from CNCStepper.gcode.dialects.codes import MOTION_NAMES
 from CNCStepper.gcode.interpreter.state.interpreter_state import Model
 from CNCStepper.gcode.interpreter.state.parameters import offset_number, stored_point
 from CNCStepper.gcode.wire.wire_text import FirstMove, WireLines
-from CNCStepper.job.certify import certificate_of
+from CNCStepper.job.make_certificate import certificate_of
 from CNCStepper.job.prove import prove
 from CNCStepper.machine.backlash import Motors
 from CNCStepper.machine.profile import Machine

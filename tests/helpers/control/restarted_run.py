@@ -11,7 +11,7 @@ from CNCStepper.control.journal.replay import JobReplay, read_replay
 from CNCStepper.control.journal.summary import summary_of
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.errors import ProgramError
-from CNCStepper.job.certify import certificate_of
+from CNCStepper.job.make_certificate import certificate_of
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.recovery.restart.prove_restart import restart_program
 from CNCStepper.recovery.restart.restart_places import RequestedPlace

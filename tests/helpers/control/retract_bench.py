@@ -21,7 +21,7 @@ from CNCStepper.errors import CNCStepperError
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.wire.backlash_compensation import backlash_of
 from CNCStepper.gcode.wire.encoder import prepare
-from CNCStepper.job.certify import send_job
+from CNCStepper.job.make_certificate import send_job
 from CNCStepper.machine.profile import Machine, load_machine
 from CNCStepper.motion.planner.arc_segments import arc_points
 from CNCStepper.recovery.retract.retract_legs import HeldProgram, held_program

@@ -17,7 +17,7 @@ import pytest
 from CNCStepper.control.pulses import pacing, pulse_loop
 from CNCStepper.control.pulses.player_process import writer_of
 from CNCStepper.control.pulses.pulse_loop import PulseLoop
-from CNCStepper.control.pulses.pulse_output import PulseOutput
+from CNCStepper.control.pulses.pulse_player_client import PulseOutput
 from CNCStepper.control.pulses.pulse_ring import PulseRing
 from CNCStepper.machine.profile import Machine, load_machine
 from CNCStepper.motion.planner.buffers import TICKS_PER_S, UNLIMITED

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A player of pulses in simulated time, with the interface of `control.pulses.pulse_output.PulseOutput`.
+"""A player of pulses in simulated time, with the interface of `control.pulses.pulse_player_client.PulseOutput`.
 
 It plays each pulse after its planned wait, stretched by the path speed that a hold, a resume or a share leaves of the
 planned one; `advance` lets its time pass.

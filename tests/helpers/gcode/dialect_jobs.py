@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from CNCStepper.canned_drilling_moves import Canned
+from CNCStepper.canned_cycle_expansion import Canned
 from CNCStepper.state import UNKNOWN, Start, State
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, ZX, TableBuilder, Toolpath
 

@@ -14,7 +14,7 @@ from CNCStepper.gcode.interpreter import program_file
 from CNCStepper.gcode.wire import wire_file
 from CNCStepper.gcode.wire.wire_file import WireFile
 from CNCStepper.job import prove_file as prove_file_module
-from CNCStepper.job.certify import certificate_of
+from CNCStepper.job.make_certificate import certificate_of
 from CNCStepper.job.prove import prove
 from CNCStepper.job.prove_file import FileProof, prove_file
 from CNCStepper.machine.profile import Machine, load_machine

@@ -12,7 +12,7 @@ from CNCStepper.control.journal.replay import read_replay
 from CNCStepper.control.protocol.grbl.settings import expected_settings
 from CNCStepper.control.session.status import DONE, FAILED, STOPPED
 from CNCStepper.errors import LinkError
-from CNCStepper.job.certify import certificate_of
+from CNCStepper.job.make_certificate import certificate_of
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.recovery.restart.prove_restart import restart_program
 from CNCStepper.recovery.restart.restart_places import RequestedPlace

@@ -13,8 +13,8 @@ from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.service.sender import Sender
 from CNCStepper.control.transport.link import open_link
 from CNCStepper.errors import MachineRefusal
-from CNCStepper.job.certify import peak_rate, send_job
 from CNCStepper.job.letter_file import letter_job
+from CNCStepper.job.make_certificate import peak_rate, send_job
 from CNCStepper.job.wire_round_trip import wire_round_trip
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.state import Start

@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.dialects import dialect
-from CNCStepper.gcode.interpreter.flow.o_words import is_plain
+from CNCStepper.gcode.interpreter.flow.flow_line_parser import is_plain
 from CNCStepper.gcode.interpreter.state.interpreter_state import model_at
 from CNCStepper.gcode.interpreter.state.system_parameters import SystemParameters
 from CNCStepper.gcode.syntax.expressions import Scanner

@@ -9,8 +9,8 @@ import pytest
 
 from CNCStepper.errors import CNCStepperError, JobError
 from CNCStepper.geometry.curve import circle
-from CNCStepper.job.certify import stock_digest
 from CNCStepper.job.make import make_program
+from CNCStepper.job.make_certificate import stock_digest
 from CNCStepper.job.model import Job, load_job, operation_of, save_job
 from CNCStepper.job.prove import prove_job
 from CNCStepper.simulation.checks.clamps import Clamp

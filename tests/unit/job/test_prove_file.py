@@ -16,7 +16,7 @@ from CNCStepper.control.program.certificate import Certificate
 from CNCStepper.errors import JobError, ProgramError
 from CNCStepper.gcode.interpreter import program_file
 from CNCStepper.job import prove_file as prove_file_module
-from CNCStepper.job.certify import certificate_of
+from CNCStepper.job.make_certificate import certificate_of
 from CNCStepper.job.prove import prove
 from CNCStepper.job.prove_file import prove_file
 from CNCStepper.machine.profile import Motor

@@ -14,7 +14,7 @@ import pytest
 from CNCStepper.control.program.certificate import Certificate
 from CNCStepper.gcode.interpreter import program_file
 from CNCStepper.job import prove_file as prove_file_module
-from CNCStepper.job.certify import certificate_of
+from CNCStepper.job.make_certificate import certificate_of
 from CNCStepper.job.prove_file import prove_file
 from CNCStepper.motion.planner.standstills import RUNNING_EVENTS, EventsAsOne, StopEvents, Stops, dwell_ticks
 from CNCStepper.simulation import finding

@@ -6,7 +6,7 @@ from __future__ import annotations
 import pytest
 
 from CNCStepper.gcode.dialects import dialect_names
-from CNCStepper.job.certify import machine_digest
+from CNCStepper.job.make_certificate import machine_digest
 from CNCStepper.machine.controller_family import FAMILIES, OWN, family_of, makes_pulses
 from CNCStepper.machine.profile import Machine, load_machine, profile_names
 

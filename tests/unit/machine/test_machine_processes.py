@@ -11,7 +11,7 @@ import pytest
 from CNCStepper.control.protocol.grbl.settings import expected_settings
 from CNCStepper.errors import JobError
 from CNCStepper.gcode.interpreter.interpret import interpret
-from CNCStepper.job.certify import machine_digest
+from CNCStepper.job.make_certificate import machine_digest
 from CNCStepper.machine.profile import Machine, load_machine, profile_names, validated
 from CNCStepper.motion.planner.plan import begun, times_s
 from CNCStepper.motion.signals.pulse_stream import moved_steps, pulse_stream

@@ -14,8 +14,8 @@ import pytest
 
 from CNCStepper.control.program.certificate import Certificate, digest_of_text
 from CNCStepper.errors import ProgramError
-from CNCStepper.job.certify import certificate_of
 from CNCStepper.job.make import make_parts, make_program
+from CNCStepper.job.make_certificate import certificate_of
 from CNCStepper.job.model import Job, load_job
 from CNCStepper.job.prove import prior_proofs
 from CNCStepper.machine.profile import Machine

@@ -15,8 +15,8 @@ import numpy as np
 import pytest
 
 from CNCStepper.control.processes.python_finder import command, environment
-from CNCStepper.job.certify import certificate_of
 from CNCStepper.job.make import make_program
+from CNCStepper.job.make_certificate import certificate_of
 from CNCStepper.job.model import load_job
 from CNCStepper.job.proof_folder import MESH, RESULT, TILES, write_answer, write_question
 from CNCStepper.job.prove import Proof, prove_job

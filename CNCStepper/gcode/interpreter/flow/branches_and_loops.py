@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from math import trunc
 
 from CNCStepper.errors import Place, ProgramError, Text
-from CNCStepper.gcode.interpreter.flow.o_words import FlowLine
+from CNCStepper.gcode.interpreter.flow.flow_line_parser import FlowLine
 from CNCStepper.gcode.interpreter.flow.subprogram_files import Source
 
 BRANCHES = ("if", "elseif", "else", "endif")

@@ -17,7 +17,14 @@ from dataclasses import dataclass
 from CNCStepper.errors import Place, ProgramError, Text
 from CNCStepper.gcode.interpreter.fast_path.text_runs import read_runs, refused_runs
 from CNCStepper.gcode.interpreter.flow.branches_and_loops import Blocks, refused
-from CNCStepper.gcode.interpreter.flow.o_words import CONDITIONS, GLOBAL, FlowLine, leads, read_flow_line, read_m98
+from CNCStepper.gcode.interpreter.flow.flow_line_parser import (
+    CONDITIONS,
+    GLOBAL,
+    FlowLine,
+    leads,
+    read_flow_line,
+    read_m98,
+)
 from CNCStepper.gcode.interpreter.flow.subprogram_files import Library, Source
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.interpreter.state.interpreter_state import Model

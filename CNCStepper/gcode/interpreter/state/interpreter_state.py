@@ -16,7 +16,7 @@ from dataclasses import dataclass, field, replace
 from math import inf, isnan, radians, tau
 from typing import Any, NamedTuple
 
-from CNCStepper.canned_drilling_moves import Place
+from CNCStepper.canned_cycle_expansion import Place
 from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects import Dialect
 from CNCStepper.gcode.dialects.codes import CODE_OF_PLANE

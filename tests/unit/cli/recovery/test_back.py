@@ -15,7 +15,7 @@ from CNCStepper.control.program.send_job import write_job
 from CNCStepper.control.service.connection_client import ConnectionClient
 from CNCStepper.control.session.files import read_private, sessions
 from CNCStepper.gcode.wire.encoder import prepare
-from CNCStepper.job.certify import send_job
+from CNCStepper.job.make_certificate import send_job
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.workers.path_retract import answered
 from helpers.cli.command_line import called, command

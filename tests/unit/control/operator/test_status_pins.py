@@ -8,7 +8,7 @@ import threading
 import pytest
 
 from CNCStepper.control.operator.hardware_buttons import PinWatch, open_pins
-from CNCStepper.control.pulses.ports import STATUS_BITS, high_pins
+from CNCStepper.control.pulses.parallel_port import STATUS_BITS, high_pins
 from CNCStepper.errors import LinkError
 from CNCStepper.machine.wiring import INPUT_PINS
 

@@ -13,7 +13,7 @@ from CNCStepper.control.protocol.grbl.firmware import FIRMWARES as KNOWN
 from CNCStepper.errors import MachineRefusal
 from CNCStepper.gcode.dialects import dialect_names
 from CNCStepper.gcode.wire.encoder import prepare
-from CNCStepper.job.certify import send_job
+from CNCStepper.job.make_certificate import send_job
 from CNCStepper.virtual.grbl.firmware import FIRMWARES
 from helpers.control.service_bench import Visit
 

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from CNCStepper.control.pulses import pulse_output
+from CNCStepper.control.pulses import pulse_player_client
 from CNCStepper.errors import LinkError
 from CNCStepper.motion.planner.buffers import TICKS_PER_S, UNLIMITED
 from helpers.control.virtual_player import (
@@ -359,7 +359,7 @@ def test_a_device_is_switched_off_while_a_rate_is_tried(player: VirtualPlayer, m
             output.switch("spindle_cw", False)
 
     monkeypatch.setattr(port, "write", write)
-    monkeypatch.setattr(pulse_output.time, "sleep", lambda _: player.run_for(0.001))
+    monkeypatch.setattr(pulse_player_client.time, "sleep", lambda _: player.run_for(0.001))
     output.trial(1000.0, trial_s=1.0)
     last_on = max(ns for ns, *registers, _ in port.rows if tuple(registers) == on)
     assert 100_000_000 < last_on - begin_ns < 110_000_000 and player.clock.ns - begin_ns > 900_000_000
@@ -436,9 +436,9 @@ def test_what_does_not_fit_is_refused(player: VirtualPlayer, what: str) -> None:
 
 def test_a_ring_that_has_gone_round_takes_back_what_is_kept(monkeypatch: pytest.MonkeyPatch) -> None:
     """Its rows are few here; the memory is the same."""
-    from CNCStepper.control.pulses import pulse_output, pulse_ring
+    from CNCStepper.control.pulses import pulse_player_client, pulse_ring
 
-    for module in (pulse_ring, pulse_output):
+    for module in (pulse_ring, pulse_player_client):
         monkeypatch.setattr(module, "KEPT", 600, raising=False)
         monkeypatch.setattr(module, "AHEAD", 200)
         monkeypatch.setattr(module, "ROWS", 800)

@@ -9,7 +9,7 @@ from CNCStepper.control.stream.backlash_side import BacklashTracker, backlash_tr
 from CNCStepper.control.stream.planned_path import PlannedPath
 from CNCStepper.errors import JobError
 from CNCStepper.gcode.wire.encoder import prepare
-from CNCStepper.job.certify import send_job
+from CNCStepper.job.make_certificate import send_job
 from CNCStepper.machine.backlash import Backlash
 from CNCStepper.machine.profile import Machine, load_machine
 from CNCStepper.state import Start

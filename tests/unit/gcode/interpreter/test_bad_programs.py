@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from CNCStepper.errors import ProgramError
-from CNCStepper.gcode.interpreter.flow.o_words import leads
+from CNCStepper.gcode.interpreter.flow.flow_line_parser import leads
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.syntax.words import program_lines

@@ -13,7 +13,7 @@ from CNCStepper.errors import MachineRefusal
 from CNCStepper.machine.wiring import Signals
 from CNCStepper.motion.planner.buffers import TICKS_PER_S
 from CNCStepper.motion.signals.device_switching import Switch
-from CNCStepper.motion.signals.parallel_port import PortChunk
+from CNCStepper.motion.signals.parallel_port_registers import PortChunk
 from CNCStepper.motion.signals.pulse_stream import PulseChunk, PulseStream
 from CNCStepper.motion.signals.signal_export import decimals_of, port_csv, position_csv, vcd
 from CNCStepper.motion.signals.step_direction import Timeline

@@ -20,11 +20,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from CNCStepper.control.pulses import pulse_output
-from CNCStepper.control.pulses.pulse_output import PulseOutput
+from CNCStepper.control.pulses import pulse_player_client
+from CNCStepper.control.pulses.pulse_player_client import PulseOutput
 from CNCStepper.errors import LinkError, MachineRefusal
 from CNCStepper.machine.profile import Machine, load_machine
-from CNCStepper.motion.signals.parallel_port import pin_levels
+from CNCStepper.motion.signals.parallel_port_registers import pin_levels
 from CNCStepper.motion.signals.step_letters import read_letters
 from helpers.control.virtual_player import decoded, machine, pulses
 
@@ -212,7 +212,7 @@ def test_a_board_makes_every_pulse_at_a_pseudo_terminal(launch: Callable[..., Pu
 def test_places_in_the_sequences_are_kept_from_job_to_job(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, launch: Callable[..., PulseOutput]
 ) -> None:
-    monkeypatch.setattr(pulse_output, "places_file", lambda port: tmp_path / "board.places")
+    monkeypatch.setattr(pulse_player_client, "places_file", lambda port: tmp_path / "board.places")
     sent = b""
     for number, text in enumerate((b"AAAB", b"ADB")):
         output = launch(f"record:{tmp_path / str(number)}", board())
@@ -299,7 +299,7 @@ PARENT = """
 import sys, time
 sys.path[:0] = {paths!r}
 from helpers.control.virtual_player import machine, pulses
-from CNCStepper.control.pulses.pulse_output import PulseOutput
+from CNCStepper.control.pulses.pulse_player_client import PulseOutput
 output = PulseOutput.launch("record:" + {file!r}, machine())
 output.switch("flood", True)
 output.append(*pulses(100_000, 1000.0))
@@ -326,7 +326,7 @@ if hasattr(signal, "SIGSTOP"):
     def test_a_player_that_is_stopped_is_noticed_while_it_stands(
         tmp_path: Path, launch: Callable[..., PulseOutput], monkeypatch: pytest.MonkeyPatch
     ) -> None:
-        monkeypatch.setattr(pulse_output, "STILL_S", 0.7)
+        monkeypatch.setattr(pulse_player_client, "STILL_S", 0.7)
         output = launch(f"record:{tmp_path / 'port.csv'}")
         output.switch("spindle_cw", True)
         output.append(*pulses(100_000, 1000.0))

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from CNCStepper.control.program.certificate import digest_of_lines
 from CNCStepper.gcode.wire.translation import translate
-from CNCStepper.job.certify import certificate_of, proven_wire, send_job
+from CNCStepper.job.make_certificate import certificate_of, proven_wire, send_job
 from CNCStepper.job.prove import prove
 from CNCStepper.job.prove_file import prove_file
 from CNCStepper.machine.profile import load_machine

@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 
 from CNCStepper.control.pulses import output_ports
-from CNCStepper.control.pulses.output_ports import ParallelOutput, SerialOutput, open_output
-from CNCStepper.control.pulses.ports import (
+from CNCStepper.control.pulses.output_ports import SerialOutput, open_output
+from CNCStepper.control.pulses.parallel_port import (
     CLAIM,
     DATA_DIRECTION,
     READ_STATUS,
@@ -83,7 +83,7 @@ if POSIX:
         answers = {READ_STATUS: b"\x58"}
         monkeypatch.setattr("fcntl.ioctl", lambda file, request, value=b"": answers.get(request, b""))
         (tmp_path / "port").touch()
-        port = ParallelOutput(tmp_path / "port")
+        port = ParallelPort(tmp_path / "port")
         assert high_pins(port.status()) == {10, 11, 13, 15}  # the port turns 11 round
         assert port.is_real and port.patience_ns == 0
         port.close()

@@ -9,7 +9,7 @@ from pydantic import ValidationError
 
 from CNCStepper.errors import MachineRefusal
 from CNCStepper.machine.wiring import OUTPUT_PINS, Signals
-from CNCStepper.motion.signals.parallel_port import pin_levels, port_chunks, port_words
+from CNCStepper.motion.signals.parallel_port_registers import pin_levels, port_chunks, port_words
 from CNCStepper.motion.signals.pulse_stream import PulseChunk, PulseStream, Switch
 
 XYZ = {f"{axis}_{what}": 2 + 2 * n + k for n, axis in enumerate("xyz") for k, what in enumerate(("step", "direction"))}

@@ -22,7 +22,7 @@ from CNCStepper.control.program.send_job import write_job
 from CNCStepper.control.protocol.grbl.settings import expected_settings
 from CNCStepper.errors import JobError, Place
 from CNCStepper.gcode.wire.encoder import prepare
-from CNCStepper.job.certify import (
+from CNCStepper.job.make_certificate import (
     certificate_of,
     check_cut,
     cut_content,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The ways down to a level's floor in the middle of a pocket: plunge, helix, ramp."""
+"""The ways down to a level's floor in the middle of an elliptical pocket: plunge, helix, ramp."""
 
 from __future__ import annotations
 

@@ -1,18 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where pulses go out: a parallel port through its device file (Linux), or a file that records what it would get.
-
-Nothing else is opened for writing: no other device, and no file that is something else than a recording.
-"""
+"""A parallel port through its device file, by Linux's ppdev: data and control are written, status pins are read."""
 
 from __future__ import annotations
 
 import os
-import stat
 import struct
 from pathlib import Path
-from typing import BinaryIO, Protocol
 
-from CNCStepper.atomic_file import followed
 from CNCStepper.errors import LinkError, Text
 
 WRITE_DATA, WRITE_CONTROL, DATA_DIRECTION = 0x40017086, 0x40017084, 0x40047090  # of Linux's ppdev.h
@@ -21,6 +15,7 @@ CLAIM, RELEASE = 0x0000708B, 0x0000708C
 OUTPUT = struct.pack("i", 0)  # the direction of the data pins
 STATUS_BITS = {15: 3, 13: 4, 12: 5, 10: 6, 11: 7}  # of the pins
 INVERTED_STATUS = (11,)
+REAL_BUSY_NS = 1_000_000
 PARALLEL_PORTS = 99  # the major number of Linux's /dev/parport*
 
 
@@ -29,18 +24,10 @@ def high_pins(register: int) -> frozenset[int]:
     return frozenset(pin for pin, bit in STATUS_BITS.items() if bool(register >> bit & 1) != (pin in INVERTED_STATUS))
 
 
-class Port(Protocol):
-    """Two registers that are written together."""
-
-    def write(self, data: int, control: int) -> None:
-        """Set both registers."""
-
-    def close(self) -> None:
-        """Let go of the port."""
-
-
 class ParallelPort:
     """A parallel port by its device file, such as /dev/parport0; raises LinkError where it cannot be had."""
+
+    patience_ns, is_real, sleep_ns = 0, True, REAL_BUSY_NS
 
     def __init__(self, path: Path):
         from fcntl import ioctl
@@ -62,6 +49,18 @@ class ParallelPort:
         self._ioctl(self._file, WRITE_DATA, bytes((data,)))
         self._ioctl(self._file, WRITE_CONTROL, bytes((control,)))
 
+    def status(self) -> int:
+        """Return the status register."""
+        register: bytes = self._ioctl(self._file, READ_STATUS, b"\0")
+        return register[0]
+
+    def queued(self) -> int:
+        """Return 0: registers are set at once."""
+        return 0
+
+    def rest(self) -> None:
+        """Do nothing."""
+
     def close(self) -> None:
         """Give the port back."""
         self._ioctl(self._file, RELEASE)
@@ -73,28 +72,6 @@ def is_parallel_port(path: Path) -> bool:
     if not path.is_char_device():
         return False
     return os.major(path.stat().st_rdev) == PARALLEL_PORTS
-
-
-def recording_file(path: Path, begin: bytes) -> BinaryIO:
-    """Open a file to record in, empty; raises LinkError where it holds something else, which is left as it is.
-
-    begin: what each recording of the kind begins with.
-    """
-    try:
-        target = followed(path)
-        target.touch()
-        file = target.open("r+b", buffering=1 << 20)
-    except OSError as error:
-        raise LinkError("pulse-port", Text("{path} cannot be written: {error}", path=path, error=error)) from error
-    if not stat.S_ISREG(os.fstat(file.fileno()).st_mode) or file.read(len(begin)) not in (b"", begin):
-        file.close()
-        advice = "name a new file, or one that pulses were recorded in"
-        raise LinkError(
-            "pulse-port", Text("{path} is no recording of pulses, and is not written over", path=path), advice=advice
-        )
-    file.seek(0)
-    file.truncate()
-    return file
 
 
 def no_port(path: Path, error: OSError) -> LinkError:

@@ -41,6 +41,7 @@ from CNCStepper.control.pulses.pacing import (
     jitter_of,
     stall_ns,
 )
+from CNCStepper.control.pulses.parallel_port import high_pins, is_parallel_port
 from CNCStepper.control.pulses.player_process import (
     StallWatch,
     answer,
@@ -52,7 +53,6 @@ from CNCStepper.control.pulses.player_process import (
     stands,
     writer_of,
 )
-from CNCStepper.control.pulses.ports import high_pins, is_parallel_port
 from CNCStepper.control.pulses.pulse_ring import (
     ACKNOWLEDGED,
     AHEAD,
