@@ -18,9 +18,9 @@ if TYPE_CHECKING:
     from CNCStepper.control.service.connection_session import ConnectionSession
     from CNCStepper.control.session.client import SessionClient
     from CNCStepper.control.session.status import SenderStatus
+    from CNCStepper.recovery.retract.path_retract import HeldProgram
+    from CNCStepper.recovery.retract.places_on_path import Place
     from CNCStepper.recovery.retract.retract_client import RetractClient
-    from CNCStepper.recovery.retract.retract_legs import HeldProgram
-    from CNCStepper.recovery.retract.retract_path import Place
 
 QUESTION = "b MM | l LINE | e | f [MM] | r | s | q"
 MEANINGS = """\

@@ -5,7 +5,7 @@
                                                                             `--- a leg that is the rest ---> done
 
 The run itself knows no geometry. Its client reads `told`, finds the place, proves a leg
-(`recovery/retract/retract_legs.py`) and gives it back as a bundle: a certificate, with what the next client must know
+(`recovery/retract/path_retract.py`) and gives it back as a bundle: a certificate, with what the next client must know
 to find the place again.
 """
 
@@ -58,7 +58,7 @@ PLANNER_BLOCKS = 15  # of grbl as delivered
 class Leg:
     """A way that a client has proven; wire: its file.
 
-    content: the part of `recovery.retract.retract_legs`' plain data that the next client needs.
+    content: the part of `recovery.retract.path_retract`' plain data that the next client needs.
     """
 
     job: SendJob
@@ -223,7 +223,7 @@ def _kept(content: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def write_leg(file: Path, leg: Mapping[str, Any]) -> None:
-    """Write a leg that `recovery.retract.retract_legs` makes to a file, as `PathRetract.read` takes it."""
+    """Write a leg that `recovery.retract.path_retract` makes to a file, as `PathRetract.read` takes it."""
     certificate: Certificate = leg["certificate"]
     content = {**leg, "certificate": certificate.head()}
     members: dict[str, Iterable[bytes]] = {

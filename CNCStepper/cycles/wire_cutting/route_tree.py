@@ -11,7 +11,7 @@ another way than it came, one branch is cut last and from its near end to its fa
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 
@@ -115,16 +115,6 @@ def connected(
             reach.grow(segments)
         waiting.remove(found.item)
     return tree, waiting
-
-
-def best_last(tree: WayTree, leaving_mm: Callable[[int], float]) -> int:
-    """Return the item that is to be cut last, so that all ways together are short.
-
-    leaving_mm: how long the way out of the sheet is from an item's node.
-    """
-    return min(
-        tree.leaves, key=lambda item: leaving_mm(tree.leaves[item]) - tree.length_mm(tree.to_root(tree.leaves[item]))
-    )
 
 
 def _leaves_of(node: int, children: dict[int, list[int]], trunk: set[int], own: dict[int, int]) -> Iterator[int]:

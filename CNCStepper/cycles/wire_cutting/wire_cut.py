@@ -3,8 +3,8 @@
 
 wire_items     drawn curves ---> rings half a kerf off the parts, lines; refusals    cycles/wire_cutting/
 scrap_roadmap  shortest ways through the scrap, clear of all parts
-route_tree     those ways as a tree, and the order of its leaves
-falling_pieces no part comes loose before it is cut
+route_tree     those ways as a tree, and its leaves with the farther ones first
+wire_cut_order which item is last, and no part comes loose before it is cut
 hole_slits     through the part into its holes
 wire_route     all of these put together: one way
 wire_run       rows of the table: power, moves, slow feeds and dwells at corners

@@ -22,10 +22,10 @@ from shapely import LineString, Polygon
 from shapely.geometry.base import BaseGeometry
 
 from CNCStepper.cycles.moves import Point
-from CNCStepper.cycles.wire_cutting.falling_pieces import Uncut, safe_order
 from CNCStepper.cycles.wire_cutting.hole_slits import Slit, slit_into
-from CNCStepper.cycles.wire_cutting.route_tree import ROOT, WayTree, best_last, connected
+from CNCStepper.cycles.wire_cutting.route_tree import ROOT, WayTree, connected
 from CNCStepper.cycles.wire_cutting.scrap_roadmap import COARSE, Roadmap, Segment
+from CNCStepper.cycles.wire_cutting.wire_cut_order import Uncut, best_last, safe_order
 from CNCStepper.cycles.wire_cutting.wire_items import Item, Items, Line, Part
 from CNCStepper.errors import CycleError, Text
 from CNCStepper.geometry.curve import Curve, from_points, joined, straight

@@ -243,7 +243,7 @@ def _machine() -> list[Code]:
         Code("M30", "stop", "stop", act="end"),
         Code(
             "M99", "stop", "stop", act="end"
-        ),  # of a main program; that of a subprogram leads back (`program_flow.py`)
+        ),  # of a main program; that of a subprogram leads back (`run_with_subroutines.py`)
     ]
 
 

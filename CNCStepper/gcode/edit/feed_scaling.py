@@ -10,7 +10,7 @@ from CNCStepper.gcode.edit.line_states import EXPAND
 from CNCStepper.gcode.edit.line_tokens import Token, changed, tokens_of
 from CNCStepper.gcode.edit.verification import require_same_path
 from CNCStepper.gcode.edit.word_values import Value, decimals_of, feed_decimals
-from CNCStepper.gcode.interpreter.flow.program_flow import run
+from CNCStepper.gcode.interpreter.flow.run_with_subroutines import run
 from CNCStepper.gcode.interpreter.flow.subprogram_files import library_of
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter

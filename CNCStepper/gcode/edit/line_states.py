@@ -13,7 +13,7 @@ from CNCStepper.gcode.dialects.codes import MOTION_NAMES
 from CNCStepper.gcode.edit.edit_result import Lines
 from CNCStepper.gcode.edit.line_tokens import Token, tokens_of
 from CNCStepper.gcode.interpreter.flow.flow_line_parser import is_plain, leads
-from CNCStepper.gcode.interpreter.flow.program_flow import Flow, Limits
+from CNCStepper.gcode.interpreter.flow.run_with_subroutines import Flow, Limits
 from CNCStepper.gcode.interpreter.flow.subprogram_files import library_of
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.syntax.words import is_percent_mark, program_lines, split_line

@@ -30,7 +30,7 @@ SMALLEST_INVERSE_FEED = 0.1  # units a minute; RS274 never goes below
 
 
 class ProfileReader(Protocol):
-    """Runs a subroutine and hands its blocks to a cycle (`program_flow.py`)."""
+    """Runs a subroutine and hands its blocks to a cycle (`run_with_subroutines.py`)."""
 
     def __call__(self, number: int, model: Model, take: Callable[[Model, list[Word], list[float]], None]) -> None:
         """Run the subroutine O<number> from `model`; `take` gets the words of each block, and their values."""

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from CNCStepper.gcode.dialects import Dialect
-from CNCStepper.gcode.interpreter.flow.program_flow import run
+from CNCStepper.gcode.interpreter.flow.run_with_subroutines import run
 from CNCStepper.gcode.interpreter.flow.subprogram_files import library_of
 from CNCStepper.gcode.interpreter.functions.coordinate_offsets import HOMES, SET_G92, SET_WORK
 from CNCStepper.gcode.interpreter.functions.tools import read_tool_table

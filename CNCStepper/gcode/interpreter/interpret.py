@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from CNCStepper.gcode.dialects import Dialect
-from CNCStepper.gcode.interpreter.flow.program_flow import run_whole
+from CNCStepper.gcode.interpreter.flow.run_with_subroutines import run_whole
 from CNCStepper.gcode.interpreter.flow.subprogram_files import library_of
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.state import Start

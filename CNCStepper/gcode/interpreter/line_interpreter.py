@@ -218,7 +218,7 @@ class Interpreter:
                 return
         self._any_line(text)
 
-    # for a program whose lines are not read in their order (`program_flow.py`)
+    # for a program whose lines are not read in their order (`run_with_subroutines.py`)
 
     def line_at(self, text: str, line_number: int, place: Place) -> None:
         """Read the line at `place`; its moves get `line_number`."""

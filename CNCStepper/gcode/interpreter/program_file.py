@@ -24,7 +24,7 @@ from CNCStepper.errors import Place, ProgramError, Text
 from CNCStepper.gcode.dialects import Dialect
 from CNCStepper.gcode.interpreter.fast_path.policy import PIECE
 from CNCStepper.gcode.interpreter.fast_path.text_runs import compiled_reader
-from CNCStepper.gcode.interpreter.flow.program_flow import run_on
+from CNCStepper.gcode.interpreter.flow.run_with_subroutines import run_on
 from CNCStepper.gcode.interpreter.flow.subprogram_files import library_of
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.syntax.text_format import BOM
@@ -245,7 +245,7 @@ class FileReading:
             yield
 
     def refusals(self) -> Iterator[ProgramError]:
-        """Read the file and yield why lines are refused, as `program_flow.refusals` does for its text."""
+        """Read the file and yield why lines are refused, as `run_with_subroutines.refusals` does for its text."""
         encoding = encoding_of(self._pieces())
         mark = BOM if encoding == "utf-8" else b""
         reader = compiled_reader(self.interpreter, self.path.stat().st_size)

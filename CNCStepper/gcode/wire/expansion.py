@@ -18,7 +18,7 @@ from typing import NamedTuple
 from CNCStepper.gcode.dialects import Dialect
 from CNCStepper.gcode.interpreter.expression_words import ExpressionWords
 from CNCStepper.gcode.interpreter.flow.flow_line_parser import is_plain
-from CNCStepper.gcode.interpreter.flow.program_flow import run_on
+from CNCStepper.gcode.interpreter.flow.run_with_subroutines import run_on
 from CNCStepper.gcode.interpreter.flow.subprogram_files import library_of
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.syntax.line_grammar import Plan

@@ -12,7 +12,7 @@ import numpy as np
 from CNCStepper.errors import Place, ProgramError
 from CNCStepper.gcode.dialects import Dialect, dialect_named
 from CNCStepper.gcode.dialects.dialect_options import as_sent
-from CNCStepper.gcode.interpreter.flow.program_flow import refusals, run_whole
+from CNCStepper.gcode.interpreter.flow.run_with_subroutines import refusals, run_whole
 from CNCStepper.gcode.interpreter.flow.subprogram_files import library_of
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter

@@ -20,7 +20,7 @@ from CNCStepper.errors import Place, ProgramError, Text
 from CNCStepper.gcode.dialects import dialect_named
 from CNCStepper.gcode.interpreter.fast_path.compiled_reader import CompiledReader
 from CNCStepper.gcode.interpreter.flow.flow_line_parser import has_profile, is_plain
-from CNCStepper.gcode.interpreter.flow.program_flow import Flow, Limits
+from CNCStepper.gcode.interpreter.flow.run_with_subroutines import Flow, Limits
 from CNCStepper.gcode.interpreter.flow.subprogram_files import library_of
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.interpreter.state.interpreter_state import Point

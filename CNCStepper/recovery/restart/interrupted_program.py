@@ -28,7 +28,7 @@ import numpy as np
 from CNCStepper.errors import Place, ProgramError, Text
 from CNCStepper.gcode.dialects import Dialect, dialect_named
 from CNCStepper.gcode.interpreter.flow.flow_line_parser import is_plain
-from CNCStepper.gcode.interpreter.flow.program_flow import run_whole
+from CNCStepper.gcode.interpreter.flow.run_with_subroutines import run_whole
 from CNCStepper.gcode.interpreter.flow.subprogram_files import Library
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter

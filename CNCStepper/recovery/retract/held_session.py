@@ -16,7 +16,7 @@ from pydantic import ValidationError
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.stream.retract_handover import REST
 from CNCStepper.errors import JobError, Text
-from CNCStepper.gcode.interpreter.flow.program_flow import run_whole
+from CNCStepper.gcode.interpreter.flow.run_with_subroutines import run_whole
 from CNCStepper.gcode.interpreter.flow.subprogram_files import Library
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.wire.backlash_compensation import backlash_of
@@ -24,7 +24,7 @@ from CNCStepper.job.start_state_file import start_from
 from CNCStepper.machine.backlash import Backlash
 from CNCStepper.machine.profile import Machine
 from CNCStepper.recovery.retract.path_search import Controller, PositionReport, PossiblePlaces, find
-from CNCStepper.recovery.retract.retract_path import Place, RetractPath
+from CNCStepper.recovery.retract.places_on_path import Place, RetractPath
 from CNCStepper.state import ZERO3, Start
 
 

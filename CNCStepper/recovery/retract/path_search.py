@@ -20,7 +20,7 @@ import numpy as np
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.recovery.retract.move_curve import chords_of
-from CNCStepper.recovery.retract.retract_path import Place, RetractPath
+from CNCStepper.recovery.retract.places_on_path import Place, RetractPath
 
 ROUNDING_MM = 0.002  # of a report
 LATE_S, FASTER = 0.02, 1.02  # by which a report may be late, and clocks may differ

@@ -27,7 +27,7 @@ from CNCStepper.control.session.status import SenderStatus
 from CNCStepper.control.stream.retract_handover import read_held, write_leg
 from CNCStepper.errors import CNCStepperError, LinkError, MachineRefusal, Text
 from CNCStepper.machine.profile import Machine
-from CNCStepper.recovery.retract.retract_legs import HeldProgram, held_program
+from CNCStepper.recovery.retract.path_retract import HeldProgram, held_program
 
 LOOK_EVERY_S = 0.05
 DOOR = "door"

@@ -29,7 +29,7 @@ from CNCStepper.gcode.interpreter.state.modal_state_stack import FEED_MODES, SPI
 from CNCStepper.gcode.wire.monotonic_split import Piece, arc_pieces
 from CNCStepper.machine.backlash import Backlash, Motors
 from CNCStepper.recovery.retract.move_curve import Move, Point
-from CNCStepper.recovery.retract.retract_path import Part
+from CNCStepper.recovery.retract.places_on_path import Part
 from CNCStepper.state import State
 from CNCStepper.toolpath import LINE, PLANE_AXES, PLANE_NAMES, RAPID
 from CNCStepper.units import MM_PER_INCH

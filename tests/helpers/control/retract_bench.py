@@ -24,8 +24,8 @@ from CNCStepper.gcode.wire.encoder import prepare
 from CNCStepper.job.make_certificate import send_job
 from CNCStepper.machine.profile import Machine, load_machine
 from CNCStepper.motion.planner.arc_segments import arc_points
-from CNCStepper.recovery.retract.retract_legs import HeldProgram, held_program
-from CNCStepper.recovery.retract.retract_path import Place, RetractPath
+from CNCStepper.recovery.retract.path_retract import HeldProgram, held_program
+from CNCStepper.recovery.retract.places_on_path import Place, RetractPath
 from CNCStepper.state import Start
 from CNCStepper.toolpath import ARC_CW, Toolpath
 from helpers.control.service_bench import Person, Table

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.dialects import dialect_names
 from CNCStepper.gcode.interpreter.flow.flow_line_parser import KEYWORDS
-from CNCStepper.gcode.interpreter.flow.program_flow import Limits, run
+from CNCStepper.gcode.interpreter.flow.run_with_subroutines import Limits, run
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.state import Start
 from CNCStepper.toolpath import Toolpath

@@ -10,7 +10,7 @@ import pytest
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.recovery.retract.path_search import Controller, PositionReport, find
-from CNCStepper.recovery.retract.retract_path import Place, RetractPath
+from CNCStepper.recovery.retract.places_on_path import Place, RetractPath
 from CNCStepper.state import Start
 
 GRBL = Controller(15, (80.0, 80.0, 400.0), 0.002, 5000.0)

@@ -16,7 +16,7 @@ from CNCStepper.gcode.wire.encoder import prepare
 from CNCStepper.machine.backlash import Backlash, Motors
 from CNCStepper.motion.planner.backlash_moves import tool_moves
 from CNCStepper.recovery.retract.move_curve import Move
-from CNCStepper.recovery.retract.retract_path import Place, RetractPath, stretch_moves
+from CNCStepper.recovery.retract.places_on_path import Place, RetractPath, stretch_moves
 from CNCStepper.recovery.retract.wire_writer import crossing, taken_up
 from CNCStepper.simulation.tip_segments import segments
 from CNCStepper.state import Start

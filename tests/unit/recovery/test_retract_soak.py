@@ -15,8 +15,8 @@ import numpy as np
 import pytest
 
 from CNCStepper.gcode.wire.backlash_compensation import backlash_of
-from CNCStepper.recovery.retract.retract_legs import HeldProgram
-from CNCStepper.recovery.retract.retract_path import Place
+from CNCStepper.recovery.retract.path_retract import HeldProgram
+from CNCStepper.recovery.retract.places_on_path import Place
 from helpers.control.retract_bench import (
     CORNERS_MM,
     ROUNDING_MM,

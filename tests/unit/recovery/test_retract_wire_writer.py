@@ -13,7 +13,7 @@ import pytest
 from CNCStepper.control.stream.return_after_jog import over
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.wire.wire_text import check_wire_line
-from CNCStepper.recovery.retract.retract_path import Place, RetractPath, stretch_moves
+from CNCStepper.recovery.retract.places_on_path import Place, RetractPath, stretch_moves
 from CNCStepper.recovery.retract.wire_writer import head_lines, modes_line, output_lines, over_lines, way_lines
 from CNCStepper.state import Start
 

@@ -11,7 +11,7 @@ import pytest
 
 from CNCStepper.control.session.command import Command
 from CNCStepper.machine.profile import Machine, load_machine
-from CNCStepper.recovery.retract.retract_path import Place, RetractPath
+from CNCStepper.recovery.retract.places_on_path import Place, RetractPath
 from helpers.control.jog_in_hold import SAMPLE_MM, jogged, led, off_path
 from helpers.control.retract_bench import ROUNDING_MM, STEP_MM, Cut, path_of, polyline, worst_distance_mm
 

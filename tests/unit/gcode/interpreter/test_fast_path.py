@@ -18,7 +18,7 @@ from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.dialects import dialect_names
 from CNCStepper.gcode.interpreter.fast_path import policy
 from CNCStepper.gcode.interpreter.fast_path.compiled_reader import CompiledReader
-from CNCStepper.gcode.interpreter.flow.program_flow import refusals as refusals_of_all
+from CNCStepper.gcode.interpreter.flow.run_with_subroutines import refusals as refusals_of_all
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.wire.encoder import prepare
 from CNCStepper.state import Start

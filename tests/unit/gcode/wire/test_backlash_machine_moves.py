@@ -13,7 +13,7 @@ from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.wire.encoder import prepare
 from CNCStepper.gcode.wire.read_back import read_back
 from CNCStepper.machine.backlash import Backlash
-from CNCStepper.recovery.retract.retract_path import RetractPath
+from CNCStepper.recovery.retract.places_on_path import RetractPath
 from CNCStepper.state import Start
 from helpers.gcode.backlash_programs import program_of_places, pushed
 

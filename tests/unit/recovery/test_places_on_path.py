@@ -7,7 +7,7 @@ import pytest
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpreter.interpret import interpret
-from CNCStepper.recovery.retract.retract_path import Place, RetractPath
+from CNCStepper.recovery.retract.places_on_path import Place, RetractPath
 from CNCStepper.state import Start
 
 PROGRAM = """G21 G90

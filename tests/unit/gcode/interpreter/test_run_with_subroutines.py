@@ -13,7 +13,7 @@ from CNCStepper.cli.program.trace import command as trace
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpreter.fast_path import policy
 from CNCStepper.gcode.interpreter.flow.flow_line_parser import is_plain
-from CNCStepper.gcode.interpreter.flow.program_flow import Limits, run
+from CNCStepper.gcode.interpreter.flow.run_with_subroutines import Limits, run
 from CNCStepper.gcode.interpreter.flow.subprogram_files import Library
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter

@@ -6,7 +6,7 @@ from __future__ import annotations
 import pytest
 from shapely import box
 
-from CNCStepper.cycles.wire_cutting.falling_pieces import Uncut
+from CNCStepper.cycles.wire_cutting.wire_cut_order import Uncut
 from CNCStepper.cycles.wire_cutting.wire_items import Part, items_of
 from CNCStepper.errors import CycleError
 from CNCStepper.geometry.curve import Curve, from_points

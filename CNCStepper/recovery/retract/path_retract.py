@@ -30,7 +30,7 @@ from CNCStepper.motion.planner.backlash_moves import tool_moves
 from CNCStepper.recovery.retract.held_session import SessionContext, acknowledged, found_of
 from CNCStepper.recovery.retract.move_curve import Move, Point
 from CNCStepper.recovery.retract.path_search import PositionReport, PossiblePlaces
-from CNCStepper.recovery.retract.retract_path import Part, Place, RetractPath, stretch_moves
+from CNCStepper.recovery.retract.places_on_path import Part, Place, RetractPath, stretch_moves
 from CNCStepper.recovery.retract.wire_writer import (
     crossing,
     head_lines,

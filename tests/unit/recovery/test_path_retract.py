@@ -11,8 +11,8 @@ import pytest
 
 from CNCStepper.control.session.command import Command
 from CNCStepper.machine.profile import load_machine
-from CNCStepper.recovery.retract.retract_legs import HeldProgram
-from CNCStepper.recovery.retract.retract_path import Place, RetractPath
+from CNCStepper.recovery.retract.path_retract import HeldProgram
+from CNCStepper.recovery.retract.places_on_path import Place, RetractPath
 from helpers.control.retract_bench import (
     CORNERS_MM,
     ROUNDING_MM,

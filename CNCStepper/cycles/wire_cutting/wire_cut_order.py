@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-r"""An order in which nothing is cut after it has come loose.
+r"""The order of cuts with a wire: which item is cut last, and that nothing is cut after it has come loose.
 
 +--------------------+        Cuts that meet round a piece set it free, with what is still to be cut from it: a ring
 |  .--A--.           |        of parts that lie so close that their kerfs meet, or a part as wide as the sheet.
@@ -14,7 +14,7 @@ which it hangs is cut last, after all of its holes.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import shapely
 from shapely import LineString, Polygon
@@ -28,6 +28,16 @@ from CNCStepper.geometry.curve import Curve
 FLAT_MM = 0.01
 FIRM = 1.5  # times the kerf: what so wide a cut would take away holds nothing that is worth it
 MOST_CHANGES = 3  # a part
+
+
+def best_last(tree: WayTree, leaving_mm: Callable[[int], float]) -> int:
+    """Return the item that is to be cut last, so that all ways together are short.
+
+    leaving_mm: how long the way out of the sheet is from an item's node.
+    """
+    return min(
+        tree.leaves, key=lambda item: leaving_mm(tree.leaves[item]) - tree.length_mm(tree.to_root(tree.leaves[item]))
+    )
 
 
 def safe_order(order: Sequence[int], tree: WayTree, items: Sequence[Item], sheet: Polygon, half_mm: float) -> list[int]:
