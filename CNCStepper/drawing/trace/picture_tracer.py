@@ -15,12 +15,12 @@ import numpy as np
 from CNCStepper.cancellation import checkpoint
 from CNCStepper.drawing.drawing import Attributes, Chain, Drawing, Share
 from CNCStepper.drawing.read_drawing import ReadOptions
-from CNCStepper.drawing.trace.contours import contours_of
 from CNCStepper.drawing.trace.options import TraceOptions
 from CNCStepper.drawing.trace.picture_file import Greys, otsu_threshold, read_greys
 from CNCStepper.errors import JobError, Place, Text, placed
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.fitting.point_fit import refitted
+from CNCStepper.geometry.grid_contours import contours_of
 from CNCStepper.units import MM_PER_INCH
 
 USUAL_DPI = 96.0

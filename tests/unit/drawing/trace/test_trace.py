@@ -18,10 +18,10 @@ from PIL import Image, ImageDraw
 
 from CNCStepper.drawing.drawing import Drawing
 from CNCStepper.drawing.read_drawing import ReadOptions, read_drawing
-from CNCStepper.drawing.trace.contours import contours_of
 from CNCStepper.drawing.trace.options import TraceOptions
 from CNCStepper.drawing.trace.picture_file import MOST_PIXELS
 from CNCStepper.errors import JobError
+from CNCStepper.geometry.grid_contours import contours_of
 
 FINE = 8  # pictures are drawn so many times larger: their edges are grey
 
