@@ -109,6 +109,8 @@ def goes_line_by_line(hand: Hand, dock: Any, dialog: Any, file: Path) -> None:
     hand.main(lambda: (dialog.show(), dialog.open_file(file)))
     hand.wait(lambda: places.find(f"{L}send").isEnabled(), 20)
     hand.click(f"{L}send")
+    hand.wait(lambda: _waits(dock), 30, "the pause before the first line")
+    hand.main(dialog.close)  # it may lie over the keys of the dock
     for count in range(2):
         hand.wait(lambda count=count: _waits(dock) and dock.link.status.acknowledged == count, 30, "the stand")
         hand.shot(f"line-by-line-{count}")
@@ -118,7 +120,6 @@ def goes_line_by_line(hand: Hand, dock: Any, dialog: Any, file: Path) -> None:
     hand.click(f"{D}ByLine")
     hand.click(f"{D}Resume")
     hand.wait(lambda: dock.link.status.phase == "idle", 60, "the end")
-    hand.main(dialog.close)
 
 
 def _waits(dock: Any) -> bool:
