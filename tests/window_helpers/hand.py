@@ -25,10 +25,8 @@ from window_helpers.interface import Interface, Keeper, Watchdog, interface_stac
 PICTURES = Path(os.environ["CNCSTEPPER_WINDOW_PICTURES"])
 APPEARS_S = 5.0  # so long may a window or an entry take to appear
 ENABLED_S = 20.0  # so long may FreeCAD take to see that a command can be run: it looks when it has nothing else to do
-DOUBLE_MS = (
-    100  # two clicks within that are a double click for Qt, for whom the X server's clock counts (400 at a desk)
-)
-NO_DOUBLE_S = 0.12  # between two clicks that are to be none
+DOUBLE_MS = 400  # two clicks within that are a double click for Qt, for whom the X server's clock counts; as at a desk
+NO_DOUBLE_S = 0.5  # between two clicks that are to be none
 NEAR_PX = 20.0  # two clicks that near might be taken for a double click
 AGAIN_S = 0.2  # before a key is pressed once more that was not seen
 LIST_S = 2.0  # so long may the list of a combo box take to appear
