@@ -25,8 +25,8 @@ from window_helpers.interface import Interface, Keeper, Watchdog, interface_stac
 PICTURES = Path(os.environ["CNCSTEPPER_WINDOW_PICTURES"])
 APPEARS_S = 5.0  # so long may a window or an entry take to appear
 ENABLED_S = 20.0  # so long may FreeCAD take to see that a command can be run: it looks when it has nothing else to do
-DOUBLE_MS = 400  # two clicks within that are a double click for Qt, for whom the X server's clock counts; as at a desk
-NO_DOUBLE_S = 0.5  # between two clicks that are to be none
+FINGER_S = 0.05  # between the clicks of a double click
+NO_DOUBLE_S = 0.6  # between two clicks, so that Qt takes them for no double click (it does within 0.4 s)
 NEAR_PX = 20.0  # two clicks that near might be taken for a double click
 AGAIN_S = 0.2  # before a key is pressed once more that was not seen
 LIST_S = 2.0  # so long may the list of a combo box take to appear
@@ -50,7 +50,6 @@ class Hand:
         self.mouse, self.keyboard = x_input.Mouse(server), x_input.Keyboard(server)
         self._allowed: list[str] = []
         self._clicked: tuple[Point, float] = ((-1.0, -1.0), 0.0)  # the last place, and when
-        self.main(QtGui.QApplication.setDoubleClickInterval, DOUBLE_MS)
 
     # ---- FreeCAD's own thread ----
 
@@ -173,6 +172,7 @@ class Hand:
         for _ in range(2 if double else 1):
             self.mouse.down(button)
             self.mouse.up(button)
+            time.sleep(FINGER_S)
         for key in reversed(modifiers):
             self.keyboard.up(key)
         self._clicked = place, time.monotonic()
@@ -252,7 +252,7 @@ class Hand:
         x, y = self.main(places.of_tree_item, labels[-1])
         for away in DRAG_STEPS_PX:
             self.mouse.move(x + away, y + away)
-            self.settle()
+            time.sleep(FINGER_S)
         for key in modifiers:
             self.keyboard.down(key)
         x, y = self.main(places.of_tree_item, onto, LOWER if lower else UPPER)
