@@ -8094,6 +8094,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>CNCStepper batch journal</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>CNCStepper certificate</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8670,6 +8674,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>TLS takes an authority, a certificate and its key</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The section of a beam, about the zero.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8919,6 +8927,10 @@
         </message>
         <message>
             <source>a drill goes sideways through stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a fault of the program: {kind}: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9290,6 +9302,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a rate is more than nothing and less than a thousand million</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a rate is tried at rest only, not in state {state}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9323,6 +9339,10 @@
         </message>
         <message>
             <source>a scale must be positive</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a scheduler on another computer is asked over TLS only: what it is sent and sends is code</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9898,6 +9918,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>batch journal</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>before it starts set the Z zero with its tool</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10414,6 +10438,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>correct it; paths are relative to the order</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>correct its configuration file, then restart the controller</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10554,6 +10582,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>correct the template's rules</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>correct the value or its unit</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10571,6 +10603,10 @@
         </message>
         <message>
             <source>correct work zero or program, then unlock with $X; the position is kept</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>count is no whole number within its bounds</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10658,6 +10694,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>dask.distributed is not installed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>define it, or put its file beside the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10735,6 +10775,10 @@
         </message>
         <message>
             <source>draw visible shapes, paths or texts; convert pictures to paths in the drawing program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>drawing sheets</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10979,6 +11023,10 @@
         </message>
         <message>
             <source>give --at once for each copy</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give --tls-ca, --tls-cert and --tls-key</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11430,11 +11478,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>install CNCStepper on every worker, and look at the worker's log</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>install it again, or choose another font</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>install it for the Python that proves (python -m pip install NAME)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>install it: python -m pip install distributed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11447,6 +11503,10 @@
         </message>
         <message>
             <source>install it: python -m pip install spyrrow</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>install the same version on all workers</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12078,6 +12138,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>line {0}: {1} of {2} not placed: {3}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>line {file_line} is run from its begin</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12187,6 +12251,10 @@
         </message>
         <message>
             <source>look at the network of the controller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>look at this drawing alone: cncstepper job</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12379,6 +12447,10 @@
         </message>
         <message>
             <source>make {name} larger</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>making and proving</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12586,6 +12658,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>name another machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>name both axes</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12778,6 +12854,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no rates in the machine's profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no regular file</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12787,6 +12867,14 @@
         </message>
         <message>
             <source>no rule of the template takes chains of the drawing: {counts}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no rule takes {0} chains of the drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no scheduler answers: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13170,6 +13258,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>order table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>order text</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>outlines and islands lie too close to each other to be told apart</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13286,6 +13382,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>please report it, with the drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>please report it, with the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13359,6 +13459,10 @@
         </message>
         <message>
             <source>pulses are those of a machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>put a text with commas in quotes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13607,6 +13711,14 @@
         </message>
         <message>
             <source>save it again from the drawing program as plain SVG</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>save it as CSV</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>save it as CSV in UTF-8</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13862,6 +13974,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>sheet refused</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>sheet {number}: {small} pieces below 1 mm2 left out</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13950,6 +14066,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>split the order</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>split the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13971,6 +14091,14 @@
         </message>
         <message>
             <source>start nearer to the part, then unlock with $X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>start one: dask scheduler --host 127.0.0.1, and dask worker for each core</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>start scheduler and workers with TLS keys, and give tls:// with --tls-ca, --tls-cert and --tls-key</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14210,6 +14338,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>tcp:// of this computer, or tls://</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>teeth and bore</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14423,6 +14555,10 @@
         </message>
         <message>
             <source>the checksum is wrong</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the cluster gave no result: {kind}: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15098,6 +15234,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the first line of an order names its columns: drawing and template, and material, thickness_mm, count</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the first {0} are drawn</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15702,6 +15842,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the order has no rows, or too many</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the order is no CSV: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the order is no UTF-8 text</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the other end has closed it</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15891,6 +16043,10 @@
         </message>
         <message>
             <source>the probe was not in its start state</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the process of this task ended each time</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16178,7 +16334,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the row has more values than there are columns</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the row leads to an unknown place along {axis}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the row names no {name}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16730,6 +16894,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the worker has CNCStepper {version}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the zero of {axis} in {system} was not taken over</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16922,6 +17090,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>there is no {name} of that name</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there is nothing to find</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16983,6 +17155,10 @@
         </message>
         <message>
             <source>this is no Python script</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this is no address of a scheduler</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18006,6 +18182,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write as the first line: {columns}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write both, as in: NAME = mild-steel 3 mm 45A</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18039,6 +18219,10 @@
         </message>
         <message>
             <source>write for grbl or linuxcnc</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write how many parts are wanted</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18126,6 +18310,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write tcp://127.0.0.1:8786, or tls://HOST:8786</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write the arc with more decimals</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18143,6 +18331,10 @@
         </message>
         <message>
             <source>write the motion word again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write the name of a file</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18242,6 +18434,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} (not offered)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} MB, {1} files</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18282,6 +18478,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} parts on {1} sheets, {2} m cut, {3} pierces, {4} hours of the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} parts without a place</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18307,6 +18507,10 @@
         </message>
         <message>
             <source>{0} units an em</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} without a place</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18787,6 +18991,10 @@
         </message>
         <message>
             <source>{machine} takes no pulse letters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{machine} takes no sheets: it has no Y</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -8094,6 +8094,10 @@
             <translation>Furo central; 0: nenhum</translation>
         </message>
         <message>
+            <source>CNCStepper batch journal</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>CNCStepper certificate</source>
             <translation>certificado do CNCStepper</translation>
         </message>
@@ -8670,6 +8674,10 @@
             <translation>T seleciona um extrusor: faça uma pausa com M0 onde a ferramenta deve ser trocada</translation>
         </message>
         <message>
+            <source>TLS takes an authority, a certificate and its key</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The section of a beam, about the zero.</source>
             <translation>A seção de uma viga, em torno do zero.</translation>
         </message>
@@ -8920,6 +8928,10 @@
         <message>
             <source>a drill goes sideways through stock</source>
             <translation>uma broca anda de lado dentro do material</translation>
+        </message>
+        <message>
+            <source>a fault of the program: {kind}: {error}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>a feed of inverse time (G93) cannot stay where the axes are scaled differently</source>
@@ -9290,6 +9302,10 @@
             <translation>um rápido com a ferramenta ligada não passa acima de todos os cortes</translation>
         </message>
         <message>
+            <source>a rate is more than nothing and less than a thousand million</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a rate is tried at rest only, not in state {state}</source>
             <translation>uma taxa só é testada em repouso, não no estado {state}</translation>
         </message>
@@ -9324,6 +9340,10 @@
         <message>
             <source>a scale must be positive</source>
             <translation>uma escala deve ser positiva</translation>
+        </message>
+        <message>
+            <source>a scheduler on another computer is asked over TLS only: what it is sent and sends is code</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>a session's file belongs to {user} and cannot be opened, so that nobody can tell its port</source>
@@ -9898,6 +9918,10 @@
             <translation>backlash_mm deve ser menor que o curso do eixo</translation>
         </message>
         <message>
+            <source>batch journal</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>before it starts set the Z zero with its tool</source>
             <translation>antes de iniciá-lo, defina o zero de Z com a ferramenta dele</translation>
         </message>
@@ -10414,6 +10438,10 @@
             <translation>corrija R ou {normal}</translation>
         </message>
         <message>
+            <source>correct it; paths are relative to the order</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>correct its configuration file, then restart the controller</source>
             <translation>corrija o arquivo de configuração e reinicie o controlador</translation>
         </message>
@@ -10554,6 +10582,10 @@
             <translation>corrija o script</translation>
         </message>
         <message>
+            <source>correct the template's rules</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>correct the value or its unit</source>
             <translation>corrija o valor ou a unidade</translation>
         </message>
@@ -10572,6 +10604,10 @@
         <message>
             <source>correct work zero or program, then unlock with $X; the position is kept</source>
             <translation>corrija o zero-peça ou o programa e destrave com $X; a posição se mantém</translation>
+        </message>
+        <message>
+            <source>count is no whole number within its bounds</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>curve {number} has no length</source>
@@ -10658,6 +10694,10 @@
             <translation>cx cy r</translation>
         </message>
         <message>
+            <source>dask.distributed is not installed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>define it, or put its file beside the program</source>
             <translation>defina-a ou ponha o seu arquivo ao lado do programa</translation>
         </message>
@@ -10736,6 +10776,10 @@
         <message>
             <source>draw visible shapes, paths or texts; convert pictures to paths in the drawing program</source>
             <translation>desenhe formas, caminhos ou textos visíveis; converta imagens em caminhos no programa de desenho</translation>
+        </message>
+        <message>
+            <source>drawing sheets</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>drawings with the suffix '{suffix}' cannot be read</source>
@@ -10980,6 +11024,10 @@
         <message>
             <source>give --at once for each copy</source>
             <translation>dê --at uma vez para cada cópia</translation>
+        </message>
+        <message>
+            <source>give --tls-ca, --tls-cert and --tls-key</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>give /dev/parport0, socket://host:port, a serial device, or record:FILE</source>
@@ -11430,12 +11478,20 @@
             <translation>input: duas entradas estão em {twice}</translation>
         </message>
         <message>
+            <source>install CNCStepper on every worker, and look at the worker's log</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>install it again, or choose another font</source>
             <translation>instale-a de novo ou escolha outra fonte</translation>
         </message>
         <message>
             <source>install it for the Python that proves (python -m pip install NAME)</source>
             <translation>instale-o para o Python que verifica (python -m pip install NOME)</translation>
+        </message>
+        <message>
+            <source>install it: python -m pip install distributed</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>install it: python -m pip install platformdirs</source>
@@ -11448,6 +11504,10 @@
         <message>
             <source>install it: python -m pip install spyrrow</source>
             <translation>instale-o: python -m pip install spyrrow</translation>
+        </message>
+        <message>
+            <source>install the same version on all workers</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>install them in one (python -m pip install {packages}), or set {variable} to a Python that has them</source>
@@ -12078,6 +12138,10 @@
             <translation>linha {0}, volta</translation>
         </message>
         <message>
+            <source>line {0}: {1} of {2} not placed: {3}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>line {file_line} is run from its begin</source>
             <translation>a linha {file_line} é executada desde o início</translation>
         </message>
@@ -12188,6 +12252,10 @@
         <message>
             <source>look at the network of the controller</source>
             <translation>verifique a rede do controlador</translation>
+        </message>
+        <message>
+            <source>look at this drawing alone: cncstepper job</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>look at what it says, and correct that line</source>
@@ -12380,6 +12448,10 @@
         <message>
             <source>make {name} larger</source>
             <translation>aumente {name}</translation>
+        </message>
+        <message>
+            <source>making and proving</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>margin {margin_mm:g} mm</source>
@@ -12586,6 +12658,10 @@
             <translation>indique um script com o sufixo .py</translation>
         </message>
         <message>
+            <source>name another machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>name both axes</source>
             <translation>indique os dois eixos</translation>
         </message>
@@ -12778,6 +12854,10 @@
             <translation>nenhum avanço rápido do programa diz a que altura a ferramenta pode cruzar a peça</translation>
         </message>
         <message>
+            <source>no rates in the machine's profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no regular file</source>
             <translation>nenhum arquivo comum</translation>
         </message>
@@ -12788,6 +12868,14 @@
         <message>
             <source>no rule of the template takes chains of the drawing: {counts}</source>
             <translation>nenhuma regra do modelo pega cadeias do desenho: {counts}</translation>
+        </message>
+        <message>
+            <source>no rule takes {0} chains of the drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no scheduler answers: {error}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>no screw and rotor has more</source>
@@ -13170,6 +13258,14 @@
             <translation>a operação {number} ({cycle}) vai demorar: cerca de {length_mm:.0f} m de corte em {levels} níveis</translation>
         </message>
         <message>
+            <source>order table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>order text</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>outlines and islands lie too close to each other to be told apart</source>
             <translation>contornos e ilhas estão perto demais um do outro para serem distinguidos</translation>
         </message>
@@ -13286,6 +13382,10 @@
             <translation>a folga é informada para três eixos</translation>
         </message>
         <message>
+            <source>please report it, with the drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>please report it, with the program</source>
             <translation>relate-o, por favor, com o programa</translation>
         </message>
@@ -13360,6 +13460,10 @@
         <message>
             <source>pulses are those of a machine</source>
             <translation>os pulsos são os de uma máquina</translation>
+        </message>
+        <message>
+            <source>put a text with commas in quotes</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>put in tool {tool:g}</source>
@@ -13608,6 +13712,14 @@
         <message>
             <source>save it again from the drawing program as plain SVG</source>
             <translation>salve-o de novo no programa de desenho como SVG simples</translation>
+        </message>
+        <message>
+            <source>save it as CSV</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>save it as CSV in UTF-8</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>save it as DXF again, as R2000 or newer</source>
@@ -13862,6 +13974,10 @@
             <translation>forma '{name}': duas pontas ficam a {size_mm:.3g} mm uma da outra em X{x:.3f} Y{y:.3f}</translation>
         </message>
         <message>
+            <source>sheet refused</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>sheet {number}: {small} pieces below 1 mm2 left out</source>
             <translation>chapa {number}: {small} pedaços abaixo de 1 mm2 ficaram de fora</translation>
         </message>
@@ -13950,6 +14066,10 @@
             <translation>divida o arquivo</translation>
         </message>
         <message>
+            <source>split the order</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>split the program</source>
             <translation>divida o programa</translation>
         </message>
@@ -13972,6 +14092,14 @@
         <message>
             <source>start nearer to the part, then unlock with $X</source>
             <translation>comece mais perto da peça e destrave com $X</translation>
+        </message>
+        <message>
+            <source>start one: dask scheduler --host 127.0.0.1, and dask worker for each core</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>start scheduler and workers with TLS keys, and give tls:// with --tls-ca, --tls-cert and --tls-key</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>start the spindle with M3 and S before it</source>
@@ -14210,6 +14338,10 @@
             <translation>o rosqueamento virou movimentos simples: o avanço pode ser ajustado e nada o prende ao spindle</translation>
         </message>
         <message>
+            <source>tcp:// of this computer, or tls://</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>teeth and bore</source>
             <translation>dentes e furo</translation>
         </message>
@@ -14424,6 +14556,10 @@
         <message>
             <source>the checksum is wrong</source>
             <translation>a soma de verificação está errada</translation>
+        </message>
+        <message>
+            <source>the cluster gave no result: {kind}: {error}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the columns of MTEXT are set one below the other</source>
@@ -15098,6 +15234,10 @@
             <translation>o arquivo foi alterado enquanto era lido</translation>
         </message>
         <message>
+            <source>the first line of an order names its columns: drawing and template, and material, thickness_mm, count</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the first {0} are drawn</source>
             <translation>os primeiros {0} são desenhados</translation>
         </message>
@@ -15702,6 +15842,18 @@
             <translation>a operação é longa demais para um programa</translation>
         </message>
         <message>
+            <source>the order has no rows, or too many</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the order is no CSV: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the order is no UTF-8 text</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the other end has closed it</source>
             <translation>a outra ponta a fechou</translation>
         </message>
@@ -15892,6 +16044,10 @@
         <message>
             <source>the probe was not in its start state</source>
             <translation>o apalpador não estava no estado inicial</translation>
+        </message>
+        <message>
+            <source>the process of this task ended each time</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the process that cuts ended before it had an answer</source>
@@ -16178,8 +16334,16 @@
             <translation>as rotações de {name} não são uma lista de 1 a 360</translation>
         </message>
         <message>
+            <source>the row has more values than there are columns</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the row leads to an unknown place along {axis}</source>
             <translation>o movimento leva a um lugar desconhecido em {axis}</translation>
+        </message>
+        <message>
+            <source>the row names no {name}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the rows of heights differ in length</source>
@@ -16730,6 +16894,10 @@
             <translation>o zero da peça foi definido numa pausa, portanto o caminho de volta ao longo do corte não é conhecido</translation>
         </message>
         <message>
+            <source>the worker has CNCStepper {version}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the zero of {axis} in {system} was not taken over</source>
             <translation>o zero de {axis} em {system} não foi aceito</translation>
         </message>
@@ -16922,6 +17090,10 @@
             <translation>não existe esse verbo</translation>
         </message>
         <message>
+            <source>there is no {name} of that name</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there is nothing to find</source>
             <translation>não há nada a procurar</translation>
         </message>
@@ -16984,6 +17156,10 @@
         <message>
             <source>this is no Python script</source>
             <translation>isto não é um script Python</translation>
+        </message>
+        <message>
+            <source>this is no address of a scheduler</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>this is no certificate</source>
@@ -18006,6 +18182,10 @@
             <translation>escreva antes uma palavra F maior que 0</translation>
         </message>
         <message>
+            <source>write as the first line: {columns}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write both, as in: NAME = mild-steel 3 mm 45A</source>
             <translation>escreva os dois, como em: NAME = mild-steel 3 mm 45A</translation>
         </message>
@@ -18040,6 +18220,10 @@
         <message>
             <source>write for grbl or linuxcnc</source>
             <translation>escreva para grbl ou linuxcnc</translation>
+        </message>
+        <message>
+            <source>write how many parts are wanted</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>write it as two</source>
@@ -18126,6 +18310,10 @@
             <translation>escreva socket://host:porta</translation>
         </message>
         <message>
+            <source>write tcp://127.0.0.1:8786, or tls://HOST:8786</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write the arc with more decimals</source>
             <translation>escreva o arco com mais decimais</translation>
         </message>
@@ -18144,6 +18332,10 @@
         <message>
             <source>write the motion word again</source>
             <translation>escreva de novo a palavra de movimento</translation>
+        </message>
+        <message>
+            <source>write the name of a file</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>write the program for the dialect fluidnc or grbl</source>
@@ -18242,6 +18434,10 @@
             <translation>zero de {axes} definido em {system}</translation>
         </message>
         <message>
+            <source>{0} (not offered)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} MB, {1} files</source>
             <translation>{0} MB, {1} arquivos</translation>
         </message>
@@ -18282,6 +18478,10 @@
             <translation>{0} arestas abertas</translation>
         </message>
         <message>
+            <source>{0} parts on {1} sheets, {2} m cut, {3} pierces, {4} hours of the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} parts without a place</source>
             <translation>{0} peças sem lugar</translation>
         </message>
@@ -18308,6 +18508,10 @@
         <message>
             <source>{0} units an em</source>
             <translation>{0} unidades por em</translation>
+        </message>
+        <message>
+            <source>{0} without a place</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{0}, program {1} of {2}</source>
@@ -18788,6 +18992,10 @@
         <message>
             <source>{machine} takes no pulse letters</source>
             <translation>{machine} não aceita letras de pulso</translation>
+        </message>
+        <message>
+            <source>{machine} takes no sheets: it has no Y</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{match} is no number</source>

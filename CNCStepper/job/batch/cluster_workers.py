@@ -86,7 +86,7 @@ class ClusterWorkers:
         """Yield the number of each task and its result, as they are done."""
         waiting = iter(enumerate(tasks))
         numbers = {self._submitted(task): number for number, task in islice(waiting, IN_FLIGHT)}
-        running = _library().as_completed(list(numbers))
+        running = _library().as_completed(list(numbers), loop=self._client.loop)
         for future in running:
             for number, task in islice(waiting, 1):
                 running.add(next_one := self._submitted(task))

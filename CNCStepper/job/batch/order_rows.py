@@ -63,7 +63,7 @@ def read_rows(path: Path) -> list[OrderRow]:
 
 
 def _require_columns(head: list[str], place: Place) -> None:
-    missing = [name for name in ("drawing", "template") if name not in head]
+    missing = {"drawing", "template"} - set(head)
     unknown = [name for name in head if name not in COLUMNS]
     if missing or unknown or len(set(head)) < len(head):
         raise JobError(
@@ -85,8 +85,8 @@ def _row(head: list[str], cells: list[str], line: int, path: Path, mark: str) ->
         if len(cells) > len(head):
             what, advice = "the row has more values than there are columns", "put a text with commas in quotes"
             raise JobError("order-row", what, value=f"{len(cells)}", limit=f"{len(head)}", advice=advice)
-        for name, file in (("drawing", drawing), ("template", template)):
-            _require_file(name, told.get(name, ""), file)
+        _require_file("drawing", told.get("drawing", ""), drawing)
+        _require_file("template", told.get("template", ""), template)
         thickness_mm = told.get("thickness_mm") and _number(told["thickness_mm"], "thickness_mm", "depth", mark)
         count = _count(told.get("count") or "1")
         return OrderRow(line, drawing, template, row.material, thickness_mm or None, count)

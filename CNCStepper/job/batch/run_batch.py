@@ -247,19 +247,24 @@ class _Batch:
         return self._templates[path]
 
     def _results(self, doing: str, tasks: Mapping[Key, Task]) -> Iterator[tuple[Key, Result]]:
-        """Yield the result of each task, those of the journal first; what is finished is noted there at once."""
-        waiting: list[tuple[Key, str, Task]] = []
+        """Yield the result of each task, those of the journal first; what is finished is noted there at once.
+
+        Tasks that are equal, as the reading of two equal rows, are done once.
+        """
+        waiting: dict[str, list[Key]] = defaultdict(list)
         for name, task in tasks.items():
             self._keys.add(key := task_key(task))
             found = self._journal.found(key)
             if found is None:
-                waiting.append((name, key, task))
+                waiting[key].append(name)
             else:
                 self._result.found += 1
                 yield name, found
         self._progress(doing, 0.0)
-        for count, (number, result) in enumerate(self._workers.results([task for _, _, task in waiting]), start=1):
-            name, key, _ = waiting[number]
-            self._progress(doing, count / len(waiting))
+        keys = list(waiting)
+        runs = self._workers.results([tasks[waiting[key][0]] for key in keys])
+        for count, (number, result) in enumerate(runs, start=1):
+            self._progress(doing, count / len(keys))
             self._result.done += 1
-            yield name, result if "error" in result else self._journal.note(key, result)
+            told = result if "error" in result else self._journal.note(keys[number], result)
+            yield from ((name, told) for name in waiting[keys[number]])

@@ -35,6 +35,7 @@ SHEET = Attributes(layer="SHEET")
 SLIVER_MM = 5.0  # half the width below which a remnant is scrap
 LEAST_REMNANT = 0.02  # of the sheet's area
 CHORD_MM = 0.05
+SETTLED_MM = 1e-6
 
 
 def density_of(order: Order, layout: Layout) -> float:
@@ -126,6 +127,12 @@ def remnants(order: Order, layout: Layout, number: int) -> list[Polygon]:
     parts = [placed(order.items[each.item].exact, each) for each in layout.placements if each.sheet == number]
     cut = shapely.union_all([part.buffer(order.kerf_mm) if order.kerf_mm else part for part in parts])
     wide = sheet.difference(cut).buffer(-SLIVER_MM).buffer(SLIVER_MM).intersection(sheet.difference(cut))
-    pieces = [piece.simplify(CHORD_MM) for piece in shapely.get_parts(wide) if isinstance(piece, Polygon)]
+    pieces = [_settled(piece) for piece in shapely.get_parts(wide) if isinstance(piece, Polygon)]
     kept = [piece for piece in pieces if piece.area >= LEAST_REMNANT * sheet.area]
-    return sorted(kept, key=lambda piece: -piece.area)
+    return sorted(kept, key=lambda piece: (-round(piece.area, 3), piece.bounds))
+
+
+def _settled(piece: Polygon) -> Polygon:
+    """Return a remnant of few corners, the same ones whatever corner the calculation began with."""
+    begun = shapely.normalize(shapely.set_precision(piece, SETTLED_MM))
+    return shapely.normalize(begun.simplify(CHORD_MM))
