@@ -21,6 +21,7 @@ from CNCStepper.control.protocol.grbl.settings import expected_settings
 from CNCStepper.errors import JobError
 from CNCStepper.gcode.interpreter.functions.coordinate_offsets import HOMES
 from CNCStepper.gcode.interpreter.interpret import interpret
+from CNCStepper.gcode.syntax.words import code_pattern
 from CNCStepper.gcode.wire.backlash_compensation import backlash_of
 from CNCStepper.gcode.wire.wire_text import WireText
 from CNCStepper.job.proof_inputs import Given
@@ -276,7 +277,7 @@ def _places(start: Start, lines: Sequence[str]) -> dict[str, tuple[float, ...]]:
         name: tuple(start.parameters[first + axis] * start.machine_unit_mm for axis in range(len(ZERO3)))
         for name, first in HOMES.items()
         if all(first + axis in start.parameters for axis in range(len(ZERO3)))
-        and any(re.search(rf"{name}(?![.\d])", line) for line in lines)
+        and any(re.search(code_pattern("G", name[1:]), line) for line in lines)
     }
 
 

@@ -6,7 +6,6 @@ A length lies along Z nearly always, but an entry has an offset for each of the 
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
@@ -16,10 +15,10 @@ from CNCStepper.gcode.dialects.codes import ALL_AXES, Code
 from CNCStepper.gcode.interpreter.block import Block
 from CNCStepper.gcode.interpreter.state import stand_alone_position
 from CNCStepper.gcode.interpreter.state.parameters import length_scale
+from CNCStepper.machine.tools.linuxcnc_tool_table import line_words
 from CNCStepper.state import ZERO9, ToolEntry
 
 LARGEST_ORIENTATION = 9
-_ITEM = re.compile(r"([A-Z])\s*([+-]?[0-9]*\.?[0-9]+)")
 USE_LENGTH = "USE_TOOL_LENGTH_OFFSET({} {} {}, {} {} {}, {} {} {})"
 
 
@@ -30,7 +29,7 @@ def read_tool_table(text: str, unit_mm: float = 1.0, file: str = "") -> dict[int
     """
     tools: dict[int, ToolEntry] = {}
     for number, line in enumerate(text.splitlines(), start=1):
-        items = dict(_ITEM.findall(line.partition(";")[0].upper()))
+        items = dict(line_words(line)[0])
         if not items:
             continue
         if "T" not in items or int(float(items["T"])) in tools:
