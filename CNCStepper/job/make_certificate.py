@@ -190,7 +190,7 @@ def _play_in(content: Mapping[str, Any]) -> Backlash | None:
     told = content["wire"].get("play")
     play = _PLAY.validate_python(told) if told is not None else None
     if play and {len(play.backlash_mm), len(play.true_sense), len(play.steps_per_mm)} != {len(ZERO3)}:
-        raise ValueError("play is told of three axes")
+        raise ValueError("backlash has three values, one for each axis")
     return play
 
 
@@ -199,7 +199,7 @@ def _part_of(certificate: Certificate, read: Callable[[Mapping[str, Any]], Read]
     try:
         return read(certificate.content)
     except (AttributeError, KeyError, TypeError, ValueError) as error:
-        what = "the certificate holds what no proof has"
+        what = "the certificate has an entry that no proof has"
         raise JobError("certificate-bad", what, value=str(error)[:60], advice=CHECK_AGAIN) from error
 
 

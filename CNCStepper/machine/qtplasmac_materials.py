@@ -130,7 +130,7 @@ def _new_number(number: int, seen: set[int], place: Place) -> int:
     if number in seen:
         raise JobError(
             "material-file",
-            "a material number stands twice",
+            "a material number is used twice",
             value=f"{number}",
             advice="give each material its own number",
             place=place,
@@ -166,7 +166,7 @@ def _take_word(line: str, words: dict[str, str], place: Place, inside: bool) -> 
     if key in words:
         raise JobError(
             "material-file",
-            Text("{key} stands twice in one material", key=key),
+            Text("{key} is twice in one material", key=key),
             advice="take one of them out",
             place=place,
         )
@@ -327,7 +327,7 @@ def _numbers(rows: Sequence[CutData], place: Place) -> list[int]:
     if twice:
         raise JobError(
             "material-file",
-            "a material number stands twice",
+            "a material number is used twice",
             value=f"{twice}",
             advice="give each row its own number",
             place=place,

@@ -38,8 +38,8 @@ _SETTING = re.compile(rf"\$([0-9]{{1,4}})=(?=.{{1,16}}$)({DECIMAL})")
 _WHY_NOT = {
     "$C": "`cncstepper check` checks a program without the machine",
     "$SLP": "switch the machine off, or unlock and home it afterwards at the machine itself",
-    "$RST": "it would forget the settings: write the settings that are to change one by one",
-    "$N": "a line that runs by itself at every start moves without anybody who looks",
+    "$RST": "it would erase the settings: write the settings that you want to change one by one",
+    "$N": "a line that runs at every start moves the machine while nobody watches",
 }
 
 

@@ -225,13 +225,13 @@ def check_restart_height(job: SendJob, driver: Grbl, found: ControllerInfo, tell
     raise MachineRefusal(
         "restart-above",
         Text(
-            "the tool stands at Z {high}, and the restart goes straight down to Z {low} first, as a rapid",
+            "the tool is at Z {high}, and the restart first goes straight down to Z {low} as a rapid",
             high=high,
             low=low,
         ),
         advice=Text(
-            "jog it down to that height where you see what is below it, or restart with the "
-            "height {here_mm:.1f} (--height), from which it goes over the place at once",
+            "jog it down to that height where the way below is free, or restart with the height {here_mm:.1f} "
+            "(--height), at which it moves over the place directly",
             here_mm=here_mm,
         ),
     )

@@ -34,9 +34,8 @@ if TYPE_CHECKING:
     from CNCStepper.control.stream.planned_path import PlannedPath
 
 # What may change it: work systems (a program's end goes back to G54), G10, G92, lengths and changes of tools, `$`.
-_CHANGES = re.compile(
-    rf"{code_pattern('G', r'(?:10|5[4-9]|92|43|49)(?:\.[0-9]+)?')}|{code_pattern('M', r'(?:2|30|6)(?:\.0*)?')}|T[0-9]|\$"
-)
+_CHANGING = (code_pattern("G", r"(?:10|5[4-9]|92|43|49)(?:\.[0-9]+)?"), code_pattern("M", r"(?:2|30|6)(?:\.0*)?"))
+_CHANGES = re.compile("|".join((*_CHANGING, "T[0-9]", r"\$")))
 
 
 class OffsetWatch:

@@ -142,8 +142,8 @@ class _Planner:
                 x, y = way.curve.xy[0]
                 self.warnings.append(
                     Text(
-                        "{places} of {wanted} tabs fit on the contour that begins at X{x:.3f} Y{y:.3f}; make "
-                        "them narrower to have more",
+                        "{places} of {wanted} tabs fit on the contour that begins at X{x:.3f} Y{y:.3f}; make them "
+                        "narrower to fit more",
                         places=len(places),
                         wanted=wanted,
                         x=x,
@@ -252,8 +252,7 @@ class _Planner:
         if cycle.kerf_mm and abs(cycle.kerf_mm - self.tool.diameter_mm) > cycle.tolerance_mm:
             self.warnings.append(
                 Text(
-                    "the cut is taken to be {kerf_mm:g} mm wide, the simulation cuts with the tool's "
-                    "{diameter_mm:g} mm",
+                    "the cycle uses a kerf of {kerf_mm:g} mm, the simulation the tool's diameter of {diameter_mm:g} mm",
                     kerf_mm=cycle.kerf_mm,
                     diameter_mm=self.tool.diameter_mm,
                 )

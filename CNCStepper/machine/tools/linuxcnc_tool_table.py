@@ -102,7 +102,7 @@ def _shape(name: str) -> tuple[str, tuple[str, ...]]:
     for word, shape in KNOWN_SHAPES:
         if word in name.lower():
             return shape, ()
-    return "flat", (Text("taken as a flat mill: '{name}' names no shape that a table's words can tell", name=name),)
+    return "flat", (Text("read as a flat mill: '{name}' does not name a shape", name=name),)
 
 
 def _line(stored: StoredTool, unit_mm: float) -> str:

@@ -223,7 +223,7 @@ class EditorPanel(QtGui.QWidget):
             return
         if self.modified:
             self._say(
-                tr("{0} has changed in the document meanwhile; here is still what you typed").format(self.source.name)
+                tr("{0} has changed in the document; your typed values are kept here").format(self.source.name)
             )
         elif text:
             self._open(text)

@@ -33,7 +33,7 @@ def read_tool_table(text: str, unit_mm: float = 1.0, file: str = "") -> dict[int
         if not items:
             continue
         if "T" not in items or int(float(items["T"])) in tools:
-            what = "a line of a tool table names one tool, which stands in it once"
+            what = "a line of a tool table names one tool, and no other line names it"
             raise ProgramError("tool-table", what, value=items.get("T", ""), place=Place(file, number, 1))
         tools[int(float(items["T"]))] = _entry(items, unit_mm)
     return tools
@@ -55,7 +55,7 @@ def _entry(items: dict[str, str], unit_mm: float) -> ToolEntry:
 def entry_of(block: Block, tool: int, value: str) -> ToolEntry:
     """Return a tool's entry; raises ProgramError, which blames the word `value`, when the table has none."""
     if tool not in block.model.tools:
-        what = Text("tool {tool} does not stand in the tool table", tool=tool)
+        what = Text("tool {tool} is not in the tool table", tool=tool)
         raise ProgramError("tool-length", what, value=value, advice="give the tool with the start state")
     return block.model.tools[tool]
 

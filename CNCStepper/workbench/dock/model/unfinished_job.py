@@ -20,7 +20,7 @@ from CNCStepper.workbench.services.translation import later
 
 NAMES = {
     "program": later("Program"),
-    "goes on with": later("Goes on with"),
+    "continues with": later("Goes on with"),
     "machine": later("Machine"),
     KILLED: later("Killed"),
     STOPPED: later("Stopped"),

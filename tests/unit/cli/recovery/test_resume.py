@@ -88,7 +88,7 @@ def test_a_zero_that_was_set_within_the_job_is_told_and_restarted_with(tmp_path,
     end = {"zero": zero, "end": "stopped", "why": "stopped as asked", "position_known": True}
     text = told(tmp_path, file=str(program), group=group, end=end, **PATH | {"homing": homing})
     assert "set again at the pause at line 2: G54 X-100.000 Y-50.000 Z-12.500 (machine, mm)" in text
-    assert "kept only if the controller has had power" in text and "may still be on" not in text
+    assert "kept only if the controller stayed powered" in text and "may still be on" not in text
     words = ["--line", "3", "--without-stock", "--machine", "table-a", *option.split(), "--port", "COM3"]
     assert text.endswith(" ".join(words) + "\n")  # the position is kept: no --home
 
@@ -97,7 +97,7 @@ def test_of_a_restart_the_first_program_is_restarted_again(tmp_path, program):
     program.write_text(LONG, "utf-8")
     first = {"file": str(program), "program_sha256": digest_of_text(LONG), "lines": [[40, 812]]}
     text = told(tmp_path, file="part-restart.nc", program_sha256="00", restart_of=first)
-    assert f"goes on with {program}: restart that one again" in text
+    assert f"continues with {program}: restart that one again" in text
     assert "--line 815 --without-stock --machine table-a " in text and "peça 1.nc" in text.splitlines()[-1]
     program.write_text("G21\n", "utf-8")
     assert "was changed since" in told(tmp_path, name="2", file="part-restart.nc", restart_of=first)

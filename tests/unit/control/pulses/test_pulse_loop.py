@@ -294,7 +294,7 @@ def test_a_write_that_is_late_by_a_pulse_of_the_program_ends_it(
     player = VirtualPlayer(monkeypatch, machine(), patience_ns=0, is_real=True, takes_ns={100: late_ns})
     player.output.append(*even_plan(500, speed=25.0, acceleration=UNLIMITED).columns)
     if stalls:
-        with pytest.raises(LinkError, match="came too late with a pulse"):
+        with pytest.raises(LinkError, match="was late with a pulse"):
             player.run_until("idle")
     else:
         player.run_until("idle")
