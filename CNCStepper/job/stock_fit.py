@@ -69,7 +69,7 @@ def region_outside_stock(parts: Iterable[np.ndarray], stock: Stock) -> Finding |
     if not len(points) or outside_mm.max() <= ON_EDGE_MM:
         return None
     text, advice = (
-        "part of the drawn shape is outside the stock",
+        "part of the drawn shape is beside the stock",
         "move the shape or the work zero, or take larger stock",
     )
     return Finding("warning", "beside-stock", Place(""), text, advice, value=float(outside_mm.max()), unit="mm")

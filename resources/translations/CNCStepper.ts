@@ -100,6 +100,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>At smaller corners the wire neither pauses nor slows down</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Below thickness times</source>
             <translation type="unfinished"></translation>
         </message>
@@ -133,6 +137,10 @@
         </message>
         <message>
             <source>Centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Changes of the job's own program since then</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -428,6 +436,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Exit of the wire: back along its entry, or the shortest way to an edge</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Extra depth, so that the tool comes out below</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Feed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -676,10 +692,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Tolerance of the cut line, which reduces the number of moves; 0: none</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>How far the cut may be off the drawing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -717,14 +729,6 @@
         </message>
         <message>
             <source>How long the flame heats before the pierce; 0: that of the chart</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Time of the tool at rest with power; 0: from the cut chart</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Pause of the wire where the path turns back; shorter at blunter corners</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -788,10 +792,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Extra depth, so that the tool comes out below</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>How much of the rim may be in the material at most, as an angle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -841,10 +841,6 @@
         </message>
         <message>
             <source>How the tool leaves the contour</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Exit of the wire: back along its entry, or the shortest way to an edge</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -988,6 +984,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Length that the controller adds to Z, if the machine uses a table of lengths; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Length, width and height; for an upright cylinder the length is its diameter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1108,6 +1108,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Material of the cutter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Material that a round tool leaves at the ends of the long axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Message</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1204,6 +1212,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Outputs that are on while cutting</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Outside corners that turn by more get a loop</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1237,6 +1249,10 @@
         </message>
         <message>
             <source>Pause</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pause of the wire where the path turns back; shorter at blunter corners</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1536,6 +1552,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Shape of the raw material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Shorter than</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1684,6 +1704,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Stock to leave at the wall for another operation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Style</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1741,6 +1765,10 @@
         </message>
         <message>
             <source>The corner where the grid begins, from the work zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The current set at the power source; 0: from the chart</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1824,11 +1852,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The job with the machine, stock, tools and clamps for the program</source>
+            <source>The job whose program is shown</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The job whose program is shown</source>
+            <source>The job with the machine, stock, tools and clamps for the program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1872,6 +1900,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The operations, in their order</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The order in which the holes are made</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1892,11 +1924,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The place of the work zero in this document</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The place of the work zero on the stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The places of the holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The plunge feed of the program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>The points as they were drawn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The program that is shown, checked and sent, if the machine needs one for each tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2032,6 +2080,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Time of the tool at rest with power; 0: from the cut chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Tip</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2053,6 +2105,10 @@
         </message>
         <message>
             <source>Tolerance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tolerance of the cut line, which reduces the number of moves; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2092,51 +2148,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Changes of the job's own program since then</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The operations, in their order</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The current set at the power source; 0: from the chart</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Outputs that are on while cutting</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Stock to leave at the wall for another operation</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Length that the controller adds to Z, if the machine uses a table of lengths; 0: not given</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Material of the cutter</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Shape of the raw material</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Material that a round tool leaves at the ends of the long axis</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The place of the work zero on the stock</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>Where rapids travel across the work</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The places of the holes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2145,14 +2157,6 @@
         </message>
         <message>
             <source>Where the row ends</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>At smaller corners the wire neither pauses nor slows down</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The place of the work zero in this document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2181,10 +2185,6 @@
         </message>
         <message>
             <source>Whether the program holds it</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The program that is shown, checked and sent, if the machine needs one for each tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2243,10 +2243,6 @@
     <context>
         <name>CNCStepper</name>
         <message>
-            <source>'{0}' is not in the program</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>'{0}' has no meaning in a number</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2268,6 +2264,10 @@
         </message>
         <message>
             <source>'{0}' is no whole number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{0}' is not in the program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2467,6 +2467,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Allow jogging: spindle or beam off; Resume returns to the cut on a safe path.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Along X, mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2476,6 +2480,10 @@
         </message>
         <message>
             <source>Along Z, mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Also follow the selected lines</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2531,6 +2539,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>At smaller corners the wire neither pauses nor slows down</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>At the end of {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2568,6 +2580,10 @@
         </message>
         <message>
             <source>Backlash</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Backlash of the axis in the profile; the moves sent compensate it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2663,6 +2679,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Changes of the job's own program since then</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Chart</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2704,10 +2724,6 @@
         </message>
         <message>
             <source>Choose above where to cut, then connect.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>In the controller's panel choose a machine whose pulses this computer makes.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2760,10 +2776,6 @@
         </message>
         <message>
             <source>Come from below</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Entry from</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2884,6 +2896,10 @@
         </message>
         <message>
             <source>Corners that turn by more are cut slowly; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Correct the marked fields first.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3012,6 +3028,10 @@
         </message>
         <message>
             <source>Disconnect first: the dock is connected to this machine.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Disconnect from the controller.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3159,6 +3179,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Entry from</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Entry slit</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3171,7 +3195,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>F is the inverse of a move's time in minutes</source>
+            <source>Exit of the wire: back along its entry, or the shortest way to an edge</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Extra depth, so that the tool comes out below</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3180,6 +3208,10 @@
         </message>
         <message>
             <source>F is the feed per turn of the spindle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>F is the inverse of a move's time in minutes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3299,15 +3331,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Follow only the selected lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Follow the drawing that is selected in the tree or in the 3D view</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Also follow the selected lines</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Follow only the selected lines</source>
+            <source>For a board that receives bytes: 0 to 3, or unused for a motor without an axis</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3503,27 +3535,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Resume after a hold, a pause or the door.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Restart the program at a line, an operation, a contour or a place in the picture.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Restart the program at the present line; everything before it counts as cut</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>Go up to this Z first; where none is given: the program's highest crossing rapid</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Goes back by</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Next, in the controller's panel: connect, work zero, start.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3635,6 +3651,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Home the machine: it finds its zero with its limit switches.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Homing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3723,10 +3743,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Tolerance of the cut line, which reduces the number of moves; 0: none</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>How far the cut may be off the drawing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3776,14 +3792,6 @@
         </message>
         <message>
             <source>How long the flame heats before the pierce; 0: that of the chart</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Time of the tool at rest with power; 0: from the cut chart</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Pause of the wire where the path turns back; shorter at blunter corners</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3855,10 +3863,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Extra depth, so that the tool comes out below</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>How much of the rim may be in the material at most, as an angle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3911,10 +3915,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Exit of the wire: back along its entry, or the shortest way to an edge</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>How wide a tab is at its top</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3948,6 +3948,10 @@
         </message>
         <message>
             <source>In machine coordinates</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>In the controller's panel choose a machine whose pulses this computer makes.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4135,23 +4139,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Length that the controller adds to Z, if the machine uses a table of lengths; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Length, width and height; for an upright cylinder the length is its diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Lengths and limits</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Disconnect from the controller.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Allow jogging: spindle or beam off; Resume returns to the cut on a safe path.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Home the machine: it finds its zero with its limit switches.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4319,11 +4315,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Measured</source>
+            <source>Material of the cutter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Correct the marked fields first.</source>
+            <source>Material that a round tool leaves at the ends of the long axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Measured</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4463,6 +4463,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Next, in the controller's panel: connect, work zero, start.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>No connection</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4532,10 +4536,6 @@
         </message>
         <message>
             <source>Number the lines…</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>For a board that receives bytes: 0 to 3, or unused for a motor without an axis</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4667,6 +4667,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Outputs that are on while cutting</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Outside corners that turn by more get a loop</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4735,6 +4739,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Pause of the wire where the path turns back; shorter at blunter corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Paused</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4776,6 +4784,10 @@
         </message>
         <message>
             <source>Place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Place of the mirror, mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5119,6 +5131,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Restart the program at a line, an operation, a contour or a place in the picture.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Restart the program at the present line; everything before it counts as cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Restart: {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5132,6 +5152,10 @@
         </message>
         <message>
             <source>Resume</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Resume after a hold, a pause or the door.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5207,10 +5231,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Show how far the last unfinished job came, and restart it there.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>Scale…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5255,11 +5275,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Select the job in the tree: this document has several</source>
+            <source>Select the area to clear: a sketch, closed wires, or faces of a solid</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Select the area to clear: a sketch, closed wires, or faces of a solid</source>
+            <source>Select the job in the tree: this document has several</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5299,6 +5319,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Shape of the raw material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Sheet cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5312,6 +5336,10 @@
         </message>
         <message>
             <source>Shorter than</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Show how far the last unfinished job came, and restart it there.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5483,6 +5511,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Stock to leave at the wall for another operation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Stop</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5532,10 +5564,6 @@
         </message>
         <message>
             <source>Take selected</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Unlock the alarm without homing: only if the position is certainly right.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5631,11 +5659,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The cut chart gives this value; change it in the job</source>
+            <source>The current set at the power source; 0: from the chart</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The job continues without FreeCAD; the controller's panel shows it when it is opened again.</source>
+            <source>The cut chart gives this value; change it in the job</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5683,6 +5711,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The feed of a program without F, and the cutting speed of a language without F</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The feed of marks; 0: that of the cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5727,6 +5759,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The job continues without FreeCAD; the controller's panel shows it when it is opened again.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The job is being cut.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5739,11 +5775,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The job with the machine, stock, tools and clamps for the program</source>
+            <source>The job whose program is shown</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The job whose program is shown</source>
+            <source>The job with the machine, stock, tools and clamps for the program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5783,6 +5819,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The machine is at rest and waits.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The machine is at rest; nothing is lost. Resume or stop.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The machine is cutting a job.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5816,14 +5860,6 @@
         </message>
         <message>
             <source>The machine slows down.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The machine is at rest and waits.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The machine is at rest; nothing is lost. Resume or stop.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5867,6 +5903,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The operations, in their order</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The order in which the holes are made</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5891,7 +5931,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The place of the work zero in this document</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The place of the work zero on the stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The place on the cut is being looked for…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The places of the holes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5900,6 +5952,10 @@
         </message>
         <message>
             <source>The points as they were drawn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The position of the table is unknown: home the machine, or set the work zero again.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5927,6 +5983,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The program that is shown, checked and sent, if the machine needs one for each tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The program waits; Resume continues it.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5948,6 +6008,14 @@
         </message>
         <message>
             <source>The restart is made and proven…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The retract along the cut is being calculated: wait, hold or stop.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The retract along the cut is being checked…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6039,7 +6107,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The tool moves along the cut.</source>
+            <source>The tool is at the end of the cut.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6051,7 +6119,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The tool is at the end of the cut.</source>
+            <source>The tool moves along the cut.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6072,14 +6140,6 @@
         </message>
         <message>
             <source>The waits between steps from rest, in ms, none longer than the one before it</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The retract along the cut is being checked…</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The retract along the cut is being calculated: wait, hold or stop.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6159,6 +6219,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Time of the tool at rest with power; 0: from the cut chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Time that it is run</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6204,6 +6268,10 @@
         </message>
         <message>
             <source>Tolerance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tolerance of the cut line, which reduces the number of moves; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6259,6 +6327,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Travel of the motor at a reversal before the axis moves</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Travel per turn</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6292,6 +6364,10 @@
         </message>
         <message>
             <source>Unlock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Unlock the alarm without homing: only if the position is certainly right.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6335,71 +6411,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The feed of a program without F, and the cutting speed of a language without F</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Changes of the job's own program since then</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The operations, in their order</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>What is one step: a line of the program, a move, or a pulse of the motors</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The current set at the power source; 0: from the chart</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Outputs that are on while cutting</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Stock to leave at the wall for another operation</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Backlash of the axis in the profile; the moves sent compensate it</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Length that the controller adds to Z, if the machine uses a table of lengths; 0: not given</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Material of the cutter</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Travel of the motor at a reversal before the axis moves</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Shape of the raw material</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Material that a round tool leaves at the ends of the long axis</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The place of the work zero on the stock</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>Where rapids travel across the work</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The places of the holes</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Place of the mirror, mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6408,18 +6424,6 @@
         </message>
         <message>
             <source>Where the row ends</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The position of the table is unknown: home the machine, or set the work zero again.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>At smaller corners the wire neither pauses nor slows down</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The place of the work zero in this document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6448,10 +6452,6 @@
         </message>
         <message>
             <source>Whether the program holds it</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The program that is shown, checked and sent, if the machine needs one for each tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6615,6 +6615,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>applies a given tool length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>applies the tool's length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>arc</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6728,6 +6736,10 @@
         </message>
         <message>
             <source>calls a subprogram</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>cancels G92</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6859,6 +6871,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>exceeds the machine's travel; at most {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>feed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6916,10 +6932,6 @@
         </message>
         <message>
             <source>glass</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>exceeds the machine's travel; at most {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7251,11 +7263,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>pauses until cycle start</source>
+            <source>pauses if optional stop is on</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>pauses if optional stop is on</source>
+            <source>pauses until cycle start</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7460,18 +7472,6 @@
         </message>
         <message>
             <source>table of step times</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>cancels G92</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>applies a given tool length</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>applies the tool's length</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7834,11 +7834,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>'{text}' is not a tool</source>
+            <source>'{text}' is a move whose end only the controller knows</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>'{text}' is a move whose end only the controller knows</source>
+            <source>'{text}' is not a tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9126,10 +9126,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the lathe finishes a move that it has begun: switch it off, then set its zero again</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>a move would end outside the travel (soft limit)</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9886,11 +9882,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>retracted along the cut: go further back, forward, or resume from here</source>
+            <source>back to where the program paused: up, over, down</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>back to where the program paused: up, over, down</source>
+            <source>backlash cannot be compensated in an arc with an absolute centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>backlash cannot be compensated in rotated coordinates</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>backlash cannot be compensated in the dialect {dialect}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>backlash cannot be compensated within this line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>backlash has three values, one for each axis</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10106,6 +10118,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>check the baud rate, and which reports the controller sends unasked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>check the cable</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10123,6 +10139,10 @@
         </message>
         <message>
             <source>check the program again, and send it with the certificate that this gives</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>check the state of the machine now, then answer again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10274,6 +10294,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>clamp the tool with more stickout</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>clear the cause, then reset the controller</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10379,6 +10403,10 @@
         </message>
         <message>
             <source>constant surface speed became a speed a move</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>continues with</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10622,10 +10650,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>simulated on the stock that the earlier moves have left; the wanted shape is unknown and was not compared</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>cut some of the curves in an operation of their own</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10814,10 +10838,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the program cannot run from here on its own: {error}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>entered here, the program would do something else than when it is run whole</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10851,6 +10871,10 @@
         </message>
         <message>
             <source>exclusively lock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>expand it first: cncstepper convert</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10931,6 +10955,10 @@
         </message>
         <message>
             <source>formats inside MTEXT are not applied</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>free space on its disk, and resume when the journal is written again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11158,6 +11186,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give the number of the run</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give the path of a file</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11242,10 +11274,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>resume or stop it where it was started, or with: cncstepper back --session {file}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>go on, or stop the job</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11255,10 +11283,6 @@
         </message>
         <message>
             <source>goes down at {plunge_mm_min:g} mm/min</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>continues with</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11414,10 +11438,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>backlash cannot be compensated in the dialect {dialect}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>in the operation {span}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11458,6 +11478,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it appears when that is done</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it begins with {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11470,7 +11494,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it contains a file that no bundle has: {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it cuts upwards on a helix, as thread mills do, and is entered at its begin, line {begin}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it does not answer</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11494,7 +11526,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>it resumes without a person</source>
+            <source>it has accepted nothing for {limit:g} s</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11570,10 +11602,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>it contains a file that no bundle has: {name}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>it is a device</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11610,11 +11638,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>it appears when that is done</source>
+            <source>it is too long for its tolerance</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>it is too long for its tolerance</source>
+            <source>it is uncertain which of several passes was cut, so the earliest possible one is used: line {file_line}, not {file_line2}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11658,7 +11686,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>it does not answer</source>
+            <source>it resumes without a person</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11679,10 +11707,6 @@
         </message>
         <message>
             <source>it takes more memory than it may</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>it has accepted nothing for {limit:g} s</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11731,6 +11755,10 @@
         </message>
         <message>
             <source>its directory is too large</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>its effect depends on the machine: leave it out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11926,10 +11954,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>route it around the part, through scrap</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>leads had to be made smaller to stay in the scrap, down to {smallest:.0%} of their size</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12039,14 +12063,6 @@
         </message>
         <message>
             <source>let it plunge at the start of the contour</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>clamp the tool with more stickout</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>make them coincide, or keep them {small_mm:g} mm apart</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12166,10 +12182,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>check the baud rate, and which reports the controller sends unasked</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>look at the controller's file system, then try again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12190,23 +12202,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>read its message, and correct that line</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>read its message, close other programs, or choose lower speeds</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>look for a pendant or another program that is connected, set the zero again, then send again</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>check the state of the machine now, then answer again</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>make sure that the axes are at rest, check cable and grounding, and home again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12306,10 +12302,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>free space on its disk, and resume when the journal is written again</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>make room on the disk of {folder}, and see that you may write there; then send again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12331,6 +12323,10 @@
         </message>
         <message>
             <source>make stepover_mm larger</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>make sure that the axes are at rest, check cable and grounding, and home again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12374,6 +12370,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>make them coincide, or keep them {small_mm:g} mm apart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>make them lower</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12395,6 +12395,10 @@
         </message>
         <message>
             <source>material stays in {gaps} gap(s) between walls that are narrower than the tool, the deepest one before X{x:.3f} Y{y:.3f}; a smaller tool removes it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>material that is cut off</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12846,14 +12850,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the work zero is not confirmed</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the lines of a retract are not at the controller</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>none of the selected drawings can be followed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13142,6 +13138,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>only the controller knows where a probe stops</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>only the first control point goes without X and Y</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13167,6 +13167,10 @@
         </message>
         <message>
             <source>operation {number} ({cycle}) will take long: about {length_mm:.0f} m of cut in {levels} levels</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>otherwise the move would be bent</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13198,7 +13202,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>part of the drawn shape is outside the stock</source>
+            <source>part of the drawn shape is beside the stock</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13282,10 +13286,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>backlash has three values, one for each axis</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>please report it, with the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13354,11 +13354,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>pulses can be retracted only in a hold, not in state {state}</source>
+            <source>pulses are those of a machine</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>pulses are those of a machine</source>
+            <source>pulses can be retracted only in a hold, not in state {state}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13431,6 +13431,22 @@
         </message>
         <message>
             <source>rapids move at the feed in force: no F for them was given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>read as a flat mill: '{name}' does not name a shape</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>read its message, and correct that line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>read its message, close other programs, or choose lower speeds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>read its output, and report it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13558,11 +13574,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>resume when it is at standstill</source>
+            <source>resume or stop it where it was started, or with: cncstepper back --session {file}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>resume what it was doing, or reset it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>resume when it is at standstill</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13583,6 +13603,14 @@
         </message>
         <message>
             <source>retract mode set to r_plane</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>retracted along the cut: go further back, forward, or resume from here</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>route it around the part, through scrap</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13634,14 +13662,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>set it with M61 Q and the tool's number</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>give the number of the run</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>scale all axes alike</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13671,10 +13691,6 @@
         </message>
         <message>
             <source>see that the dial counts in the axis' sense, and measure again</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>read its output, and report it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13767,6 +13783,10 @@
         </message>
         <message>
             <source>set it again, and do not start before it is right</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set it with M61 Q and the tool's number</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13887,6 +13907,10 @@
         </message>
         <message>
             <source>simplify the solid, or end the script's loop</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>simulated on the stock that the earlier moves have left; the wanted shape is unknown and was not compared</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14202,10 +14226,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>read as a flat mill: '{name}' does not name a shape</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>tapping became plain moves: the feed may be overridden, and nothing keeps it to the spindle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14255,6 +14275,10 @@
         </message>
         <message>
             <source>the USB board's controller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the actions between the moves would change</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14426,6 +14450,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the circle's share of it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the columns of MTEXT are set one below the other</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14466,6 +14494,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the connection service does not start</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the connection {session_file} is open, but its process does not answer</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14475,6 +14507,18 @@
         </message>
         <message>
             <source>the contour goes through the stock and sets a piece free that no tab holds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller accepts no jog while it is held</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller asks for a login</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller did not store the zero of {axis} in {system}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14506,11 +14550,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the controller does not report its {system}</source>
+            <source>the controller does not report its modes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the controller does not report its modes</source>
+            <source>the controller does not report its state</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14518,11 +14562,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the controller does not report whether it uses mm or inches</source>
+            <source>the controller does not report its {system}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the controller does not report its state</source>
+            <source>the controller does not report whether it uses mm or inches</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14582,6 +14626,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the controller reported: {report}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller reports that it is homed, but too soon: another line than $H reached it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the controller restarted in the middle of the job</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14598,14 +14650,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the controller reported: {report}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the controller reports that it is homed, but too soon: another line than $H reached it</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>the controller sleeps and its motors are off: unlock it, then home it or set its zero again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14618,15 +14662,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the controller accepts no jog while it is held</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>the controller waits for its new tool</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the controller asks for a login</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14686,6 +14722,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the curve that {kind} follows is unknown</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the curves of the drawing are too many and too wild for the tolerance</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14699,10 +14739,6 @@
         </message>
         <message>
             <source>the cut begins without waiting for the spindle</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the cut is too close to the sheet's edge</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14722,7 +14758,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the cycle uses a kerf of {kerf_mm:g} mm, the simulation the tool's diameter of {diameter_mm:g} mm</source>
+            <source>the cut is too close to the sheet's edge</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14739,6 +14775,10 @@
         </message>
         <message>
             <source>the cycle takes too many passes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the cycle uses a kerf of {kerf_mm:g} mm, the simulation the tool's diameter of {diameter_mm:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14767,10 +14807,6 @@
         </message>
         <message>
             <source>the desk of {port} is not there, or was killed</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the connection service does not start</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14907,6 +14943,10 @@
         </message>
         <message>
             <source>the edited program has no job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the elements picked of '{drawing}' no longer exist</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15358,15 +15398,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the lathe finishes a move that it has begun: switch it off, then set its zero again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the lathe is in automatic mode and cannot be jogged: {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the lathe jogs at up to {0} mm/min, or at {1}: it takes the slower one</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the zero of the lathe can be set in manual mode only: {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15478,6 +15518,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the lines after it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the lines after this tool change cannot run on their own</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15487,6 +15531,10 @@
         </message>
         <message>
             <source>the lines have different numbers of heights</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the lines of a retract are not at the controller</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15522,18 +15570,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the machine is not at standstill</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the machine is not on the path of the lines that it has</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the machine is not at the begin of the retract</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>the machine finds its own zero</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15550,11 +15586,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the machine is at rest, spindle and outputs are off, its position is kept (the reset cleared G92 and tool length)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the machine is homed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the machine is not at rest</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine is not at standstill</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine is not at the begin of the retract</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15567,6 +15615,10 @@
         </message>
         <message>
             <source>the machine is not in alarm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine is not on the path of the lines that it has</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15599,10 +15651,6 @@
         </message>
         <message>
             <source>the machine must be homed first</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the machine is at rest, spindle and outputs are off, its position is kept (the reset cleared G92 and tool length)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15710,11 +15758,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the outlines enclose nothing</source>
+            <source>the outlines are beside the stock</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the outlines are outside the stock</source>
+            <source>the outlines enclose nothing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15746,11 +15794,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the part at X{x:.3f} Y{y:.3f} would come loose before it is cut, in any order</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the part may differ from it by as much: lower P, or follow the exact path with G61</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the path begins at the machine's position: it has incremental moves (G91) only</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the path contains the tool's radius and is right for this tool only</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15766,11 +15822,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the picture has no size: {dpi:g} dpi are assumed; give its width</source>
+            <source>the picture has no dark areas</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the picture has no dark areas</source>
+            <source>the picture has no size: {dpi:g} dpi are assumed; give its width</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15823,18 +15879,6 @@
         </message>
         <message>
             <source>the plane may not be changed</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>backlash cannot be compensated in an arc with an absolute centre</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>backlash cannot be compensated in rotated coordinates</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>backlash cannot be compensated within this line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15894,15 +15938,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the process that cuts ended before it had an answer</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>the process that calculates the retract has ended</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the simulation's process has ended</source>
+            <source>the process that cuts ended before it had an answer</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15962,6 +16002,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the program cannot run from here on its own: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the program changes no tool</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15975,6 +16019,10 @@
         </message>
         <message>
             <source>the program cuts nothing at a known place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the program does not contain the values of the material that QtPlasmaC has selected</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16150,6 +16198,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the retract along the cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the retract cannot be read back: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the retract cannot be sent as it was written</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the retract does not lead to that place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the retract mode may not be changed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16250,10 +16314,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>this program does not understand the answers of the session {session_file}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>the session {session_file} has ended, and its outcome cannot be read: {why}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16307,6 +16367,10 @@
         </message>
         <message>
             <source>the shorter side</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the simulation's process has ended</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16374,11 +16438,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>this answer belongs to an earlier pause</source>
+            <source>the stand-alone interpreter moves X Y Z A B C only</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the stand-alone interpreter moves X Y Z A B C only</source>
+            <source>the state of the machine's position cannot be stored: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16530,6 +16594,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the tool is at Z {high}, and the restart first goes straight down to Z {low} as a rapid</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the tool is below the stock's top while its place in X or Y is not known</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16574,11 +16642,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the tool is at Z {high}, and the restart first goes straight down to Z {low} as a rapid</source>
+            <source>the tool table cannot be read again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the tool table cannot be read again</source>
+            <source>the tool's position is unknown here</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16590,11 +16658,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the path contains the tool's radius and is right for this tool only</source>
+            <source>the tool's width is not the cut chart's kerf</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the tool's width is not the cut chart's kerf</source>
+            <source>the tool's {letter} is unknown here, and a rotation needs both coordinates</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16618,6 +16686,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the value of #{number} is known only when the program runs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the velocity may not be reduced</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16631,26 +16703,6 @@
         </message>
         <message>
             <source>the wall may be up to {promise_mm:.3f} mm off: an ellipse is no offset of an ellipse, and the resolution adds to it; method "tolerance" keeps to tolerance_mm</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the retract cannot be sent as it was written</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the retract along the cut</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the retract cannot be read back: {error}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the retract does not lead to that place</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>otherwise the move would be bent</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16722,6 +16774,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the work zero is not confirmed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the work zero is not known, so the program's place on the table is unknown</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16730,7 +16786,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the controller did not store the zero of {axis} in {system}</source>
+            <source>the zero of the lathe can be set in manual mode only: {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16950,6 +17006,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this answer belongs to an earlier pause</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this build of the controller has no such setting</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16998,6 +17058,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this is no word that can be edited</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this is not allowed while an emergency stop or a limit is active</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17022,11 +17086,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>this line is not executed (deleted, after the end, or never reached), so that its meaning is unknown</source>
+            <source>this line is in the part that is to be reversed, and is not only a move</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>this line is in the part that is to be reversed, and is not only a move</source>
+            <source>this line is not executed (deleted, after the end, or never reached), so that its meaning is unknown</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17074,15 +17138,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this machine has no output to switch (knife and point have no power): take it out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this machine has no probe</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>this machine has no spindle whose speed is chosen: write M3 alone</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>this machine has no output to switch (knife and point have no power): take it out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17099,6 +17163,10 @@
         </message>
         <message>
             <source>this pin of the machine is not known to this reader</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this program does not understand the answers of the session {session_file}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17622,6 +17690,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>wait until it is at rest, or hold it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>wait until it is homed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17631,10 +17703,6 @@
         </message>
         <message>
             <source>wait until it is idle; after an alarm home it or unlock it</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>wait until it is at rest, or hold it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17670,71 +17738,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the value of #{number} is known only when the program runs</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the lines after it</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the actions between the moves would change</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>material that is cut off</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the state of the machine's position cannot be stored: {error}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>its effect depends on the machine: leave it out</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the part at X{x:.3f} Y{y:.3f} would come loose before it is cut, in any order</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>what lies inside an outline is faced with it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>this is no word that can be edited</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the circle's share of it</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the program does not contain the values of the material that QtPlasmaC has selected</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the elements picked of '{drawing}' no longer exist</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the curve that {kind} follows is unknown</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>only the controller knows where a probe stops</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>where the machine is cannot be seen: every report of the controller is damaged</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the tool's {letter} is unknown here, and a rotation needs both coordinates</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the tool's position is unknown here</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17747,10 +17755,6 @@
         </message>
         <message>
             <source>where this way begins is not known</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>it is uncertain which of several passes was cut, so the earliest possible one is used: line {file_line}, not {file_line2}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18102,10 +18106,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>expand it first: cncstepper convert</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>write ph=, pd=, ch= and fr=</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18138,11 +18138,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write the cuts as [[operation]]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write the end point itself</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>write the motion word again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write the path of the tool's centre</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18170,10 +18178,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>write the path of the tool's centre</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>write the words with plain numbers</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18187,10 +18191,6 @@
         </message>
         <message>
             <source>write to another one</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>write the cuts as [[operation]]</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18570,6 +18570,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{key} is twice in one material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{key} leads into a value that is no table</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18622,7 +18626,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{key} is twice in one material</source>
+            <source>{key}= is twice in a material's comment</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18631,10 +18635,6 @@
         </message>
         <message>
             <source>{key}= of a material is out of its bounds</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{key}= is twice in a material's comment</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18686,7 +18686,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{letter} has no meaning with G10 L{kind}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{letter} is out of range</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{letter} is twice on the line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18699,14 +18707,6 @@
         </message>
         <message>
             <source>{letter} of {name} must be {word} 0</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{letter} has no meaning with G10 L{kind}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{letter} is twice on the line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18762,6 +18762,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{machine} accepts no pulse letters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{machine} at {port}, grbl {firmware}, begun {begin}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18783,10 +18787,6 @@
         </message>
         <message>
             <source>{machine} has no relay '{name}'</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{machine} accepts no pulse letters</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18867,6 +18867,10 @@
         </message>
         <message>
             <source>{name} is a parallel port, and the machine is a board</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} is between G5.2 and G5.3</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18955,10 +18959,6 @@
         </message>
         <message>
             <source>{name} sends more than was asked for</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{name} is between G5.2 and G5.3</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -100,6 +100,10 @@
             <translation>Como múltiplo da espessura; 0: nenhum pela espessura</translation>
         </message>
         <message>
+            <source>At smaller corners the wire neither pauses nor slows down</source>
+            <translation>Onde o caminho vira menos, o fio nem para nem vai mais devagar</translation>
+        </message>
+        <message>
             <source>Below thickness times</source>
             <translation>Abaixo de × espessura</translation>
         </message>
@@ -134,6 +138,10 @@
         <message>
             <source>Centre</source>
             <translation>Centro</translation>
+        </message>
+        <message>
+            <source>Changes of the job's own program since then</source>
+            <translation>O que aconteceu desde então com o programa do próprio trabalho</translation>
         </message>
         <message>
             <source>Chart</source>
@@ -428,6 +436,14 @@
             <translation>Fenda de entrada</translation>
         </message>
         <message>
+            <source>Exit of the wire: back along its entry, or the shortest way to an edge</source>
+            <translation>Como o fio sai no fim: de volta pelo mesmo caminho, ou pelo caminho mais curto até uma borda</translation>
+        </message>
+        <message>
+            <source>Extra depth, so that the tool comes out below</source>
+            <translation>Quanto a ferramenta desce a mais para sair por baixo</translation>
+        </message>
+        <message>
             <source>Feed</source>
             <translation>Avanço</translation>
         </message>
@@ -676,10 +692,6 @@
             <translation>Quanto desce uma volta da hélice</translation>
         </message>
         <message>
-            <source>Tolerance of the cut line, which reduces the number of moves; 0: none</source>
-            <translation>Quanto a linha cortada pode se afastar da desenhada para ter menos movimentos; 0: nada</translation>
-        </message>
-        <message>
             <source>How far the cut may be off the drawing</source>
             <translation>Quanto o corte pode se afastar do desenho</translation>
         </message>
@@ -718,14 +730,6 @@
         <message>
             <source>How long the flame heats before the pierce; 0: that of the chart</source>
             <translation>Quanto tempo a chama aquece antes da perfuração; 0: o da tabela</translation>
-        </message>
-        <message>
-            <source>Time of the tool at rest with power; 0: from the cut chart</source>
-            <translation>Quanto tempo a ferramenta fica parada com potência; 0: o da tabela de corte</translation>
-        </message>
-        <message>
-            <source>Pause of the wire where the path turns back; shorter at blunter corners</source>
-            <translation>Quanto tempo o fio para onde o caminho volta; menos em cantos mais abertos</translation>
         </message>
         <message>
             <source>How many corners and narrow places the tool does not reach into</source>
@@ -788,10 +792,6 @@
             <translation>Quantas voltas a rosca tem</translation>
         </message>
         <message>
-            <source>Extra depth, so that the tool comes out below</source>
-            <translation>Quanto a ferramenta desce a mais para sair por baixo</translation>
-        </message>
-        <message>
             <source>How much of the rim may be in the material at most, as an angle</source>
             <translation>Quanto da borda pode estar no material no máximo, como ângulo</translation>
         </message>
@@ -842,10 +842,6 @@
         <message>
             <source>How the tool leaves the contour</source>
             <translation>Como a ferramenta deixa o contorno</translation>
-        </message>
-        <message>
-            <source>Exit of the wire: back along its entry, or the shortest way to an edge</source>
-            <translation>Como o fio sai no fim: de volta pelo mesmo caminho, ou pelo caminho mais curto até uma borda</translation>
         </message>
         <message>
             <source>How wide a tab is at its top</source>
@@ -988,6 +984,10 @@
             <translation>Comprimento saída</translation>
         </message>
         <message>
+            <source>Length that the controller adds to Z, if the machine uses a table of lengths; 0: not given</source>
+            <translation>O que o controlador soma a Z, onde a máquina toma os comprimentos de uma tabela; 0: não informado</translation>
+        </message>
+        <message>
             <source>Length, width and height; for an upright cylinder the length is its diameter</source>
             <translation>Comprimento, largura e altura; num cilindro, que fica em pé, o comprimento é o diâmetro</translation>
         </message>
@@ -1108,6 +1108,14 @@
             <translation>Material</translation>
         </message>
         <message>
+            <source>Material of the cutter</source>
+            <translation>De que a ferramenta é feita</translation>
+        </message>
+        <message>
+            <source>Material that a round tool leaves at the ends of the long axis</source>
+            <translation>O que a ferramenta redonda deixa nas pontas do eixo maior</translation>
+        </message>
+        <message>
             <source>Message</source>
             <translation>Mensagem</translation>
         </message>
@@ -1204,6 +1212,10 @@
             <translation>Contornos dos grampos</translation>
         </message>
         <message>
+            <source>Outputs that are on while cutting</source>
+            <translation>O que fica ligado durante o corte</translation>
+        </message>
+        <message>
             <source>Outside corners that turn by more get a loop</source>
             <translation>Cantos externos que viram mais recebem um laço</translation>
         </message>
@@ -1238,6 +1250,10 @@
         <message>
             <source>Pause</source>
             <translation>Pausa</translation>
+        </message>
+        <message>
+            <source>Pause of the wire where the path turns back; shorter at blunter corners</source>
+            <translation>Quanto tempo o fio para onde o caminho volta; menos em cantos mais abertos</translation>
         </message>
         <message>
             <source>Peck</source>
@@ -1536,6 +1552,10 @@
             <translation>Forma</translation>
         </message>
         <message>
+            <source>Shape of the raw material</source>
+            <translation>Como é a matéria-prima</translation>
+        </message>
+        <message>
             <source>Shorter than</source>
             <translation>Mais curtos que</translation>
         </message>
@@ -1684,6 +1704,10 @@
             <translation>Sobremetal</translation>
         </message>
         <message>
+            <source>Stock to leave at the wall for another operation</source>
+            <translation>O que fica na parede para outra operação tirar</translation>
+        </message>
+        <message>
             <source>Style</source>
             <translation>Estilo</translation>
         </message>
@@ -1742,6 +1766,10 @@
         <message>
             <source>The corner where the grid begins, from the work zero</source>
             <translation>O canto onde a grade começa, a partir do zero da peça</translation>
+        </message>
+        <message>
+            <source>The current set at the power source; 0: from the chart</source>
+            <translation>O que se ajusta na fonte; 0: a corrente da tabela</translation>
         </message>
         <message>
             <source>The cut chart gives this value; change it in the job</source>
@@ -1824,12 +1852,12 @@
             <translation>A altura dos rápidos entre furos: G98 ou G99</translation>
         </message>
         <message>
-            <source>The job with the machine, stock, tools and clamps for the program</source>
-            <translation>O trabalho para cuja máquina, bloco, ferramentas e grampos o programa é feito</translation>
-        </message>
-        <message>
             <source>The job whose program is shown</source>
             <translation>O trabalho cujo programa é mostrado</translation>
+        </message>
+        <message>
+            <source>The job with the machine, stock, tools and clamps for the program</source>
+            <translation>O trabalho para cuja máquina, bloco, ferramentas e grampos o programa é feito</translation>
         </message>
         <message>
             <source>The last pass at the wall, ae_acab; 0: none</source>
@@ -1872,6 +1900,10 @@
             <translation>O diâmetro nominal; 0: o de cada círculo do desenho</translation>
         </message>
         <message>
+            <source>The operations, in their order</source>
+            <translation>O que é usinado, nesta ordem</translation>
+        </message>
+        <message>
             <source>The order in which the holes are made</source>
             <translation>A ordem em que os furos são feitos</translation>
         </message>
@@ -1892,12 +1924,28 @@
             <translation>As peças e corpos com os quais os desenhos se movem</translation>
         </message>
         <message>
+            <source>The place of the work zero in this document</source>
+            <translation>Onde fica o zero-peça neste documento</translation>
+        </message>
+        <message>
+            <source>The place of the work zero on the stock</source>
+            <translation>Onde fica o zero-peça no bloco</translation>
+        </message>
+        <message>
+            <source>The places of the holes</source>
+            <translation>Onde ficam os furos</translation>
+        </message>
+        <message>
             <source>The plunge feed of the program</source>
             <translation>O avanço de mergulho do programa</translation>
         </message>
         <message>
             <source>The points as they were drawn</source>
             <translation>Os pontos como foram desenhados</translation>
+        </message>
+        <message>
+            <source>The program that is shown, checked and sent, if the machine needs one for each tool</source>
+            <translation>Qual é mostrado, verificado e enviado, onde a máquina quer um por ferramenta</translation>
         </message>
         <message>
             <source>The program's dialect; empty: the machine's own</source>
@@ -2032,6 +2080,10 @@
             <translation>Além</translation>
         </message>
         <message>
+            <source>Time of the tool at rest with power; 0: from the cut chart</source>
+            <translation>Quanto tempo a ferramenta fica parada com potência; 0: o da tabela de corte</translation>
+        </message>
+        <message>
             <source>Tip</source>
             <translation>Ponta</translation>
         </message>
@@ -2054,6 +2106,10 @@
         <message>
             <source>Tolerance</source>
             <translation>Tolerância</translation>
+        </message>
+        <message>
+            <source>Tolerance of the cut line, which reduces the number of moves; 0: none</source>
+            <translation>Quanto a linha cortada pode se afastar da desenhada para ter menos movimentos; 0: nada</translation>
         </message>
         <message>
             <source>Tool</source>
@@ -2092,52 +2148,8 @@
             <translation>Avanço na parede</translation>
         </message>
         <message>
-            <source>Changes of the job's own program since then</source>
-            <translation>O que aconteceu desde então com o programa do próprio trabalho</translation>
-        </message>
-        <message>
-            <source>The operations, in their order</source>
-            <translation>O que é usinado, nesta ordem</translation>
-        </message>
-        <message>
-            <source>The current set at the power source; 0: from the chart</source>
-            <translation>O que se ajusta na fonte; 0: a corrente da tabela</translation>
-        </message>
-        <message>
-            <source>Outputs that are on while cutting</source>
-            <translation>O que fica ligado durante o corte</translation>
-        </message>
-        <message>
-            <source>Stock to leave at the wall for another operation</source>
-            <translation>O que fica na parede para outra operação tirar</translation>
-        </message>
-        <message>
-            <source>Length that the controller adds to Z, if the machine uses a table of lengths; 0: not given</source>
-            <translation>O que o controlador soma a Z, onde a máquina toma os comprimentos de uma tabela; 0: não informado</translation>
-        </message>
-        <message>
-            <source>Material of the cutter</source>
-            <translation>De que a ferramenta é feita</translation>
-        </message>
-        <message>
-            <source>Shape of the raw material</source>
-            <translation>Como é a matéria-prima</translation>
-        </message>
-        <message>
-            <source>Material that a round tool leaves at the ends of the long axis</source>
-            <translation>O que a ferramenta redonda deixa nas pontas do eixo maior</translation>
-        </message>
-        <message>
-            <source>The place of the work zero on the stock</source>
-            <translation>Onde fica o zero-peça no bloco</translation>
-        </message>
-        <message>
             <source>Where rapids travel across the work</source>
             <translation>Altura dos movimentos rápidos sobre a peça</translation>
-        </message>
-        <message>
-            <source>The places of the holes</source>
-            <translation>Onde ficam os furos</translation>
         </message>
         <message>
             <source>Where the row begins, from the work zero</source>
@@ -2146,14 +2158,6 @@
         <message>
             <source>Where the row ends</source>
             <translation>Onde a fileira termina</translation>
-        </message>
-        <message>
-            <source>At smaller corners the wire neither pauses nor slows down</source>
-            <translation>Onde o caminho vira menos, o fio nem para nem vai mais devagar</translation>
-        </message>
-        <message>
-            <source>The place of the work zero in this document</source>
-            <translation>Onde fica o zero-peça neste documento</translation>
         </message>
         <message>
             <source>Whether a laser's power follows its speed (M4)</source>
@@ -2182,10 +2186,6 @@
         <message>
             <source>Whether the program holds it</source>
             <translation>Se o programa a contém</translation>
-        </message>
-        <message>
-            <source>The program that is shown, checked and sent, if the machine needs one for each tool</source>
-            <translation>Qual é mostrado, verificado e enviado, onde a máquina quer um por ferramenta</translation>
         </message>
         <message>
             <source>Why it cannot be made; empty when it can</source>
@@ -2243,10 +2243,6 @@
     <context>
         <name>CNCStepper</name>
         <message>
-            <source>'{0}' is not in the program</source>
-            <translation>'{0}' não aparece no programa</translation>
-        </message>
-        <message>
             <source>'{0}' has no meaning in a number</source>
             <translation>'{0}' não faz sentido em um número</translation>
         </message>
@@ -2269,6 +2265,10 @@
         <message>
             <source>'{0}' is no whole number</source>
             <translation>'{0}' não é um número inteiro</translation>
+        </message>
+        <message>
+            <source>'{0}' is not in the program</source>
+            <translation>'{0}' não aparece no programa</translation>
         </message>
         <message>
             <source>'{0}' is too large</source>
@@ -2467,6 +2467,10 @@
             <translation>Todas as linhas foram enviadas; os últimos movimentos estão sendo usinados.</translation>
         </message>
         <message>
+            <source>Allow jogging: spindle or beam off; Resume returns to the cut on a safe path.</source>
+            <translation>Permite mover a máquina manualmente: spindle ou feixe desligado; Retomar volta ao corte por um caminho seguro.</translation>
+        </message>
+        <message>
             <source>Along X, mm</source>
             <translation>Ao longo de X, mm</translation>
         </message>
@@ -2477,6 +2481,10 @@
         <message>
             <source>Along Z, mm</source>
             <translation>Ao longo de Z, mm</translation>
+        </message>
+        <message>
+            <source>Also follow the selected lines</source>
+            <translation>Seguir também o que está selecionado</translation>
         </message>
         <message>
             <source>An expression gives this value; change it in the property editor</source>
@@ -2531,6 +2539,10 @@
             <translation>Como as pessoas chamam a máquina</translation>
         </message>
         <message>
+            <source>At smaller corners the wire neither pauses nor slows down</source>
+            <translation>Onde o caminho vira menos, o fio nem para nem vai mais devagar</translation>
+        </message>
+        <message>
             <source>At the end of {0}</source>
             <translation>No fim de {0}</translation>
         </message>
@@ -2569,6 +2581,10 @@
         <message>
             <source>Backlash</source>
             <translation>Folga</translation>
+        </message>
+        <message>
+            <source>Backlash of the axis in the profile; the moves sent compensate it</source>
+            <translation>O que o eixo perde em uma inversão, como diz o perfil; os movimentos enviados compensam</translation>
         </message>
         <message>
             <source>Before {0}</source>
@@ -2663,6 +2679,10 @@
             <translation>Ajusta o valor programado durante o corte, em porcento.</translation>
         </message>
         <message>
+            <source>Changes of the job's own program since then</source>
+            <translation>O que aconteceu desde então com o programa do próprio trabalho</translation>
+        </message>
+        <message>
             <source>Chart</source>
             <translation>Tabela</translation>
         </message>
@@ -2705,10 +2725,6 @@
         <message>
             <source>Choose above where to cut, then connect.</source>
             <translation>Escolha acima onde usinar e conecte.</translation>
-        </message>
-        <message>
-            <source>In the controller's panel choose a machine whose pulses this computer makes.</source>
-            <translation>Escolha no painel do controlador uma máquina cujos pulsos este computador gera.</translation>
         </message>
         <message>
             <source>Choose one here</source>
@@ -2761,10 +2777,6 @@
         <message>
             <source>Come from below</source>
             <translation>Vir de baixo</translation>
-        </message>
-        <message>
-            <source>Entry from</source>
-            <translation>Vem de</translation>
         </message>
         <message>
             <source>Commanded length</source>
@@ -2885,6 +2897,10 @@
         <message>
             <source>Corners that turn by more are cut slowly; 0: none</source>
             <translation>Cantos que viram mais são cortados devagar; 0: nenhum</translation>
+        </message>
+        <message>
+            <source>Correct the marked fields first.</source>
+            <translation>Corrija primeiro o que está marcado.</translation>
         </message>
         <message>
             <source>Count</source>
@@ -3013,6 +3029,10 @@
         <message>
             <source>Disconnect first: the dock is connected to this machine.</source>
             <translation>Desconecte antes: é a isto que o painel está conectado.</translation>
+        </message>
+        <message>
+            <source>Disconnect from the controller.</source>
+            <translation>Libera o controlador.</translation>
         </message>
         <message>
             <source>Distance</source>
@@ -3159,6 +3179,10 @@
             <translation>Ângulo de entrada</translation>
         </message>
         <message>
+            <source>Entry from</source>
+            <translation>Vem de</translation>
+        </message>
+        <message>
             <source>Entry slit</source>
             <translation>Fenda de entrada</translation>
         </message>
@@ -3171,8 +3195,12 @@
             <translation>Todo trabalho cujo diário está guardado foi cortado até o fim.</translation>
         </message>
         <message>
-            <source>F is the inverse of a move's time in minutes</source>
-            <translation>F é um dividido pelos minutos que o movimento dura</translation>
+            <source>Exit of the wire: back along its entry, or the shortest way to an edge</source>
+            <translation>Como o fio sai no fim: de volta pelo mesmo caminho, ou pelo caminho mais curto até uma borda</translation>
+        </message>
+        <message>
+            <source>Extra depth, so that the tool comes out below</source>
+            <translation>Quanto a ferramenta desce a mais para sair por baixo</translation>
         </message>
         <message>
             <source>F is the feed per minute</source>
@@ -3181,6 +3209,10 @@
         <message>
             <source>F is the feed per turn of the spindle</source>
             <translation>F é o avanço por volta do fuso</translation>
+        </message>
+        <message>
+            <source>F is the inverse of a move's time in minutes</source>
+            <translation>F é um dividido pelos minutos que o movimento dura</translation>
         </message>
         <message>
             <source>FR4 (glass fibre)</source>
@@ -3299,16 +3331,16 @@
             <translation>Dentes</translation>
         </message>
         <message>
+            <source>Follow only the selected lines</source>
+            <translation>Seguir o que está selecionado, e nada mais</translation>
+        </message>
+        <message>
             <source>Follow the drawing that is selected in the tree or in the 3D view</source>
             <translation>Seguir o desenho selecionado na árvore ou na vista 3D</translation>
         </message>
         <message>
-            <source>Also follow the selected lines</source>
-            <translation>Seguir também o que está selecionado</translation>
-        </message>
-        <message>
-            <source>Follow only the selected lines</source>
-            <translation>Seguir o que está selecionado, e nada mais</translation>
+            <source>For a board that receives bytes: 0 to 3, or unused for a motor without an axis</source>
+            <translation>De uma placa que recebe bytes: 0 a 3, ou unused para um motor sem eixo</translation>
         </message>
         <message>
             <source>For a mill that does not cut over its centre; 0: 10°</source>
@@ -3503,28 +3535,12 @@
             <translation>Continuar</translation>
         </message>
         <message>
-            <source>Resume after a hold, a pause or the door.</source>
-            <translation>Continua após uma pausa, uma espera ou a porta.</translation>
-        </message>
-        <message>
-            <source>Restart the program at a line, an operation, a contour or a place in the picture.</source>
-            <translation>Continua o programa a partir de uma linha, uma operação, um contorno ou um lugar na vista.</translation>
-        </message>
-        <message>
-            <source>Restart the program at the present line; everything before it counts as cut</source>
-            <translation>Continua o programa a partir da linha em andamento, tendo tudo antes dela como cortado</translation>
-        </message>
-        <message>
             <source>Go up to this Z first; where none is given: the program's highest crossing rapid</source>
             <translation>Subir primeiro até este Z; sem valor: a travessia rápida mais alta do programa</translation>
         </message>
         <message>
             <source>Goes back by</source>
             <translation>Volta</translation>
-        </message>
-        <message>
-            <source>Next, in the controller's panel: connect, work zero, start.</source>
-            <translation>Continua no painel do controlador: conectar, zero-peça, iniciar.</translation>
         </message>
         <message>
             <source>Goes on with</source>
@@ -3635,6 +3651,10 @@
             <translation>Referenciar</translation>
         </message>
         <message>
+            <source>Home the machine: it finds its zero with its limit switches.</source>
+            <translation>Deixa a máquina encontrar o próprio zero com os fins de curso.</translation>
+        </message>
+        <message>
             <source>Homing</source>
             <translation>Referenciando</translation>
         </message>
@@ -3723,10 +3743,6 @@
             <translation>Quanto o eixo percorre</translation>
         </message>
         <message>
-            <source>Tolerance of the cut line, which reduces the number of moves; 0: none</source>
-            <translation>Quanto a linha cortada pode se afastar da desenhada para ter menos movimentos; 0: nada</translation>
-        </message>
-        <message>
             <source>How far the cut may be off the drawing</source>
             <translation>Quanto o corte pode se afastar do desenho</translation>
         </message>
@@ -3777,14 +3793,6 @@
         <message>
             <source>How long the flame heats before the pierce; 0: that of the chart</source>
             <translation>Quanto tempo a chama aquece antes da perfuração; 0: o da tabela</translation>
-        </message>
-        <message>
-            <source>Time of the tool at rest with power; 0: from the cut chart</source>
-            <translation>Quanto tempo a ferramenta fica parada com potência; 0: o da tabela de corte</translation>
-        </message>
-        <message>
-            <source>Pause of the wire where the path turns back; shorter at blunter corners</source>
-            <translation>Quanto tempo o fio para onde o caminho volta; menos em cantos mais abertos</translation>
         </message>
         <message>
             <source>How many corners and narrow places the tool does not reach into</source>
@@ -3855,10 +3863,6 @@
             <translation>Quantas voltas a rosca tem</translation>
         </message>
         <message>
-            <source>Extra depth, so that the tool comes out below</source>
-            <translation>Quanto a ferramenta desce a mais para sair por baixo</translation>
-        </message>
-        <message>
             <source>How much of the rim may be in the material at most, as an angle</source>
             <translation>Quanto da borda pode estar no material no máximo, como ângulo</translation>
         </message>
@@ -3911,10 +3915,6 @@
             <translation>Como a ferramenta deixa o contorno</translation>
         </message>
         <message>
-            <source>Exit of the wire: back along its entry, or the shortest way to an edge</source>
-            <translation>Como o fio sai no fim: de volta pelo mesmo caminho, ou pelo caminho mais curto até uma borda</translation>
-        </message>
-        <message>
             <source>How wide a tab is at its top</source>
             <translation>A largura de uma ponte no topo</translation>
         </message>
@@ -3949,6 +3949,10 @@
         <message>
             <source>In machine coordinates</source>
             <translation>Em coordenadas da máquina</translation>
+        </message>
+        <message>
+            <source>In the controller's panel choose a machine whose pulses this computer makes.</source>
+            <translation>Escolha no painel do controlador uma máquina cujos pulsos este computador gera.</translation>
         </message>
         <message>
             <source>In the program</source>
@@ -4135,24 +4139,16 @@
             <translation>Comprimento saída</translation>
         </message>
         <message>
+            <source>Length that the controller adds to Z, if the machine uses a table of lengths; 0: not given</source>
+            <translation>O que o controlador soma a Z, onde a máquina toma os comprimentos de uma tabela; 0: não informado</translation>
+        </message>
+        <message>
             <source>Length, width and height; for an upright cylinder the length is its diameter</source>
             <translation>Comprimento, largura e altura; num cilindro, que fica em pé, o comprimento é o diâmetro</translation>
         </message>
         <message>
             <source>Lengths and limits</source>
             <translation>Comprimentos e limites</translation>
-        </message>
-        <message>
-            <source>Disconnect from the controller.</source>
-            <translation>Libera o controlador.</translation>
-        </message>
-        <message>
-            <source>Allow jogging: spindle or beam off; Resume returns to the cut on a safe path.</source>
-            <translation>Permite mover a máquina manualmente: spindle ou feixe desligado; Retomar volta ao corte por um caminho seguro.</translation>
-        </message>
-        <message>
-            <source>Home the machine: it finds its zero with its limit switches.</source>
-            <translation>Deixa a máquina encontrar o próprio zero com os fins de curso.</translation>
         </message>
         <message>
             <source>Level</source>
@@ -4319,12 +4315,16 @@
             <translation>Material</translation>
         </message>
         <message>
-            <source>Measured</source>
-            <translation>Medido</translation>
+            <source>Material of the cutter</source>
+            <translation>De que a ferramenta é feita</translation>
         </message>
         <message>
-            <source>Correct the marked fields first.</source>
-            <translation>Corrija primeiro o que está marcado.</translation>
+            <source>Material that a round tool leaves at the ends of the long axis</source>
+            <translation>O que a ferramenta redonda deixa nas pontas do eixo maior</translation>
+        </message>
+        <message>
+            <source>Measured</source>
+            <translation>Medido</translation>
         </message>
         <message>
             <source>Message</source>
@@ -4463,6 +4463,10 @@
             <translation>Próximo</translation>
         </message>
         <message>
+            <source>Next, in the controller's panel: connect, work zero, start.</source>
+            <translation>Continua no painel do controlador: conectar, zero-peça, iniciar.</translation>
+        </message>
+        <message>
             <source>No connection</source>
             <translation>Sem conexão</translation>
         </message>
@@ -4533,10 +4537,6 @@
         <message>
             <source>Number the lines…</source>
             <translation>Numerar as linhas…</translation>
-        </message>
-        <message>
-            <source>For a board that receives bytes: 0 to 3, or unused for a motor without an axis</source>
-            <translation>De uma placa que recebe bytes: 0 a 3, ou unused para um motor sem eixo</translation>
         </message>
         <message>
             <source>Of a bull nose; 0: not given</source>
@@ -4667,6 +4667,10 @@
             <translation>Saídas na volta</translation>
         </message>
         <message>
+            <source>Outputs that are on while cutting</source>
+            <translation>O que fica ligado durante o corte</translation>
+        </message>
+        <message>
             <source>Outside corners that turn by more get a loop</source>
             <translation>Cantos externos que viram mais recebem um laço</translation>
         </message>
@@ -4735,6 +4739,10 @@
             <translation>Pausa entre pulsos</translation>
         </message>
         <message>
+            <source>Pause of the wire where the path turns back; shorter at blunter corners</source>
+            <translation>Quanto tempo o fio para onde o caminho volta; menos em cantos mais abertos</translation>
+        </message>
+        <message>
             <source>Paused</source>
             <translation>Em espera</translation>
         </message>
@@ -4777,6 +4785,10 @@
         <message>
             <source>Place</source>
             <translation>Lugar</translation>
+        </message>
+        <message>
+            <source>Place of the mirror, mm</source>
+            <translation>Onde fica o espelho, mm</translation>
         </message>
         <message>
             <source>Places</source>
@@ -5119,6 +5131,14 @@
             <translation>Reiniciar daqui…</translation>
         </message>
         <message>
+            <source>Restart the program at a line, an operation, a contour or a place in the picture.</source>
+            <translation>Continua o programa a partir de uma linha, uma operação, um contorno ou um lugar na vista.</translation>
+        </message>
+        <message>
+            <source>Restart the program at the present line; everything before it counts as cut</source>
+            <translation>Continua o programa a partir da linha em andamento, tendo tudo antes dela como cortado</translation>
+        </message>
+        <message>
             <source>Restart: {0}</source>
             <translation>Reinício: {0}</translation>
         </message>
@@ -5133,6 +5153,10 @@
         <message>
             <source>Resume</source>
             <translation>Retomar</translation>
+        </message>
+        <message>
+            <source>Resume after a hold, a pause or the door.</source>
+            <translation>Continua após uma pausa, uma espera ou a porta.</translation>
         </message>
         <message>
             <source>Retract</source>
@@ -5207,10 +5231,6 @@
             <translation>{0} salvo</translation>
         </message>
         <message>
-            <source>Show how far the last unfinished job came, and restart it there.</source>
-            <translation>Diz até onde chegou o último trabalho que não foi cortado até o fim, e o reinicia ali.</translation>
-        </message>
-        <message>
             <source>Scale…</source>
             <translation>Escalar…</translation>
         </message>
@@ -5255,12 +5275,12 @@
             <translation>Selecione operações de um só trabalho</translation>
         </message>
         <message>
-            <source>Select the job in the tree: this document has several</source>
-            <translation>Selecione o trabalho na árvore: este documento tem vários</translation>
-        </message>
-        <message>
             <source>Select the area to clear: a sketch, closed wires, or faces of a solid</source>
             <translation>Selecione o que esvaziar: um esboço, fios fechados ou faces de um sólido</translation>
+        </message>
+        <message>
+            <source>Select the job in the tree: this document has several</source>
+            <translation>Selecione o trabalho na árvore: este documento tem vários</translation>
         </message>
         <message>
             <source>Select the lines to cut: a sketch, wires, or faces or edges of a solid</source>
@@ -5299,6 +5319,10 @@
             <translation>Forma</translation>
         </message>
         <message>
+            <source>Shape of the raw material</source>
+            <translation>Como é a matéria-prima</translation>
+        </message>
+        <message>
             <source>Sheet cut</source>
             <translation>Corte de chapa</translation>
         </message>
@@ -5313,6 +5337,10 @@
         <message>
             <source>Shorter than</source>
             <translation>Mais curtos que</translation>
+        </message>
+        <message>
+            <source>Show how far the last unfinished job came, and restart it there.</source>
+            <translation>Diz até onde chegou o último trabalho que não foi cortado até o fim, e o reinicia ali.</translation>
         </message>
         <message>
             <source>Show the tool's path</source>
@@ -5483,6 +5511,10 @@
             <translation>Sobremetal</translation>
         </message>
         <message>
+            <source>Stock to leave at the wall for another operation</source>
+            <translation>O que fica na parede para outra operação tirar</translation>
+        </message>
+        <message>
             <source>Stop</source>
             <translation>Parar</translation>
         </message>
@@ -5533,10 +5565,6 @@
         <message>
             <source>Take selected</source>
             <translation>Usar seleção</translation>
-        </message>
-        <message>
-            <source>Unlock the alarm without homing: only if the position is certainly right.</source>
-            <translation>Retira o alarme sem referenciar: só quando a posição está certa com certeza.</translation>
         </message>
         <message>
             <source>Take the chart's value again</source>
@@ -5631,12 +5659,12 @@
             <translation>O canto onde a grade começa, a partir do zero da peça</translation>
         </message>
         <message>
-            <source>The cut chart gives this value; change it in the job</source>
-            <translation>A tabela de corte dá este valor; altere-o no trabalho</translation>
+            <source>The current set at the power source; 0: from the chart</source>
+            <translation>O que se ajusta na fonte; 0: a corrente da tabela</translation>
         </message>
         <message>
-            <source>The job continues without FreeCAD; the controller's panel shows it when it is opened again.</source>
-            <translation>O corte continua sem o FreeCAD; o painel do controlador o reencontra na próxima vez que for aberto.</translation>
+            <source>The cut chart gives this value; change it in the job</source>
+            <translation>A tabela de corte dá este valor; altere-o no trabalho</translation>
         </message>
         <message>
             <source>The cut is simulated and checked.</source>
@@ -5683,6 +5711,10 @@
             <translation>A borda da chapa por onde o fio entra</translation>
         </message>
         <message>
+            <source>The feed of a program without F, and the cutting speed of a language without F</source>
+            <translation>O que vale num programa sem F, e a velocidade de corte de uma linguagem sem F</translation>
+        </message>
+        <message>
             <source>The feed of marks; 0: that of the cut</source>
             <translation>O avanço das marcações; 0: o do corte</translation>
         </message>
@@ -5727,6 +5759,10 @@
             <translation>A altura dos rápidos entre furos: G98 ou G99</translation>
         </message>
         <message>
+            <source>The job continues without FreeCAD; the controller's panel shows it when it is opened again.</source>
+            <translation>O corte continua sem o FreeCAD; o painel do controlador o reencontra na próxima vez que for aberto.</translation>
+        </message>
+        <message>
             <source>The job is being cut.</source>
             <translation>O trabalho está sendo usinado.</translation>
         </message>
@@ -5739,12 +5775,12 @@
             <translation>O trabalho espera sobre o corte. Retomar continua o corte dali.</translation>
         </message>
         <message>
-            <source>The job with the machine, stock, tools and clamps for the program</source>
-            <translation>O trabalho para cuja máquina, bloco, ferramentas e grampos o programa é feito</translation>
-        </message>
-        <message>
             <source>The job whose program is shown</source>
             <translation>O trabalho cujo programa é mostrado</translation>
+        </message>
+        <message>
+            <source>The job with the machine, stock, tools and clamps for the program</source>
+            <translation>O trabalho para cuja máquina, bloco, ferramentas e grampos o programa é feito</translation>
         </message>
         <message>
             <source>The last job of this machine, {0}, was not cut to its end. Unfinished job… shows how far it came.</source>
@@ -5783,6 +5819,14 @@
             <translation>A ligação com o controlador está sendo iniciada.</translation>
         </message>
         <message>
+            <source>The machine is at rest and waits.</source>
+            <translation>A máquina está parada e à espera.</translation>
+        </message>
+        <message>
+            <source>The machine is at rest; nothing is lost. Resume or stop.</source>
+            <translation>A máquina está parada; nada se perdeu. Retome ou pare.</translation>
+        </message>
+        <message>
             <source>The machine is cutting a job.</source>
             <translation>A máquina está usinando um trabalho.</translation>
         </message>
@@ -5817,14 +5861,6 @@
         <message>
             <source>The machine slows down.</source>
             <translation>A máquina desacelera.</translation>
-        </message>
-        <message>
-            <source>The machine is at rest and waits.</source>
-            <translation>A máquina está parada e à espera.</translation>
-        </message>
-        <message>
-            <source>The machine is at rest; nothing is lost. Resume or stop.</source>
-            <translation>A máquina está parada; nada se perdeu. Retome ou pare.</translation>
         </message>
         <message>
             <source>The machine waits before each line of a job; Resume cuts the next one</source>
@@ -5867,6 +5903,10 @@
             <translation>O diâmetro nominal; 0: o de cada círculo do desenho</translation>
         </message>
         <message>
+            <source>The operations, in their order</source>
+            <translation>O que é usinado, nesta ordem</translation>
+        </message>
+        <message>
             <source>The order in which the holes are made</source>
             <translation>A ordem em que os furos são feitos</translation>
         </message>
@@ -5891,8 +5931,20 @@
             <translation>O caminho do último trabalho está sendo lido…</translation>
         </message>
         <message>
+            <source>The place of the work zero in this document</source>
+            <translation>Onde fica o zero-peça neste documento</translation>
+        </message>
+        <message>
+            <source>The place of the work zero on the stock</source>
+            <translation>Onde fica o zero-peça no bloco</translation>
+        </message>
+        <message>
             <source>The place on the cut is being looked for…</source>
             <translation>O lugar no corte está sendo procurado…</translation>
+        </message>
+        <message>
+            <source>The places of the holes</source>
+            <translation>Onde ficam os furos</translation>
         </message>
         <message>
             <source>The plunge feed of the program</source>
@@ -5901,6 +5953,10 @@
         <message>
             <source>The points as they were drawn</source>
             <translation>Os pontos como foram desenhados</translation>
+        </message>
+        <message>
+            <source>The position of the table is unknown: home the machine, or set the work zero again.</source>
+            <translation>Não se sabe onde a mesa está: referencie a máquina ou defina de novo o zero-peça.</translation>
         </message>
         <message>
             <source>The profile has a value that is none: mend it first.</source>
@@ -5927,6 +5983,10 @@
             <translation>O programa é verificado de novo, com o zero-peça que a máquina tem agora.</translation>
         </message>
         <message>
+            <source>The program that is shown, checked and sent, if the machine needs one for each tool</source>
+            <translation>Qual é mostrado, verificado e enviado, onde a máquina quer um por ferramenta</translation>
+        </message>
+        <message>
             <source>The program waits; Resume continues it.</source>
             <translation>O programa espera. Retomar continua.</translation>
         </message>
@@ -5949,6 +6009,14 @@
         <message>
             <source>The restart is made and proven…</source>
             <translation>O reinício está sendo criado e verificado…</translation>
+        </message>
+        <message>
+            <source>The retract along the cut is being calculated: wait, hold or stop.</source>
+            <translation>O caminho ao longo do corte está sendo determinado: espere, pause ou pare.</translation>
+        </message>
+        <message>
+            <source>The retract along the cut is being checked…</source>
+            <translation>O caminho ao longo do corte está sendo verificado…</translation>
         </message>
         <message>
             <source>The share of the feed there</source>
@@ -6039,8 +6107,8 @@
             <translation>A ferramenta só avança de novo depois de ter voltado.</translation>
         </message>
         <message>
-            <source>The tool moves along the cut.</source>
-            <translation>A ferramenta se move ao longo do corte.</translation>
+            <source>The tool is at the end of the cut.</source>
+            <translation>A ferramenta está onde o corte chegou.</translation>
         </message>
         <message>
             <source>The tool is on line {0}, at the end of the cut.</source>
@@ -6051,8 +6119,8 @@
             <translation>A ferramenta está na linha {0}, {1} atrás de onde o corte chegou.</translation>
         </message>
         <message>
-            <source>The tool is at the end of the cut.</source>
-            <translation>A ferramenta está onde o corte chegou.</translation>
+            <source>The tool moves along the cut.</source>
+            <translation>A ferramenta se move ao longo do corte.</translation>
         </message>
         <message>
             <source>The tool that cuts it</source>
@@ -6073,14 +6141,6 @@
         <message>
             <source>The waits between steps from rest, in ms, none longer than the one before it</source>
             <translation>As esperas entre passos a partir do repouso, em ms, nenhuma maior que a anterior</translation>
-        </message>
-        <message>
-            <source>The retract along the cut is being checked…</source>
-            <translation>O caminho ao longo do corte está sendo verificado…</translation>
-        </message>
-        <message>
-            <source>The retract along the cut is being calculated: wait, hold or stop.</source>
-            <translation>O caminho ao longo do corte está sendo determinado: espere, pause ou pare.</translation>
         </message>
         <message>
             <source>The width of one pass at most, ae</source>
@@ -6159,6 +6219,10 @@
             <translation>Tempo no programa</translation>
         </message>
         <message>
+            <source>Time of the tool at rest with power; 0: from the cut chart</source>
+            <translation>Quanto tempo a ferramenta fica parada com potência; 0: o da tabela de corte</translation>
+        </message>
+        <message>
             <source>Time that it is run</source>
             <translation>Vez em que é executada</translation>
         </message>
@@ -6205,6 +6269,10 @@
         <message>
             <source>Tolerance</source>
             <translation>Tolerância</translation>
+        </message>
+        <message>
+            <source>Tolerance of the cut line, which reduces the number of moves; 0: none</source>
+            <translation>Quanto a linha cortada pode se afastar da desenhada para ter menos movimentos; 0: nada</translation>
         </message>
         <message>
             <source>Tool</source>
@@ -6259,6 +6327,10 @@
             <translation>Curso de</translation>
         </message>
         <message>
+            <source>Travel of the motor at a reversal before the axis moves</source>
+            <translation>O que o motor gira na inversão antes de o eixo se mover</translation>
+        </message>
+        <message>
             <source>Travel per turn</source>
             <translation>Avanço por volta</translation>
         </message>
@@ -6293,6 +6365,10 @@
         <message>
             <source>Unlock</source>
             <translation>Destravar</translation>
+        </message>
+        <message>
+            <source>Unlock the alarm without homing: only if the position is certainly right.</source>
+            <translation>Retira o alarme sem referenciar: só quando a posição está certa com certeza.</translation>
         </message>
         <message>
             <source>Unreachable</source>
@@ -6335,72 +6411,12 @@
             <translation>Jato de água</translation>
         </message>
         <message>
-            <source>The feed of a program without F, and the cutting speed of a language without F</source>
-            <translation>O que vale num programa sem F, e a velocidade de corte de uma linguagem sem F</translation>
-        </message>
-        <message>
-            <source>Changes of the job's own program since then</source>
-            <translation>O que aconteceu desde então com o programa do próprio trabalho</translation>
-        </message>
-        <message>
-            <source>The operations, in their order</source>
-            <translation>O que é usinado, nesta ordem</translation>
-        </message>
-        <message>
             <source>What is one step: a line of the program, a move, or a pulse of the motors</source>
             <translation>O que é um passo: uma linha do programa, um movimento ou um pulso dos motores</translation>
         </message>
         <message>
-            <source>The current set at the power source; 0: from the chart</source>
-            <translation>O que se ajusta na fonte; 0: a corrente da tabela</translation>
-        </message>
-        <message>
-            <source>Outputs that are on while cutting</source>
-            <translation>O que fica ligado durante o corte</translation>
-        </message>
-        <message>
-            <source>Stock to leave at the wall for another operation</source>
-            <translation>O que fica na parede para outra operação tirar</translation>
-        </message>
-        <message>
-            <source>Backlash of the axis in the profile; the moves sent compensate it</source>
-            <translation>O que o eixo perde em uma inversão, como diz o perfil; os movimentos enviados compensam</translation>
-        </message>
-        <message>
-            <source>Length that the controller adds to Z, if the machine uses a table of lengths; 0: not given</source>
-            <translation>O que o controlador soma a Z, onde a máquina toma os comprimentos de uma tabela; 0: não informado</translation>
-        </message>
-        <message>
-            <source>Material of the cutter</source>
-            <translation>De que a ferramenta é feita</translation>
-        </message>
-        <message>
-            <source>Travel of the motor at a reversal before the axis moves</source>
-            <translation>O que o motor gira na inversão antes de o eixo se mover</translation>
-        </message>
-        <message>
-            <source>Shape of the raw material</source>
-            <translation>Como é a matéria-prima</translation>
-        </message>
-        <message>
-            <source>Material that a round tool leaves at the ends of the long axis</source>
-            <translation>O que a ferramenta redonda deixa nas pontas do eixo maior</translation>
-        </message>
-        <message>
-            <source>The place of the work zero on the stock</source>
-            <translation>Onde fica o zero-peça no bloco</translation>
-        </message>
-        <message>
             <source>Where rapids travel across the work</source>
             <translation>Altura dos movimentos rápidos sobre a peça</translation>
-        </message>
-        <message>
-            <source>The places of the holes</source>
-            <translation>Onde ficam os furos</translation>
-        </message>
-        <message>
-            <source>Place of the mirror, mm</source>
-            <translation>Onde fica o espelho, mm</translation>
         </message>
         <message>
             <source>Where the row begins, from the work zero</source>
@@ -6409,18 +6425,6 @@
         <message>
             <source>Where the row ends</source>
             <translation>Onde a fileira termina</translation>
-        </message>
-        <message>
-            <source>The position of the table is unknown: home the machine, or set the work zero again.</source>
-            <translation>Não se sabe onde a mesa está: referencie a máquina ou defina de novo o zero-peça.</translation>
-        </message>
-        <message>
-            <source>At smaller corners the wire neither pauses nor slows down</source>
-            <translation>Onde o caminho vira menos, o fio nem para nem vai mais devagar</translation>
-        </message>
-        <message>
-            <source>The place of the work zero in this document</source>
-            <translation>Onde fica o zero-peça neste documento</translation>
         </message>
         <message>
             <source>Whether a laser's power follows its speed (M4)</source>
@@ -6449,10 +6453,6 @@
         <message>
             <source>Whether the program holds it</source>
             <translation>Se o programa a contém</translation>
-        </message>
-        <message>
-            <source>The program that is shown, checked and sent, if the machine needs one for each tool</source>
-            <translation>Qual é mostrado, verificado e enviado, onde a máquina quer um por ferramenta</translation>
         </message>
         <message>
             <source>While pressed</source>
@@ -6615,6 +6615,14 @@
             <translation>ap, recalculada para passes inteiros</translation>
         </message>
         <message>
+            <source>applies a given tool length</source>
+            <translation>leva em conta um comprimento de ferramenta dado</translation>
+        </message>
+        <message>
+            <source>applies the tool's length</source>
+            <translation>leva em conta o comprimento da ferramenta</translation>
+        </message>
+        <message>
             <source>arc</source>
             <translation>arco</translation>
         </message>
@@ -6729,6 +6737,10 @@
         <message>
             <source>calls a subprogram</source>
             <translation>chama um subprograma</translation>
+        </message>
+        <message>
+            <source>cancels G92</source>
+            <translation>desfaz G92</translation>
         </message>
         <message>
             <source>canned cycles return to R</source>
@@ -6859,6 +6871,10 @@
             <translation>ferramenta de gravação</translation>
         </message>
         <message>
+            <source>exceeds the machine's travel; at most {0}</source>
+            <translation>vai além do curso da máquina; no máximo {0}</translation>
+        </message>
+        <message>
             <source>feed</source>
             <translation>avanço</translation>
         </message>
@@ -6917,10 +6933,6 @@
         <message>
             <source>glass</source>
             <translation>vidro</translation>
-        </message>
-        <message>
-            <source>exceeds the machine's travel; at most {0}</source>
-            <translation>vai além do curso da máquina; no máximo {0}</translation>
         </message>
         <message>
             <source>goes far beyond the machine's fastest axis; at most {0}</source>
@@ -7251,12 +7263,12 @@
             <translation>pausa, à mão</translation>
         </message>
         <message>
-            <source>pauses until cycle start</source>
-            <translation>pausa até que mandem continuar</translation>
-        </message>
-        <message>
             <source>pauses if optional stop is on</source>
             <translation>pausa quando o operador quer</translation>
+        </message>
+        <message>
+            <source>pauses until cycle start</source>
+            <translation>pausa até que mandem continuar</translation>
         </message>
         <message>
             <source>place along U</source>
@@ -7461,18 +7473,6 @@
         <message>
             <source>table of step times</source>
             <translation>tabela de tempos de passo</translation>
-        </message>
-        <message>
-            <source>cancels G92</source>
-            <translation>desfaz G92</translation>
-        </message>
-        <message>
-            <source>applies a given tool length</source>
-            <translation>leva em conta um comprimento de ferramenta dado</translation>
-        </message>
-        <message>
-            <source>applies the tool's length</source>
-            <translation>leva em conta o comprimento da ferramenta</translation>
         </message>
         <message>
             <source>the cutter runs left of the path</source>
@@ -7834,12 +7834,12 @@
             <translation>'{solid}' não é um sólido e não pode ser grampo</translation>
         </message>
         <message>
-            <source>'{text}' is not a tool</source>
-            <translation>'{text}' não é uma ferramenta</translation>
-        </message>
-        <message>
             <source>'{text}' is a move whose end only the controller knows</source>
             <translation>'{text}' move como só o controlador sabe</translation>
+        </message>
+        <message>
+            <source>'{text}' is not a tool</source>
+            <translation>'{text}' não é uma ferramenta</translation>
         </message>
         <message>
             <source>'{value}' is no feed for programs without F</source>
@@ -9126,10 +9126,6 @@
             <translation>um driver de motor acusa falha</translation>
         </message>
         <message>
-            <source>the lathe finishes a move that it has begun: switch it off, then set its zero again</source>
-            <translation>um movimento que o torno começou continua: desligue-o e depois defina o zero de novo</translation>
-        </message>
-        <message>
             <source>a move would end outside the travel (soft limit)</source>
             <translation>um movimento terminaria fora do curso (limite de software)</translation>
         </message>
@@ -9886,12 +9882,28 @@
             <translation>volta pelo corte</translation>
         </message>
         <message>
-            <source>retracted along the cut: go further back, forward, or resume from here</source>
-            <translation>de volta ao longo do corte: continue para trás, para a frente, ou retome daqui</translation>
-        </message>
-        <message>
             <source>back to where the program paused: up, over, down</source>
             <translation>volta ao ponto em que o programa pausou: sobe, desloca, desce</translation>
+        </message>
+        <message>
+            <source>backlash cannot be compensated in an arc with an absolute centre</source>
+            <translation>a folga dos eixos não pode ser compensada em um arco com centro absoluto</translation>
+        </message>
+        <message>
+            <source>backlash cannot be compensated in rotated coordinates</source>
+            <translation>a folga dos eixos não pode ser compensada em coordenadas giradas</translation>
+        </message>
+        <message>
+            <source>backlash cannot be compensated in the dialect {dialect}</source>
+            <translation>na linguagem de {dialect} não há como compensar a folga</translation>
+        </message>
+        <message>
+            <source>backlash cannot be compensated within this line</source>
+            <translation>a folga dos eixos não pode ser compensada dentro desta linha</translation>
+        </message>
+        <message>
+            <source>backlash has three values, one for each axis</source>
+            <translation>a folga é informada para três eixos</translation>
         </message>
         <message>
             <source>backlash_mm must be below the travel of the axis</source>
@@ -10106,6 +10118,10 @@
             <translation>verifique a taxa (baud) e o que está conectado</translation>
         </message>
         <message>
+            <source>check the baud rate, and which reports the controller sends unasked</source>
+            <translation>verifique a velocidade (baud) e quais relatórios o controlador envia por conta própria</translation>
+        </message>
+        <message>
             <source>check the cable</source>
             <translation>verifique o cabo</translation>
         </message>
@@ -10124,6 +10140,10 @@
         <message>
             <source>check the program again, and send it with the certificate that this gives</source>
             <translation>verifique o programa de novo e envie-o com o certificado que isso gera</translation>
+        </message>
+        <message>
+            <source>check the state of the machine now, then answer again</source>
+            <translation>veja como a máquina está agora e responda a isso</translation>
         </message>
         <message>
             <source>check the switches, and max_travel_mm in its configuration</source>
@@ -10274,6 +10294,10 @@
             <translation>círculos e pontos de vários desenhos em torno do mesmo centro, um furo para cada: {twice}</translation>
         </message>
         <message>
+            <source>clamp the tool with more stickout</source>
+            <translation>deixe a ferramenta mais para fora do porta-ferramenta</translation>
+        </message>
+        <message>
             <source>clear the cause, then reset the controller</source>
             <translation>elimine a causa e reinicie o controlador</translation>
         </message>
@@ -10380,6 +10404,10 @@
         <message>
             <source>constant surface speed became a speed a move</source>
             <translation>a velocidade de corte constante virou uma rotação por movimento</translation>
+        </message>
+        <message>
+            <source>continues with</source>
+            <translation>continua com</translation>
         </message>
         <message>
             <source>convert the text to paths in the drawing program</source>
@@ -10622,10 +10650,6 @@
             <translation>cortado no material que os movimentos anteriores deixaram, e julgado pelas formas do trabalho</translation>
         </message>
         <message>
-            <source>simulated on the stock that the earlier moves have left; the wanted shape is unknown and was not compared</source>
-            <translation>cortado no material que os movimentos anteriores deixaram; a forma desejada não é conhecida, por isso não é julgado</translation>
-        </message>
-        <message>
             <source>cut some of the curves in an operation of their own</source>
             <translation>corte algumas das curvas em uma operação própria</translation>
         </message>
@@ -10814,10 +10838,6 @@
             <translation>entre em hélice ou rampa, ou no meio de um furo já aberto</translation>
         </message>
         <message>
-            <source>the program cannot run from here on its own: {error}</source>
-            <translation>retomado aqui, o programa não se sustenta sozinho: {error}</translation>
-        </message>
-        <message>
             <source>entered here, the program would do something else than when it is run whole</source>
             <translation>retomado aqui, o programa faria algo diferente do que faz quando executado inteiro</translation>
         </message>
@@ -10852,6 +10872,10 @@
         <message>
             <source>exclusively lock</source>
             <translation>exclusively lock</translation>
+        </message>
+        <message>
+            <source>expand it first: cncstepper convert</source>
+            <translation>escreva antes por extenso o que ele faz: cncstepper convert</translation>
         </message>
         <message>
             <source>expand it into plain moves</source>
@@ -10932,6 +10956,10 @@
         <message>
             <source>formats inside MTEXT are not applied</source>
             <translation>as formatações dentro do MTEXT não são aplicadas</translation>
+        </message>
+        <message>
+            <source>free space on its disk, and resume when the journal is written again</source>
+            <translation>libere espaço no disco dele, e continue quando for dito que ele é gravado de novo</translation>
         </message>
         <message>
             <source>free the machine from the switch, then home it</source>
@@ -11158,6 +11186,10 @@
             <translation>informe o número e o nome do material</translation>
         </message>
         <message>
+            <source>give the number of the run</source>
+            <translation>diga em qual das vezes em que ela é executada</translation>
+        </message>
+        <message>
             <source>give the path of a file</source>
             <translation>dê o caminho de um arquivo</translation>
         </message>
@@ -11242,10 +11274,6 @@
             <translation>avance linha por linha enquanto um trabalho está em execução</translation>
         </message>
         <message>
-            <source>resume or stop it where it was started, or with: cncstepper back --session {file}</source>
-            <translation>continue-o ou pare-o onde foi iniciado, ou com: cncstepper back --session {file}</translation>
-        </message>
-        <message>
             <source>go on, or stop the job</source>
             <translation>continue, ou pare o trabalho</translation>
         </message>
@@ -11256,10 +11284,6 @@
         <message>
             <source>goes down at {plunge_mm_min:g} mm/min</source>
             <translation>desce a {plunge_mm_min:g} mm/min</translation>
-        </message>
-        <message>
-            <source>continues with</source>
-            <translation>continua com</translation>
         </message>
         <message>
             <source>goes to Z {height_mm:.3f} first, straight up (it is not sent while the tool stands higher), then over the place</source>
@@ -11414,10 +11438,6 @@
             <translation>em tempo inverso cada {name} precisa do seu próprio F maior que 0</translation>
         </message>
         <message>
-            <source>backlash cannot be compensated in the dialect {dialect}</source>
-            <translation>na linguagem de {dialect} não há como compensar a folga</translation>
-        </message>
-        <message>
             <source>in the operation {span}</source>
             <translation>na operação {span}</translation>
         </message>
@@ -11458,6 +11478,10 @@
             <translation>é lido em uma linha própria, em um programa inteiro, onde o dialeto tem sub-rotinas</translation>
         </message>
         <message>
+            <source>it appears when that is done</source>
+            <translation>ele aparece sozinho quando estiver pronto</translation>
+        </message>
+        <message>
             <source>it begins with {0}</source>
             <translation>começa com {0}</translation>
         </message>
@@ -11470,8 +11494,16 @@
             <translation>ele fechou a conexão</translation>
         </message>
         <message>
+            <source>it contains a file that no bundle has: {name}</source>
+            <translation>contém o que nenhum pacote tem: {name}</translation>
+        </message>
+        <message>
             <source>it cuts upwards on a helix, as thread mills do, and is entered at its begin, line {begin}</source>
             <translation>o corte sobe em hélice, como fazem as fresas de roscar, e é retomado no seu início, linha {begin}</translation>
+        </message>
+        <message>
+            <source>it does not answer</source>
+            <translation>ele não diz nada</translation>
         </message>
         <message>
             <source>it does not begin with M</source>
@@ -11494,8 +11526,8 @@
             <translation>termina com {0}: {1}</translation>
         </message>
         <message>
-            <source>it resumes without a person</source>
-            <translation>continua sozinho</translation>
+            <source>it has accepted nothing for {limit:g} s</source>
+            <translation>não aceita nada há {limit:g} s</translation>
         </message>
         <message>
             <source>it has chains on {known}</source>
@@ -11570,10 +11602,6 @@
             <translation>contém mais do que um pacote</translation>
         </message>
         <message>
-            <source>it contains a file that no bundle has: {name}</source>
-            <translation>contém o que nenhum pacote tem: {name}</translation>
-        </message>
-        <message>
             <source>it is a device</source>
             <translation>é um dispositivo</translation>
         </message>
@@ -11610,12 +11638,12 @@
             <translation>é um só programa</translation>
         </message>
         <message>
-            <source>it appears when that is done</source>
-            <translation>ele aparece sozinho quando estiver pronto</translation>
-        </message>
-        <message>
             <source>it is too long for its tolerance</source>
             <translation>é longa demais para a sua tolerância</translation>
+        </message>
+        <message>
+            <source>it is uncertain which of several passes was cut, so the earliest possible one is used: line {file_line}, not {file_line2}</source>
+            <translation>não se pode dizer com certeza qual de vários passes foi cortado, por isso vale o primeiro que se ajusta: linha {file_line}, não {file_line2}</translation>
         </message>
         <message>
             <source>it is within a way into the cut, which begins at line {file_line}</source>
@@ -11658,8 +11686,8 @@
             <translation>ele renomeia um arquivo</translation>
         </message>
         <message>
-            <source>it does not answer</source>
-            <translation>ele não diz nada</translation>
+            <source>it resumes without a person</source>
+            <translation>continua sozinho</translation>
         </message>
         <message>
             <source>it should be *{summed}</source>
@@ -11680,10 +11708,6 @@
         <message>
             <source>it takes more memory than it may</source>
             <translation>ocupa mais memória do que pode</translation>
-        </message>
-        <message>
-            <source>it has accepted nothing for {limit:g} s</source>
-            <translation>não aceita nada há {limit:g} s</translation>
         </message>
         <message>
             <source>it takes too long</source>
@@ -11732,6 +11756,10 @@
         <message>
             <source>its directory is too large</source>
             <translation>seu diretório é grande demais</translation>
+        </message>
+        <message>
+            <source>its effect depends on the machine: leave it out</source>
+            <translation>o que ela faz depende da máquina: omita-a</translation>
         </message>
         <message>
             <source>its file '{name}' is neither here nor in ../Bit</source>
@@ -11926,10 +11954,6 @@
             <translation>entre e saia pelo retalho</translation>
         </message>
         <message>
-            <source>route it around the part, through scrap</source>
-            <translation>passe o fio em volta da peça, pelo que vira retalho</translation>
-        </message>
-        <message>
             <source>leads had to be made smaller to stay in the scrap, down to {smallest:.0%} of their size</source>
             <translation>entradas e saídas tiveram de ser diminuídas para ficar na sobra, até {smallest:.0%} do seu tamanho</translation>
         </message>
@@ -12040,14 +12064,6 @@
         <message>
             <source>let it plunge at the start of the contour</source>
             <translation>faça-a mergulhar no início do contorno</translation>
-        </message>
-        <message>
-            <source>clamp the tool with more stickout</source>
-            <translation>deixe a ferramenta mais para fora do porta-ferramenta</translation>
-        </message>
-        <message>
-            <source>make them coincide, or keep them {small_mm:g} mm apart</source>
-            <translation>faça-os coincidir ou mantenha-os a {small_mm:g} mm um do outro</translation>
         </message>
         <message>
             <source>lift the head higher, or go round the piece</source>
@@ -12166,10 +12182,6 @@
             <translation>verifique as configurações de Bluetooth</translation>
         </message>
         <message>
-            <source>check the baud rate, and which reports the controller sends unasked</source>
-            <translation>verifique a velocidade (baud) e quais relatórios o controlador envia por conta própria</translation>
-        </message>
-        <message>
             <source>look at the controller's file system, then try again</source>
             <translation>verifique o sistema de arquivos do controlador e tente de novo</translation>
         </message>
@@ -12190,24 +12202,8 @@
             <translation>verifique a rede do controlador</translation>
         </message>
         <message>
-            <source>read its message, and correct that line</source>
-            <translation>veja o que ele diz e corrija essa linha</translation>
-        </message>
-        <message>
-            <source>read its message, close other programs, or choose lower speeds</source>
-            <translation>veja o que ele diz, encerre outros programas, ou escolha velocidades menores</translation>
-        </message>
-        <message>
             <source>look for a pendant or another program that is connected, set the zero again, then send again</source>
             <translation>procure um pendente ou outro programa conectado, defina o zero de novo e envie outra vez</translation>
-        </message>
-        <message>
-            <source>check the state of the machine now, then answer again</source>
-            <translation>veja como a máquina está agora e responda a isso</translation>
-        </message>
-        <message>
-            <source>make sure that the axes are at rest, check cable and grounding, and home again</source>
-            <translation>veja se os eixos estão parados, verifique o cabo e o aterramento e referencie a máquina de novo</translation>
         </message>
         <message>
             <source>look that the tool is off, and start the job again</source>
@@ -12306,10 +12302,6 @@
             <translation>aumente resolution_mm</translation>
         </message>
         <message>
-            <source>free space on its disk, and resume when the journal is written again</source>
-            <translation>libere espaço no disco dele, e continue quando for dito que ele é gravado de novo</translation>
-        </message>
-        <message>
             <source>make room on the disk of {folder}, and see that you may write there; then send again</source>
             <translation>libere espaço no disco de {folder} e verifique se você pode gravar ali; depois envie de novo</translation>
         </message>
@@ -12332,6 +12324,10 @@
         <message>
             <source>make stepover_mm larger</source>
             <translation>aumente stepover_mm</translation>
+        </message>
+        <message>
+            <source>make sure that the axes are at rest, check cable and grounding, and home again</source>
+            <translation>veja se os eixos estão parados, verifique o cabo e o aterramento e referencie a máquina de novo</translation>
         </message>
         <message>
             <source>make the corner radius smaller</source>
@@ -12374,6 +12370,10 @@
             <translation>diminua o texto, mude o seu início ou alongue a curva</translation>
         </message>
         <message>
+            <source>make them coincide, or keep them {small_mm:g} mm apart</source>
+            <translation>faça-os coincidir ou mantenha-os a {small_mm:g} mm um do outro</translation>
+        </message>
+        <message>
             <source>make them lower</source>
             <translation>baixe-as</translation>
         </message>
@@ -12396,6 +12396,10 @@
         <message>
             <source>material stays in {gaps} gap(s) between walls that are narrower than the tool, the deepest one before X{x:.3f} Y{y:.3f}; a smaller tool removes it</source>
             <translation>fica material em {gaps} fresta(s) entre paredes mais estreita(s) que a ferramenta, a mais funda diante de X{x:.3f} Y{y:.3f}; uma ferramenta menor o remove</translation>
+        </message>
+        <message>
+            <source>material that is cut off</source>
+            <translation>o que é cortado</translation>
         </message>
         <message>
             <source>material {number} has no {key}</source>
@@ -12846,14 +12850,6 @@
             <translation>nenhum caminho pelo retalho leva ao que fica em X{x:.3f} Y{y:.3f}</translation>
         </message>
         <message>
-            <source>the work zero is not confirmed</source>
-            <translation>ninguém confirmou o zero-peça</translation>
-        </message>
-        <message>
-            <source>the lines of a retract are not at the controller</source>
-            <translation>ninguém conduz a ferramenta ao longo do seu corte; as linhas do programa para isso não estão no controlador</translation>
-        </message>
-        <message>
             <source>none of the selected drawings can be followed</source>
             <translation>nenhum dos desenhos selecionados pode ser seguido</translation>
         </message>
@@ -13142,6 +13138,10 @@
             <translation>só arcos de G17 podem ser girados em torno de Z</translation>
         </message>
         <message>
+            <source>only the controller knows where a probe stops</source>
+            <translation>onde um apalpador para, só o controlador sabe</translation>
+        </message>
+        <message>
             <source>only the first control point goes without X and Y</source>
             <translation>só o primeiro ponto de controle dispensa X e Y</translation>
         </message>
@@ -13168,6 +13168,10 @@
         <message>
             <source>operation {number} ({cycle}) will take long: about {length_mm:.0f} m of cut in {levels} levels</source>
             <translation>a operação {number} ({cycle}) vai demorar: cerca de {length_mm:.0f} m de corte em {levels} níveis</translation>
+        </message>
+        <message>
+            <source>otherwise the move would be bent</source>
+            <translation>o trajeto seria curvado de outro modo</translation>
         </message>
         <message>
             <source>outlines and islands lie too close to each other to be told apart</source>
@@ -13198,7 +13202,7 @@
             <translation>peça '{name}': {what}</translation>
         </message>
         <message>
-            <source>part of the drawn shape is outside the stock</source>
+            <source>part of the drawn shape is beside the stock</source>
             <translation>parte da forma desenhada fica fora do bloco</translation>
         </message>
         <message>
@@ -13282,10 +13286,6 @@
             <translation>o platformdirs não está instalado</translation>
         </message>
         <message>
-            <source>backlash has three values, one for each axis</source>
-            <translation>a folga é informada para três eixos</translation>
-        </message>
-        <message>
             <source>please report it, with the program</source>
             <translation>relate-o, por favor, com o programa</translation>
         </message>
@@ -13354,12 +13354,12 @@
             <translation>pulsos só são descartados em repouso, não no estado {state}</translation>
         </message>
         <message>
-            <source>pulses can be retracted only in a hold, not in state {state}</source>
-            <translation>só se volta pelos pulsos em pausa, não no estado {state}</translation>
-        </message>
-        <message>
             <source>pulses are those of a machine</source>
             <translation>os pulsos são os de uma máquina</translation>
+        </message>
+        <message>
+            <source>pulses can be retracted only in a hold, not in state {state}</source>
+            <translation>só se volta pelos pulsos em pausa, não no estado {state}</translation>
         </message>
         <message>
             <source>put in tool {tool:g}</source>
@@ -13432,6 +13432,22 @@
         <message>
             <source>rapids move at the feed in force: no F for them was given</source>
             <translation>os rápidos usam o avanço em vigor: nenhum F foi dado para eles</translation>
+        </message>
+        <message>
+            <source>read as a flat mill: '{name}' does not name a shape</source>
+            <translation>tida como fresa de topo: '{name}' não nomeia uma forma que as palavras de uma tabela digam</translation>
+        </message>
+        <message>
+            <source>read its message, and correct that line</source>
+            <translation>veja o que ele diz e corrija essa linha</translation>
+        </message>
+        <message>
+            <source>read its message, close other programs, or choose lower speeds</source>
+            <translation>veja o que ele diz, encerre outros programas, ou escolha velocidades menores</translation>
+        </message>
+        <message>
+            <source>read its output, and report it</source>
+            <translation>veja o que ele imprimiu e relate</translation>
         </message>
         <message>
             <source>read the controller's start-up messages ($SS) and correct its configuration</source>
@@ -13558,12 +13574,16 @@
             <translation>continue de novo; onde $341 não é 0, faça antes o que o próprio controlador pede na troca de ferramenta</translation>
         </message>
         <message>
-            <source>resume when it is at standstill</source>
-            <translation>continue quando ela estiver parada</translation>
+            <source>resume or stop it where it was started, or with: cncstepper back --session {file}</source>
+            <translation>continue-o ou pare-o onde foi iniciado, ou com: cncstepper back --session {file}</translation>
         </message>
         <message>
             <source>resume what it was doing, or reset it</source>
             <translation>retome o que fazia, ou reinicie-a</translation>
+        </message>
+        <message>
+            <source>resume when it is at standstill</source>
+            <translation>continue quando ela estiver parada</translation>
         </message>
         <message>
             <source>resume, and hold at a later move</source>
@@ -13584,6 +13604,14 @@
         <message>
             <source>retract mode set to r_plane</source>
             <translation>modo de recuo: plano R</translation>
+        </message>
+        <message>
+            <source>retracted along the cut: go further back, forward, or resume from here</source>
+            <translation>de volta ao longo do corte: continue para trás, para a frente, ou retome daqui</translation>
+        </message>
+        <message>
+            <source>route it around the part, through scrap</source>
+            <translation>passe o fio em volta da peça, pelo que vira retalho</translation>
         </message>
         <message>
             <source>rows must be a list of tables</source>
@@ -13634,14 +13662,6 @@
             <translation>salve o arquivo como texto UTF-8</translation>
         </message>
         <message>
-            <source>set it with M61 Q and the tool's number</source>
-            <translation>informe-a com M61 Q e o número da ferramenta</translation>
-        </message>
-        <message>
-            <source>give the number of the run</source>
-            <translation>diga em qual das vezes em que ela é executada</translation>
-        </message>
-        <message>
             <source>scale all axes alike</source>
             <translation>use a mesma escala em todos os eixos</translation>
         </message>
@@ -13672,10 +13692,6 @@
         <message>
             <source>see that the dial counts in the axis' sense, and measure again</source>
             <translation>veja se o relógio conta no sentido do eixo e meça de novo</translation>
-        </message>
-        <message>
-            <source>read its output, and report it</source>
-            <translation>veja o que ele imprimiu e relate</translation>
         </message>
         <message>
             <source>see whether it is whole</source>
@@ -13768,6 +13784,10 @@
         <message>
             <source>set it again, and do not start before it is right</source>
             <translation>defina-o de novo, e não inicie antes que esteja certo</translation>
+        </message>
+        <message>
+            <source>set it with M61 Q and the tool's number</source>
+            <translation>informe-a com M61 Q e o número da ferramenta</translation>
         </message>
         <message>
             <source>set its zero again</source>
@@ -13888,6 +13908,10 @@
         <message>
             <source>simplify the solid, or end the script's loop</source>
             <translation>simplifique o sólido ou termine o laço do script</translation>
+        </message>
+        <message>
+            <source>simulated on the stock that the earlier moves have left; the wanted shape is unknown and was not compared</source>
+            <translation>cortado no material que os movimentos anteriores deixaram; a forma desejada não é conhecida, por isso não é julgado</translation>
         </message>
         <message>
             <source>smooth_mm belongs to points</source>
@@ -14202,10 +14226,6 @@
             <translation>use até 60 letras de a a z, algarismos, - e _, primeiro letra ou algarismo</translation>
         </message>
         <message>
-            <source>read as a flat mill: '{name}' does not name a shape</source>
-            <translation>tida como fresa de topo: '{name}' não nomeia uma forma que as palavras de uma tabela digam</translation>
-        </message>
-        <message>
             <source>tapping became plain moves: the feed may be overridden, and nothing keeps it to the spindle</source>
             <translation>o rosqueamento virou movimentos simples: o avanço pode ser ajustado e nada o prende ao spindle</translation>
         </message>
@@ -14256,6 +14276,10 @@
         <message>
             <source>the USB board's controller</source>
             <translation>o controlador da placa USB</translation>
+        </message>
+        <message>
+            <source>the actions between the moves would change</source>
+            <translation>o que acontece entre os movimentos não seria o mesmo</translation>
         </message>
         <message>
             <source>the angle is not known at the zero of the work system</source>
@@ -14426,6 +14450,10 @@
             <translation>a soma de verificação está errada</translation>
         </message>
         <message>
+            <source>the circle's share of it</source>
+            <translation>o que o círculo toma dela</translation>
+        </message>
+        <message>
             <source>the columns of MTEXT are set one below the other</source>
             <translation>as colunas do MTEXT são postas uma abaixo da outra</translation>
         </message>
@@ -14466,6 +14494,10 @@
             <translation>a configuração não é válida</translation>
         </message>
         <message>
+            <source>the connection service does not start</source>
+            <translation>o processo da mesa de controle não inicia</translation>
+        </message>
+        <message>
             <source>the connection {session_file} is open, but its process does not answer</source>
             <translation>a conexão {session_file} está aberta, mas seu processo não responde</translation>
         </message>
@@ -14476,6 +14508,18 @@
         <message>
             <source>the contour goes through the stock and sets a piece free that no tab holds</source>
             <translation>o contorno atravessa o bloco e solta um pedaço que nenhuma ponte segura</translation>
+        </message>
+        <message>
+            <source>the controller accepts no jog while it is held</source>
+            <translation>o controlador não aceita movimento manual enquanto está em pausa</translation>
+        </message>
+        <message>
+            <source>the controller asks for a login</source>
+            <translation>o controlador quer saber quem é você</translation>
+        </message>
+        <message>
+            <source>the controller did not store the zero of {axis} in {system}</source>
+            <translation>o zero de {axis} em {system} não foi aceito</translation>
         </message>
         <message>
             <source>the controller does not accept the password</source>
@@ -14506,24 +14550,24 @@
             <translation>o controlador não informa ${number}: não foi comparado</translation>
         </message>
         <message>
-            <source>the controller does not report its {system}</source>
-            <translation>o controlador não informa: {system}</translation>
-        </message>
-        <message>
             <source>the controller does not report its modes</source>
             <translation>o controlador não diz seus modos</translation>
+        </message>
+        <message>
+            <source>the controller does not report its state</source>
+            <translation>o controlador não informa o seu estado</translation>
         </message>
         <message>
             <source>the controller does not report its work system: {modes}</source>
             <translation>o controlador não informa o sistema de coordenadas: {modes}</translation>
         </message>
         <message>
-            <source>the controller does not report whether it uses mm or inches</source>
-            <translation>o controlador não diz se informa em mm ou em polegadas</translation>
+            <source>the controller does not report its {system}</source>
+            <translation>o controlador não informa: {system}</translation>
         </message>
         <message>
-            <source>the controller does not report its state</source>
-            <translation>o controlador não informa o seu estado</translation>
+            <source>the controller does not report whether it uses mm or inches</source>
+            <translation>o controlador não diz se informa em mm ou em polegadas</translation>
         </message>
         <message>
             <source>the controller has just started</source>
@@ -14582,6 +14626,14 @@
             <translation>o controlador recusou {line}: {meaning} (error:{error})</translation>
         </message>
         <message>
+            <source>the controller reported: {report}</source>
+            <translation>o controlador disse: {report}</translation>
+        </message>
+        <message>
+            <source>the controller reports that it is homed, but too soon: another line than $H reached it</source>
+            <translation>o controlador diz que a máquina está referenciada, mas cedo demais: chegou a ele outra linha em vez de $H</translation>
+        </message>
+        <message>
             <source>the controller restarted in the middle of the job</source>
             <translation>o controlador reiniciou no meio do trabalho</translation>
         </message>
@@ -14598,14 +14650,6 @@
             <translation>o controlador reiniciou quando sua porta foi aberta; ele conta a partir de onde está. Até ser desligado do cabo, nenhuma abertura seguinte o reinicia</translation>
         </message>
         <message>
-            <source>the controller reported: {report}</source>
-            <translation>o controlador disse: {report}</translation>
-        </message>
-        <message>
-            <source>the controller reports that it is homed, but too soon: another line than $H reached it</source>
-            <translation>o controlador diz que a máquina está referenciada, mas cedo demais: chegou a ele outra linha em vez de $H</translation>
-        </message>
-        <message>
             <source>the controller sleeps and its motors are off: unlock it, then home it or set its zero again</source>
             <translation>o controlador dorme e os motores estão desligados: destrave-o, depois referencie ou defina o zero de novo</translation>
         </message>
@@ -14618,16 +14662,8 @@
             <translation>o controlador parou por uma falha crítica</translation>
         </message>
         <message>
-            <source>the controller accepts no jog while it is held</source>
-            <translation>o controlador não aceita movimento manual enquanto está em pausa</translation>
-        </message>
-        <message>
             <source>the controller waits for its new tool</source>
             <translation>o controlador espera pela nova ferramenta</translation>
-        </message>
-        <message>
-            <source>the controller asks for a login</source>
-            <translation>o controlador quer saber quem é você</translation>
         </message>
         <message>
             <source>the controller was reset before it could do that</source>
@@ -14686,6 +14722,10 @@
             <translation>a curva está aberta, é preciso uma fechada</translation>
         </message>
         <message>
+            <source>the curve that {kind} follows is unknown</source>
+            <translation>não se sabe o que {kind} segue</translation>
+        </message>
+        <message>
             <source>the curves of the drawing are too many and too wild for the tolerance</source>
             <translation>as curvas do desenho são muitas e irregulares demais para a tolerância</translation>
         </message>
@@ -14700,10 +14740,6 @@
         <message>
             <source>the cut begins without waiting for the spindle</source>
             <translation>o corte começa sem esperar o spindle</translation>
-        </message>
-        <message>
-            <source>the cut is too close to the sheet's edge</source>
-            <translation>o corte chega perto demais da borda da chapa</translation>
         </message>
         <message>
             <source>the cut failed by a fault of its own: {kind}: {fault}</source>
@@ -14722,8 +14758,8 @@
             <translation>a altura de corte não é a da tabela de corte</translation>
         </message>
         <message>
-            <source>the cycle uses a kerf of {kerf_mm:g} mm, the simulation the tool's diameter of {diameter_mm:g} mm</source>
-            <translation>o corte é tido como de {kerf_mm:g} mm de largura, a simulação corta com os {diameter_mm:g} mm da ferramenta</translation>
+            <source>the cut is too close to the sheet's edge</source>
+            <translation>o corte chega perto demais da borda da chapa</translation>
         </message>
         <message>
             <source>the cut leads through the edge of a part that a contour leaves standing, {where}</source>
@@ -14740,6 +14776,10 @@
         <message>
             <source>the cycle takes too many passes</source>
             <translation>o ciclo usa passes demais</translation>
+        </message>
+        <message>
+            <source>the cycle uses a kerf of {kerf_mm:g} mm, the simulation the tool's diameter of {diameter_mm:g} mm</source>
+            <translation>o corte é tido como de {kerf_mm:g} mm de largura, a simulação corta com os {diameter_mm:g} mm da ferramenta</translation>
         </message>
         <message>
             <source>the degree of the spline is out of bounds</source>
@@ -14768,10 +14808,6 @@
         <message>
             <source>the desk of {port} is not there, or was killed</source>
             <translation>a mesa de controle de {port} não existe ou foi encerrada</translation>
-        </message>
-        <message>
-            <source>the connection service does not start</source>
-            <translation>o processo da mesa de controle não inicia</translation>
         </message>
         <message>
             <source>the device has accepted nothing for {limit:g} s; steps may be lost</source>
@@ -14908,6 +14944,10 @@
         <message>
             <source>the edited program has no job</source>
             <translation>o programa editado não tem trabalho</translation>
+        </message>
+        <message>
+            <source>the elements picked of '{drawing}' no longer exist</source>
+            <translation>o que foi escolhido de '{drawing}' não existe mais</translation>
         </message>
         <message>
             <source>the ellipse in '{drawing}' is open</source>
@@ -15358,16 +15398,16 @@
             <translation>o torno não pode ser parado pela sua ligação: ele continua por {0} s, até X{1} Z{2}</translation>
         </message>
         <message>
+            <source>the lathe finishes a move that it has begun: switch it off, then set its zero again</source>
+            <translation>um movimento que o torno começou continua: desligue-o e depois defina o zero de novo</translation>
+        </message>
+        <message>
             <source>the lathe is in automatic mode and cannot be jogged: {0}</source>
             <translation>o torno está em modo automático e não pode ser movido à mão: {0}</translation>
         </message>
         <message>
             <source>the lathe jogs at up to {0} mm/min, or at {1}: it takes the slower one</source>
             <translation>o torno se move à mão a até {0} mm/min, ou a {1}: fica a menor</translation>
-        </message>
-        <message>
-            <source>the zero of the lathe can be set in manual mode only: {0}</source>
-            <translation>o torno aceita um zero só em modo manual: {0}</translation>
         </message>
         <message>
             <source>the leads fit nowhere in the scrap; the closest obstacle is {name} at X{x:.3f} Y{y:.3f}</source>
@@ -15478,6 +15518,10 @@
             <translation>a linha lê onde a máquina está, e a edição mudaria isso</translation>
         </message>
         <message>
+            <source>the lines after it</source>
+            <translation>o que vem depois disso</translation>
+        </message>
+        <message>
             <source>the lines after this tool change cannot run on their own</source>
             <translation>as linhas depois desta troca de ferramenta não se sustentam sozinhas</translation>
         </message>
@@ -15488,6 +15532,10 @@
         <message>
             <source>the lines have different numbers of heights</source>
             <translation>as linhas têm quantidades diferentes de alturas</translation>
+        </message>
+        <message>
+            <source>the lines of a retract are not at the controller</source>
+            <translation>ninguém conduz a ferramenta ao longo do seu corte; as linhas do programa para isso não estão no controlador</translation>
         </message>
         <message>
             <source>the lines that would be sent mean another path than the program</source>
@@ -15522,18 +15570,6 @@
             <translation>a máquina não referencia: {meaning} (error:{error})</translation>
         </message>
         <message>
-            <source>the machine is not at standstill</source>
-            <translation>a máquina não está parada</translation>
-        </message>
-        <message>
-            <source>the machine is not on the path of the lines that it has</source>
-            <translation>a máquina não está no percurso das linhas que recebeu</translation>
-        </message>
-        <message>
-            <source>the machine is not at the begin of the retract</source>
-            <translation>a máquina não está onde o caminho de volta começa</translation>
-        </message>
-        <message>
             <source>the machine finds its own zero</source>
             <translation>a máquina procura o seu próprio zero</translation>
         </message>
@@ -15550,12 +15586,24 @@
             <translation>a máquina tem um só spindle, o de número 0</translation>
         </message>
         <message>
+            <source>the machine is at rest, spindle and outputs are off, its position is kept (the reset cleared G92 and tool length)</source>
+            <translation>a máquina está parada, spindle e saídas desligados, a posição se mantém (o reset apagou G92 e o comprimento da ferramenta)</translation>
+        </message>
+        <message>
             <source>the machine is homed</source>
             <translation>a máquina está referenciada</translation>
         </message>
         <message>
             <source>the machine is not at rest</source>
             <translation>a máquina não está em repouso</translation>
+        </message>
+        <message>
+            <source>the machine is not at standstill</source>
+            <translation>a máquina não está parada</translation>
+        </message>
+        <message>
+            <source>the machine is not at the begin of the retract</source>
+            <translation>a máquina não está onde o caminho de volta começa</translation>
         </message>
         <message>
             <source>the machine is not held</source>
@@ -15568,6 +15616,10 @@
         <message>
             <source>the machine is not in alarm</source>
             <translation>a máquina não está em alarme</translation>
+        </message>
+        <message>
+            <source>the machine is not on the path of the lines that it has</source>
+            <translation>a máquina não está no percurso das linhas que recebeu</translation>
         </message>
         <message>
             <source>the machine is not on the program's path: a line was damaged on its way</source>
@@ -15600,10 +15652,6 @@
         <message>
             <source>the machine must be homed first</source>
             <translation>a máquina precisa ser referenciada antes</translation>
-        </message>
-        <message>
-            <source>the machine is at rest, spindle and outputs are off, its position is kept (the reset cleared G92 and tool length)</source>
-            <translation>a máquina está parada, spindle e saídas desligados, a posição se mantém (o reset apagou G92 e o comprimento da ferramenta)</translation>
         </message>
         <message>
             <source>the machine was stopped at once</source>
@@ -15710,12 +15758,12 @@
             <translation>o diâmetro externo</translation>
         </message>
         <message>
-            <source>the outlines enclose nothing</source>
-            <translation>os contornos não encerram nada</translation>
+            <source>the outlines are beside the stock</source>
+            <translation>os contornos ficam ao lado do bloco</translation>
         </message>
         <message>
-            <source>the outlines are outside the stock</source>
-            <translation>os contornos ficam ao lado do bloco</translation>
+            <source>the outlines enclose nothing</source>
+            <translation>os contornos não encerram nada</translation>
         </message>
         <message>
             <source>the outlines, less islands and stock to leave, leave nothing to cut</source>
@@ -15746,12 +15794,20 @@
             <translation>os parâmetros do arquivo não estão na ordem de seus números</translation>
         </message>
         <message>
+            <source>the part at X{x:.3f} Y{y:.3f} would come loose before it is cut, in any order</source>
+            <translation>o que fica em X{x:.3f} Y{y:.3f} se soltaria antes de ser cortado, em qualquer ordem</translation>
+        </message>
+        <message>
             <source>the part may differ from it by as much: lower P, or follow the exact path with G61</source>
             <translation>a peça pode diferir dele por esse tanto: diminua P, ou siga o caminho exato com G61</translation>
         </message>
         <message>
             <source>the path begins at the machine's position: it has incremental moves (G91) only</source>
             <translation>o percurso começa onde a máquina estiver: ele é dado só por distâncias (G91)</translation>
+        </message>
+        <message>
+            <source>the path contains the tool's radius and is right for this tool only</source>
+            <translation>o raio da ferramenta entrou no percurso, que só vale para esta ferramenta</translation>
         </message>
         <message>
             <source>the path is entered above the height that is given</source>
@@ -15766,12 +15822,12 @@
             <translation>o padrão de busca não pode ser lido: {error}</translation>
         </message>
         <message>
-            <source>the picture has no size: {dpi:g} dpi are assumed; give its width</source>
-            <translation>a imagem não diz o seu tamanho: tomam-se {dpi:g} dpi; dê a largura</translation>
-        </message>
-        <message>
             <source>the picture has no dark areas</source>
             <translation>a imagem não tem áreas escuras</translation>
+        </message>
+        <message>
+            <source>the picture has no size: {dpi:g} dpi are assumed; give its width</source>
+            <translation>a imagem não diz o seu tamanho: tomam-se {dpi:g} dpi; dê a largura</translation>
         </message>
         <message>
             <source>the picture has too many contours</source>
@@ -15824,18 +15880,6 @@
         <message>
             <source>the plane may not be changed</source>
             <translation>o plano não pode ser mudado</translation>
-        </message>
-        <message>
-            <source>backlash cannot be compensated in an arc with an absolute centre</source>
-            <translation>a folga dos eixos não pode ser compensada em um arco com centro absoluto</translation>
-        </message>
-        <message>
-            <source>backlash cannot be compensated in rotated coordinates</source>
-            <translation>a folga dos eixos não pode ser compensada em coordenadas giradas</translation>
-        </message>
-        <message>
-            <source>backlash cannot be compensated within this line</source>
-            <translation>a folga dos eixos não pode ser compensada dentro desta linha</translation>
         </message>
         <message>
             <source>the pocket is so narrow that its way at this engagement would be too long beside parallels</source>
@@ -15894,16 +15938,12 @@
             <translation>o apalpador não estava no estado inicial</translation>
         </message>
         <message>
-            <source>the process that cuts ended before it had an answer</source>
-            <translation>o processo que calcula o corte terminou antes de responder</translation>
-        </message>
-        <message>
             <source>the process that calculates the retract has ended</source>
             <translation>o processo que acha o caminho de volta terminou</translation>
         </message>
         <message>
-            <source>the simulation's process has ended</source>
-            <translation>o processo que conhece a peça em cada momento terminou</translation>
+            <source>the process that cuts ended before it had an answer</source>
+            <translation>o processo que calcula o corte terminou antes de responder</translation>
         </message>
         <message>
             <source>the process that plays the pulses has ended; steps may be lost</source>
@@ -15962,6 +16002,10 @@
             <translation>o programa não pode ser gravado: {error}</translation>
         </message>
         <message>
+            <source>the program cannot run from here on its own: {error}</source>
+            <translation>retomado aqui, o programa não se sustenta sozinho: {error}</translation>
+        </message>
+        <message>
             <source>the program changes no tool</source>
             <translation>o programa não troca de ferramenta</translation>
         </message>
@@ -15976,6 +16020,10 @@
         <message>
             <source>the program cuts nothing at a known place</source>
             <translation>o programa não corta nada em um lugar conhecido</translation>
+        </message>
+        <message>
+            <source>the program does not contain the values of the material that QtPlasmaC has selected</source>
+            <translation>o que diz o material escolhido pelo QtPlasmaC não está no texto</translation>
         </message>
         <message>
             <source>the program has no F word</source>
@@ -16150,6 +16198,22 @@
             <translation>o reinício primeiro desce reto, de Z {high}, onde a máquina se referenciou, até Z {low}</translation>
         </message>
         <message>
+            <source>the retract along the cut</source>
+            <translation>o caminho de volta ao longo do corte</translation>
+        </message>
+        <message>
+            <source>the retract cannot be read back: {error}</source>
+            <translation>o caminho de volta não pode ser lido: {error}</translation>
+        </message>
+        <message>
+            <source>the retract cannot be sent as it was written</source>
+            <translation>o caminho ao longo do corte não pode ser enviado como foi escrito</translation>
+        </message>
+        <message>
+            <source>the retract does not lead to that place</source>
+            <translation>o caminho de volta não leva até lá</translation>
+        </message>
+        <message>
             <source>the retract mode may not be changed</source>
             <translation>o modo de recuo não pode ser mudado</translation>
         </message>
@@ -16250,10 +16314,6 @@
             <translation>a sessão ainda está em curso</translation>
         </message>
         <message>
-            <source>this program does not understand the answers of the session {session_file}</source>
-            <translation>a sessão {session_file} responde o que este programa não entende</translation>
-        </message>
-        <message>
             <source>the session {session_file} has ended, and its outcome cannot be read: {why}</source>
             <translation>a sessão {session_file} terminou, e o resultado não pode ser lido: {why}</translation>
         </message>
@@ -16308,6 +16368,10 @@
         <message>
             <source>the shorter side</source>
             <translation>o lado menor</translation>
+        </message>
+        <message>
+            <source>the simulation's process has ended</source>
+            <translation>o processo que conhece a peça em cada momento terminou</translation>
         </message>
         <message>
             <source>the slot's width</source>
@@ -16374,12 +16438,12 @@
             <translation>a pilha tem chapas demais</translation>
         </message>
         <message>
-            <source>this answer belongs to an earlier pause</source>
-            <translation>a parada à qual isto responde já terminou</translation>
-        </message>
-        <message>
             <source>the stand-alone interpreter moves X Y Z A B C only</source>
             <translation>o interpretador autônomo só move X Y Z A B C</translation>
+        </message>
+        <message>
+            <source>the state of the machine's position cannot be stored: {error}</source>
+            <translation>o que se sabe da posição da máquina não pode ser guardado: {error}</translation>
         </message>
         <message>
             <source>the state of the stored settings cannot be read</source>
@@ -16530,6 +16594,10 @@
             <translation>a ferramenta sobe ou desce enquanto corta: ao contrário ela entraria na profundidade total</translation>
         </message>
         <message>
+            <source>the tool is at Z {high}, and the restart first goes straight down to Z {low} as a rapid</source>
+            <translation>a ferramenta está em Z {high}, e o reinício primeiro desce reto até Z {low}, em avanço rápido</translation>
+        </message>
+        <message>
             <source>the tool is below the stock's top while its place in X or Y is not known</source>
             <translation>a ferramenta está abaixo do topo do bloco sem que o seu lugar em X ou Y seja conhecido</translation>
         </message>
@@ -16574,12 +16642,12 @@
             <translation>a correção da ferramenta não pode ser mudada</translation>
         </message>
         <message>
-            <source>the tool is at Z {high}, and the restart first goes straight down to Z {low} as a rapid</source>
-            <translation>a ferramenta está em Z {high}, e o reinício primeiro desce reto até Z {low}, em avanço rápido</translation>
-        </message>
-        <message>
             <source>the tool table cannot be read again</source>
             <translation>a tabela de ferramentas não pode ser lida de novo</translation>
+        </message>
+        <message>
+            <source>the tool's position is unknown here</source>
+            <translation>não se sabe onde a ferramenta está aqui</translation>
         </message>
         <message>
             <source>the tool's radius is compensated along this way (G41, G42)</source>
@@ -16590,12 +16658,12 @@
             <translation>o raio da ferramenta está compensado: começa na linha {file_line}, com G41 ou G42</translation>
         </message>
         <message>
-            <source>the path contains the tool's radius and is right for this tool only</source>
-            <translation>o raio da ferramenta entrou no percurso, que só vale para esta ferramenta</translation>
-        </message>
-        <message>
             <source>the tool's width is not the cut chart's kerf</source>
             <translation>a largura da ferramenta não é a largura do corte da tabela</translation>
+        </message>
+        <message>
+            <source>the tool's {letter} is unknown here, and a rotation needs both coordinates</source>
+            <translation>a posição da ferramenta em {letter} não é conhecida aqui, e girar precisa das duas coordenadas</translation>
         </message>
         <message>
             <source>the torch cannot be switched off</source>
@@ -16618,6 +16686,10 @@
             <translation>o valor deve ser um número inteiro</translation>
         </message>
         <message>
+            <source>the value of #{number} is known only when the program runs</source>
+            <translation>o valor de #{number} só é conhecido quando o programa é executado</translation>
+        </message>
+        <message>
             <source>the velocity may not be reduced</source>
             <translation>a velocidade não pode ser reduzida</translation>
         </message>
@@ -16632,26 +16704,6 @@
         <message>
             <source>the wall may be up to {promise_mm:.3f} mm off: an ellipse is no offset of an ellipse, and the resolution adds to it; method "tolerance" keeps to tolerance_mm</source>
             <translation>a parede pode desviar até {promise_mm:.3f} mm: uma elipse não é paralela a outra elipse, e a resolução se soma a isso; o método "tolerance" respeita tolerance_mm</translation>
-        </message>
-        <message>
-            <source>the retract cannot be sent as it was written</source>
-            <translation>o caminho ao longo do corte não pode ser enviado como foi escrito</translation>
-        </message>
-        <message>
-            <source>the retract along the cut</source>
-            <translation>o caminho de volta ao longo do corte</translation>
-        </message>
-        <message>
-            <source>the retract cannot be read back: {error}</source>
-            <translation>o caminho de volta não pode ser lido: {error}</translation>
-        </message>
-        <message>
-            <source>the retract does not lead to that place</source>
-            <translation>o caminho de volta não leva até lá</translation>
-        </message>
-        <message>
-            <source>otherwise the move would be bent</source>
-            <translation>o trajeto seria curvado de outro modo</translation>
         </message>
         <message>
             <source>the web's</source>
@@ -16722,6 +16774,10 @@
             <translation>o zero da peça mudou durante a execução do programa, e não pelo programa</translation>
         </message>
         <message>
+            <source>the work zero is not confirmed</source>
+            <translation>ninguém confirmou o zero-peça</translation>
+        </message>
+        <message>
             <source>the work zero is not known, so the program's place on the table is unknown</source>
             <translation>o zero-peça não é conhecido, por isso o lugar do programa na mesa é desconhecido</translation>
         </message>
@@ -16730,8 +16786,8 @@
             <translation>o zero da peça foi definido numa pausa, portanto o caminho de volta ao longo do corte não é conhecido</translation>
         </message>
         <message>
-            <source>the controller did not store the zero of {axis} in {system}</source>
-            <translation>o zero de {axis} em {system} não foi aceito</translation>
+            <source>the zero of the lathe can be set in manual mode only: {0}</source>
+            <translation>o zero do torno só pode ser definido em modo manual: {0}</translation>
         </message>
         <message>
             <source>the {tool_shape} tool's form is not given, so it is judged as a flat one of its diameter</source>
@@ -16950,6 +17006,10 @@
             <translation>estas diagonais não são de um retângulo com estes lados</translation>
         </message>
         <message>
+            <source>this answer belongs to an earlier pause</source>
+            <translation>a parada à qual isto responde já terminou</translation>
+        </message>
+        <message>
             <source>this build of the controller has no such setting</source>
             <translation>esta versão do controlador não tem essa configuração</translation>
         </message>
@@ -16998,6 +17058,10 @@
             <translation>isto não é uma letra de pulso</translation>
         </message>
         <message>
+            <source>this is no word that can be edited</source>
+            <translation>o que está aqui não é uma palavra que possa ser editada</translation>
+        </message>
+        <message>
             <source>this is not allowed while an emergency stop or a limit is active</source>
             <translation>isto não é permitido com parada de emergência ou fim de curso ativo</translation>
         </message>
@@ -17022,12 +17086,12 @@
             <translation>esta linha é executada em modos que mudam de uma vez para outra</translation>
         </message>
         <message>
-            <source>this line is not executed (deleted, after the end, or never reached), so that its meaning is unknown</source>
-            <translation>esta linha não é executada (bloco opcional, depois do fim ou nunca alcançada): não se sabe o que significa</translation>
-        </message>
-        <message>
             <source>this line is in the part that is to be reversed, and is not only a move</source>
             <translation>esta linha fica em um trecho a ser percorrido ao contrário e faz mais que mover</translation>
+        </message>
+        <message>
+            <source>this line is not executed (deleted, after the end, or never reached), so that its meaning is unknown</source>
+            <translation>esta linha não é executada (bloco opcional, depois do fim ou nunca alcançada): não se sabe o que significa</translation>
         </message>
         <message>
             <source>this machine cannot be held while its program runs: its link has no such command</source>
@@ -17074,16 +17138,16 @@
             <translation>esta máquina não tem eixo Z: retire-o</translation>
         </message>
         <message>
+            <source>this machine has no output to switch (knife and point have no power): take it out</source>
+            <translation>esta máquina não tem nada que se ligue (faca e ponta não têm potência): retire-o</translation>
+        </message>
+        <message>
             <source>this machine has no probe</source>
             <translation>esta máquina não tem apalpador</translation>
         </message>
         <message>
             <source>this machine has no spindle whose speed is chosen: write M3 alone</source>
             <translation>esta máquina não tem fuso com rotação escolhida: escreva só M3</translation>
-        </message>
-        <message>
-            <source>this machine has no output to switch (knife and point have no power): take it out</source>
-            <translation>esta máquina não tem nada que se ligue (faca e ponta não têm potência): retire-o</translation>
         </message>
         <message>
             <source>this machine's speeds cannot be changed while its program runs</source>
@@ -17100,6 +17164,10 @@
         <message>
             <source>this pin of the machine is not known to this reader</source>
             <translation>este leitor não conhece este pino da máquina</translation>
+        </message>
+        <message>
+            <source>this program does not understand the answers of the session {session_file}</source>
+            <translation>a sessão {session_file} responde o que este programa não entende</translation>
         </message>
         <message>
             <source>this reader knows no pockets</source>
@@ -17622,6 +17690,10 @@
             <translation>espere até que tenha iniciado</translation>
         </message>
         <message>
+            <source>wait until it is at rest, or hold it</source>
+            <translation>espere até que pare, ou retenha-a</translation>
+        </message>
+        <message>
             <source>wait until it is homed</source>
             <translation>espere até que esteja referenciada</translation>
         </message>
@@ -17632,10 +17704,6 @@
         <message>
             <source>wait until it is idle; after an alarm home it or unlock it</source>
             <translation>espere até que esteja pronta; depois de um alarme, referencie ou destrave</translation>
-        </message>
-        <message>
-            <source>wait until it is at rest, or hold it</source>
-            <translation>espere até que pare, ou retenha-a</translation>
         </message>
         <message>
             <source>wait until the jog has ended</source>
@@ -17670,72 +17738,12 @@
             <translation>caminho de saída</translation>
         </message>
         <message>
-            <source>the value of #{number} is known only when the program runs</source>
-            <translation>o valor de #{number} só é conhecido quando o programa é executado</translation>
-        </message>
-        <message>
-            <source>the lines after it</source>
-            <translation>o que vem depois disso</translation>
-        </message>
-        <message>
-            <source>the actions between the moves would change</source>
-            <translation>o que acontece entre os movimentos não seria o mesmo</translation>
-        </message>
-        <message>
-            <source>material that is cut off</source>
-            <translation>o que é cortado</translation>
-        </message>
-        <message>
-            <source>the state of the machine's position cannot be stored: {error}</source>
-            <translation>o que se sabe da posição da máquina não pode ser guardado: {error}</translation>
-        </message>
-        <message>
-            <source>its effect depends on the machine: leave it out</source>
-            <translation>o que ela faz depende da máquina: omita-a</translation>
-        </message>
-        <message>
-            <source>the part at X{x:.3f} Y{y:.3f} would come loose before it is cut, in any order</source>
-            <translation>o que fica em X{x:.3f} Y{y:.3f} se soltaria antes de ser cortado, em qualquer ordem</translation>
-        </message>
-        <message>
             <source>what lies inside an outline is faced with it</source>
             <translation>o que fica dentro de um contorno é faceado com ele</translation>
         </message>
         <message>
-            <source>this is no word that can be edited</source>
-            <translation>o que está aqui não é uma palavra que possa ser editada</translation>
-        </message>
-        <message>
-            <source>the circle's share of it</source>
-            <translation>o que o círculo toma dela</translation>
-        </message>
-        <message>
-            <source>the program does not contain the values of the material that QtPlasmaC has selected</source>
-            <translation>o que diz o material escolhido pelo QtPlasmaC não está no texto</translation>
-        </message>
-        <message>
-            <source>the elements picked of '{drawing}' no longer exist</source>
-            <translation>o que foi escolhido de '{drawing}' não existe mais</translation>
-        </message>
-        <message>
-            <source>the curve that {kind} follows is unknown</source>
-            <translation>não se sabe o que {kind} segue</translation>
-        </message>
-        <message>
-            <source>only the controller knows where a probe stops</source>
-            <translation>onde um apalpador para, só o controlador sabe</translation>
-        </message>
-        <message>
             <source>where the machine is cannot be seen: every report of the controller is damaged</source>
             <translation>não é possível ver onde a máquina está: todos os relatórios do controlador chegam danificados</translation>
-        </message>
-        <message>
-            <source>the tool's {letter} is unknown here, and a rotation needs both coordinates</source>
-            <translation>a posição da ferramenta em {letter} não é conhecida aqui, e girar precisa das duas coordenadas</translation>
-        </message>
-        <message>
-            <source>the tool's position is unknown here</source>
-            <translation>não se sabe onde a ferramenta está aqui</translation>
         </message>
         <message>
             <source>where this move began is not known, so there is no way back along it</source>
@@ -17748,10 +17756,6 @@
         <message>
             <source>where this way begins is not known</source>
             <translation>não se sabe onde este trecho começa</translation>
-        </message>
-        <message>
-            <source>it is uncertain which of several passes was cut, so the earliest possible one is used: line {file_line}, not {file_line2}</source>
-            <translation>não se pode dizer com certeza qual de vários passes foi cortado, por isso vale o primeiro que se ajusta: linha {file_line}, não {file_line2}</translation>
         </message>
         <message>
             <source>which run of line {number} is meant is not clear</source>
@@ -18102,10 +18106,6 @@
             <translation>escreva um x,y em mm por linha</translation>
         </message>
         <message>
-            <source>expand it first: cncstepper convert</source>
-            <translation>escreva antes por extenso o que ele faz: cncstepper convert</translation>
-        </message>
-        <message>
             <source>write ph=, pd=, ch= and fr=</source>
             <translation>escreva ph=, pd=, ch= e fr=</translation>
         </message>
@@ -18138,12 +18138,20 @@
             <translation>escreva a curva como retas e arcos</translation>
         </message>
         <message>
+            <source>write the cuts as [[operation]]</source>
+            <translation>escreva o que deve ser cortado como [[operation]]</translation>
+        </message>
+        <message>
             <source>write the end point itself</source>
             <translation>escreva o próprio ponto final</translation>
         </message>
         <message>
             <source>write the motion word again</source>
             <translation>escreva de novo a palavra de movimento</translation>
+        </message>
+        <message>
+            <source>write the path of the tool's centre</source>
+            <translation>escreva o percurso do centro da ferramenta</translation>
         </message>
         <message>
             <source>write the program for the dialect fluidnc or grbl</source>
@@ -18170,10 +18178,6 @@
             <translation>escreva o próprio valor</translation>
         </message>
         <message>
-            <source>write the path of the tool's centre</source>
-            <translation>escreva o percurso do centro da ferramenta</translation>
-        </message>
-        <message>
             <source>write the words with plain numbers</source>
             <translation>escreva as palavras com números simples</translation>
         </message>
@@ -18188,10 +18192,6 @@
         <message>
             <source>write to another one</source>
             <translation>grave em outro</translation>
-        </message>
-        <message>
-            <source>write the cuts as [[operation]]</source>
-            <translation>escreva o que deve ser cortado como [[operation]]</translation>
         </message>
         <message>
             <source>write with G54 to G59</source>
@@ -18570,6 +18570,10 @@
             <translation>{key} é longo demais</translation>
         </message>
         <message>
+            <source>{key} is twice in one material</source>
+            <translation>{key} aparece duas vezes em um material</translation>
+        </message>
+        <message>
             <source>{key} leads into a value that is no table</source>
             <translation>{key} leva a um valor que não é tabela</translation>
         </message>
@@ -18622,8 +18626,8 @@
             <translation>{key} do material {number} não pode ter esse valor</translation>
         </message>
         <message>
-            <source>{key} is twice in one material</source>
-            <translation>{key} aparece duas vezes em um material</translation>
+            <source>{key}= is twice in a material's comment</source>
+            <translation>{key}= aparece duas vezes no comentário de um material</translation>
         </message>
         <message>
             <source>{key}= of a material has no such value</source>
@@ -18632,10 +18636,6 @@
         <message>
             <source>{key}= of a material is out of its bounds</source>
             <translation>{key}= de um material está fora de seus limites</translation>
-        </message>
-        <message>
-            <source>{key}= is twice in a material's comment</source>
-            <translation>{key}= aparece duas vezes no comentário de um material</translation>
         </message>
         <message>
             <source>{kind} on layer '{layer}' at X{x:.3f} Y{y:.3f}, {size}</source>
@@ -18686,8 +18686,16 @@
             <translation>{letter} continua a partir do ponto anterior: nem com {other} nem sob G91</translation>
         </message>
         <message>
+            <source>{letter} has no meaning with G10 L{kind}</source>
+            <translation>{letter} não diz nada com G10 L{kind}</translation>
+        </message>
+        <message>
             <source>{letter} is out of range</source>
             <translation>{letter} está fora da faixa</translation>
+        </message>
+        <message>
+            <source>{letter} is twice on the line</source>
+            <translation>{letter} aparece duas vezes na linha</translation>
         </message>
         <message>
             <source>{letter} may not be negative</source>
@@ -18700,14 +18708,6 @@
         <message>
             <source>{letter} of {name} must be {word} 0</source>
             <translation>o {letter} de {name} deve ser {word} 0</translation>
-        </message>
-        <message>
-            <source>{letter} has no meaning with G10 L{kind}</source>
-            <translation>{letter} não diz nada com G10 L{kind}</translation>
-        </message>
-        <message>
-            <source>{letter} is twice on the line</source>
-            <translation>{letter} aparece duas vezes na linha</translation>
         </message>
         <message>
             <source>{limit_mm:g} mm high</source>
@@ -18762,6 +18762,10 @@
             <translation>{link} não envia fins de linha</translation>
         </message>
         <message>
+            <source>{machine} accepts no pulse letters</source>
+            <translation>{machine} não aceita letras de pulso</translation>
+        </message>
+        <message>
             <source>{machine} at {port}, grbl {firmware}, begun {begin}</source>
             <translation>{machine} em {port}, grbl {firmware}, iniciado em {begin}</translation>
         </message>
@@ -18784,10 +18788,6 @@
         <message>
             <source>{machine} has no relay '{name}'</source>
             <translation>{machine} não tem o relé '{name}'</translation>
-        </message>
-        <message>
-            <source>{machine} accepts no pulse letters</source>
-            <translation>{machine} não aceita letras de pulso</translation>
         </message>
         <message>
             <source>{match} is no number</source>
@@ -18868,6 +18868,10 @@
         <message>
             <source>{name} is a parallel port, and the machine is a board</source>
             <translation>{name} é uma porta paralela, e a máquina é uma placa</translation>
+        </message>
+        <message>
+            <source>{name} is between G5.2 and G5.3</source>
+            <translation>{name} está entre G5.2 e G5.3</translation>
         </message>
         <message>
             <source>{name} is in use</source>
@@ -18956,10 +18960,6 @@
         <message>
             <source>{name} sends more than was asked for</source>
             <translation>{name} envia mais do que foi pedido</translation>
-        </message>
-        <message>
-            <source>{name} is between G5.2 and G5.3</source>
-            <translation>{name} está entre G5.2 e G5.3</translation>
         </message>
         <message>
             <source>{name} takes no F: the spindle drives it</source>

@@ -18,13 +18,17 @@ _OPTIONS = (
     click.option(
         "--zero-confirmed",
         is_flag=True,
-        help="The work zero is set on the stock, the tool is in the spindle, and the tool has stayed at that zero if the "
+        help="The work zero is set on the stock, the tool is in the spindle, and it has stayed at that zero if the "
         "board restarts now. Without this option you are asked.",
     ),
     click.option("--home", "home_first", is_flag=True, help="Home the machine first ($H); make sure the way is free."),
-    click.option("--resume-pauses", is_flag=True, help="Resume at M0 without a person: for virtual machines and dry runs."),
     click.option(
-        "--allow-differences", is_flag=True, help="Send even if the controller's settings or offsets differ from the proof."
+        "--resume-pauses", is_flag=True, help="Resume at M0 without a person: for virtual machines and dry runs."
+    ),
+    click.option(
+        "--allow-differences",
+        is_flag=True,
+        help="Send even if the controller's settings or offsets differ from the proof.",
     ),
     keep_option,
 )

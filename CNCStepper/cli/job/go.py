@@ -18,7 +18,9 @@ if TYPE_CHECKING:
 
 
 @click.command("go", cls=Verb)
-@click.option("--pause", "from_pause", is_flag=True, help="Resume also at a pause of the program (M0), once its task is done.")
+@click.option(
+    "--pause", "from_pause", is_flag=True, help="Resume also at a pause of the program (M0), once its task is done."
+)
 @session_option
 def command(from_pause: bool, session: str | None) -> None:
     """Resume a paused job: after a hold, a closed door, or a retract along its cut.

@@ -115,9 +115,13 @@ class ProgramFile:
 @program_options()
 @chart_options
 @send_options
-@click.option("--step", "by_line", is_flag=True, help="Send line by line: Enter sends the next line after the last is cut.")
+@click.option(
+    "--step", "by_line", is_flag=True, help="Send line by line: Enter sends the next line after the last is cut."
+)
 @click.option("--unchecked", is_flag=True, help="Send without a certificate and without a check.")
-@click.option("--despite-certificate", is_flag=True, help="Send even if the certificate does not match or holds errors.")
+@click.option(
+    "--despite-certificate", is_flag=True, help="Send even if the certificate does not match or holds errors."
+)
 def command(
     program: Path,
     port: str,

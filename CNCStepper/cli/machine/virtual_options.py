@@ -25,8 +25,7 @@ def server_options(columns: str, records: bool = True) -> Callable[[Any], Any]:
         click.option(
             "--faults",
             type=InputPath(exists=False),
-            help="Inject the faults of this TOML or JSON file, and print each; see "
-            "docs/user-guide/sending/faults.md.",
+            help="Inject the faults of this TOML or JSON file, and print each; see docs/user-guide/sending/faults.md.",
         ),
         click.option(
             "--until-left", is_flag=True, help="End when the client disconnects, or when none connects within 30 s."
@@ -36,7 +35,9 @@ def server_options(columns: str, records: bool = True) -> Callable[[Any], Any]:
         click.option(
             "--tcp", metavar="HOST:PORT", help="Listen there, for example 127.0.0.1:2217; port 0 picks a free one."
         ),
-        click.option("--pty", type=OutputPath(""), help="Create a link to a pseudo-terminal at this path (not on Windows)."),
+        click.option(
+            "--pty", type=OutputPath(""), help="Create a link to a pseudo-terminal at this path (not on Windows)."
+        ),
     ]
     return lambda function: _with(function, options)
 

@@ -44,7 +44,9 @@ LENGTH = click.FloatRange(min=0, min_open=True)
     flag_value=math.inf,
     help="Go forward again: by MM, or without a number to where the cut ended.",
 )
-@click.option("--resume", is_flag=True, help="Switch spindle or beam on again and cut from here to the end of the program.")
+@click.option(
+    "--resume", is_flag=True, help="Switch spindle or beam on again and cut from here to the end of the program."
+)
 @session_option
 @machine_option(required=False)
 def command(

@@ -174,8 +174,9 @@ class _StreamOutput:
                     data = data[self._put(data) :]
                 except (BlockingIOError, InterruptedError):
                     if not select.select([], [self._descriptor()], [], WRITE_LIMIT_S)[1]:
-                        raise TimeoutError(Text("it has accepted nothing for "
-                                                "{limit:g} s", limit=WRITE_LIMIT_S)) from None
+                        raise TimeoutError(
+                            Text("it has accepted nothing for {limit:g} s", limit=WRITE_LIMIT_S)
+                        ) from None
         except OSError as error:
             raise self._lost(error) from error
 

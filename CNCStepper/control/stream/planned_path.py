@@ -151,8 +151,9 @@ class PlannedPath:
                 self._take_letters(text)
                 return
             if (self._by_letters and not text.startswith("M")) or text.startswith("$"):
-                raise ProgramError("path-unknown", Text("'{text}' is a move whose end only the "
-                                                        "controller knows", text=text))
+                raise ProgramError(
+                    "path-unknown", Text("'{text}' is a move whose end only the controller knows", text=text)
+                )
             self._interpreter.line(text)
         except ProgramError as error:
             self._lose(error)

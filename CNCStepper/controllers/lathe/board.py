@@ -286,7 +286,7 @@ class LatheBoard:
         if self.state != "Idle":
             raise refused(LOCKED)
         if self.program.begun:
-            self._say(f"the lathe takes a zero in manual mode only: {SWITCH_ON_AGAIN}")
+            self._say(f"the zero of the lathe can be set in manual mode only: {SWITCH_ON_AGAIN}")
             raise refused(LOCKED)
         self._answers.set_zero(line, self.places_mm)
 

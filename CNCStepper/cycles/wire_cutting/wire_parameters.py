@@ -26,9 +26,7 @@ class WireParameters(Parameters):
     ] = "nearest"
     leave: Annotated[
         Literal["back", "edge"],
-        Parameter(
-            CUT, "Leave", "Exit of the wire: back along its entry, or the shortest way to an edge"
-        ),
+        Parameter(CUT, "Leave", "Exit of the wire: back along its entry, or the shortest way to an edge"),
     ] = "back"
     entry_slit: Annotated[
         bool,

@@ -64,7 +64,7 @@ class SplitText:
     numbers: dict[str, int]
 
 
-class NotSplit(Exception):  # noqa: N818 (not shown to anybody: ezdxf then reads the whole file)
+class NotSplit(Exception):
     """A text that ezdxf has to read whole."""
 
 
@@ -85,9 +85,9 @@ def _group_codes(lines: Sequence[bytes]) -> np.ndarray:
     try:
         codes = list(map(int, lines[0 : len(lines) - 1 : 2]))
     except ValueError as error:
-        raise NotSplit("a group code is no number") from error
+        raise NotSplit from error  # a group code is no number
     if not codes or min(codes) < 0 or max(codes) >= CODES:
-        raise NotSplit("there is no such group code")
+        raise NotSplit  # there is no such group code
     return np.array(codes)
 
 
@@ -102,7 +102,7 @@ def _section(codes: np.ndarray, lines: Sequence[bytes]) -> tuple[int, int]:
             return first, group
         if word == b"SECTION" and group + 2 < len(codes) and codes[group + 1] == 2:
             first = group + 2 if lines[2 * group + 3].strip() == b"ENTITIES" else first
-    raise NotSplit("there is no whole section of entities")
+    raise NotSplit  # there is no whole section of entities
 
 
 class _Entities:
@@ -121,7 +121,7 @@ class _Entities:
     def split(self, lines: Sequence[bytes], first: int) -> SplitText:
         """Return the ordinary ones and the rest of the lines, of which those of group `first` are the first here."""
         if self._codes[0] != 0:
-            raise NotSplit("the entities do not begin with one")
+            raise NotSplit  # the entities do not begin with one
         ordinary = self._ordinary()
         curves = self._curves(ordinary)
         handles = self._texts(5)
@@ -129,10 +129,10 @@ class _Entities:
         for number in np.flatnonzero(~ordinary).tolist():
             handle = handles.get(number, b"").decode("ascii", "replace").upper()
             if self._words[number] not in (b"VERTEX", b"SEQEND", b"ATTRIB") and (not handle or handle in numbers):
-                raise NotSplit("an entity has no handle of its own")
+                raise NotSplit  # an entity has no handle of its own
             numbers[handle] = number
         if not curves:
-            raise NotSplit("there are no ordinary entities")
+            raise NotSplit  # there are no ordinary entities
         return SplitText(self._plain(curves, handles), self._rest(lines, first, ordinary), numbers)
 
     def _ordinary(self) -> np.ndarray:
@@ -171,7 +171,7 @@ class _Entities:
             try:
                 numbers = np.array([float(values[place]) for place in at.tolist()], float)
             except ValueError as error:
-                raise NotSplit("a value is no number") from error
+                raise NotSplit from error  # a value is no number
             self._parsed[code] = numbers, self._owner[at]
         return self._parsed[code]
 
@@ -201,13 +201,17 @@ class _Entities:
             within[owner[~(np.abs(values) <= LARGEST)]] = False
         return within
 
+    def _vertices_of_bulges(self) -> np.ndarray:
+        """Return the number of the vertex of each bulge, -1 where its entity has none before it, int[n]."""
+        vertices, bulges = self._at(10), self._at(42)
+        before = np.searchsorted(vertices, bulges) - 1
+        owner_before = np.append(self._owner[vertices], -1)[before]
+        return np.where(owner_before == self._owner[bulges], before, -1)
+
     def _has_bulges_behind_vertices(self) -> np.ndarray:
         """Return which entities have no bulge before their first vertex, bool[n]."""
         fine = np.ones(self._count, bool)
-        vertices, bulges = self._at(10), self._at(42)
-        before = np.searchsorted(vertices, bulges) - 1
-        owner_before = np.append(self._owner[vertices], -1)[before]  # -1: there is none
-        fine[self._owner[bulges[owner_before != self._owner[bulges]]]] = False
+        fine[self._owner[self._at(42)[self._vertices_of_bulges() < 0]]] = False
         return fine
 
     def _is_named(self) -> np.ndarray:
@@ -248,7 +252,7 @@ class _Entities:
         y, _ = self._numbers(20)
         bulge = np.zeros(len(x))
         values, _ = self._numbers(42)
-        vertex = np.searchsorted(self._at(10), self._at(42)) - 1  # the last one that began before the bulge
+        vertex = self._vertices_of_bulges()
         bulge[vertex[vertex >= 0]] = values[vertex >= 0]
         xy = np.column_stack([x, y]) if len(x) == len(y) else np.empty((0, 2))
         closed = (self._column(70).astype(int) & 1).astype(bool)

@@ -231,8 +231,9 @@ def _verify(text: str, stretches: Sequence[_Stretch], language: Dialect, start: 
     off = np.nan_to_num(np.abs(whole - wanted)).max(initial=0.0)
     if off > max(ROUNDED_MM, SAME_ENTRY_MM):
         what = "a cut of the arranged program lies elsewhere, or has another feed, spindle or tool"
-        raise ProgramError("arrange-moves", what, value=f"{off:g}", advice="write each program so that it can run "
-                                                                           "on its own")
+        raise ProgramError(
+            "arrange-moves", what, value=f"{off:g}", advice="write each program so that it can run on its own"
+        )
 
 
 def _cuts(path: Toolpath) -> np.ndarray:

@@ -87,8 +87,9 @@ def proven_against(has_stock: bool, has_shapes: bool) -> str:
     if has_shapes:
         return "cut on the stock that the moves before it have left, and judged against the shapes of the job"
     if has_stock:
-        return ("simulated on the stock that the earlier moves have left; the wanted shape is unknown and was not "
-               "compared")
+        return (
+            "simulated on the stock that the earlier moves have left; the wanted shape is unknown and was not compared"
+        )
     return (
         "NOT simulated on a stock: the machine's limits are checked, but not whether a rapid meets material; give "
         "--job, or --stock and --tool"

@@ -241,7 +241,7 @@ def test_no_job_begins_whose_end_could_not_be_told(shop, monkeypatch):
 
     monkeypatch.setattr(files.os, "fsync", full)
     outcome = shop.send()
-    assert outcome.kind == REFUSED and outcome.error.code == "position-unwritable" and "free space" in outcome.text
+    assert outcome.kind == REFUSED and outcome.error.code == "position-unwritable" and "make room" in outcome.text
     assert shop.board.axes.position_mm[0] == 0
 
 

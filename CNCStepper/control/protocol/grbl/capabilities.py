@@ -25,8 +25,10 @@ REASONS: dict[str, tuple[str, str]] = {  # of each word of [CANNOT:...]: why not
     "back": ("this machine cannot go back along its cut", "restart the program at a line before it"),
     "home": ("this machine cannot find its own zero", "move the tool to the work zero and set it there"),
     "probe": ("this machine has no probe", "set the zero by hand"),
-    "position": ("this machine does not report its position: it is calculated from the "
-                 "lines sent", "look at the machine"),
+    "position": (
+        "this machine does not report its position: it is calculated from the lines sent",
+        "look at the machine",
+    ),
 }
 OF_PROGRAMS = frozenset(REASONS) - {"home", "probe", "jog"}  # that matter while a program runs
 NEEDS: dict[str, tuple[str, ...]] = {  # the ability that each command needs

@@ -28,9 +28,7 @@ _NUMBER = r"[-+]?\d*\.?\d*"
 _RELATIVE_JOG = re.compile(rf"\$J=(?:G2[01]|G91|[A-CU-Z]{_NUMBER}|F{_NUMBER})*")
 _RELATIVE = re.compile(code_pattern("G", "91"))
 _SET_ZERO = re.compile(rf"G10L20P\d(?:[A-CU-Z]{_NUMBER})*")
-_OUTPUTS = re.compile(
-    rf"(?:N\d+|{code_pattern('M', '[3-57-9]')}|S{_NUMBER}|{code_pattern('G', '4')}|P{_NUMBER})*"
-)
+_OUTPUTS = re.compile(rf"(?:N\d+|{code_pattern('M', '[3-57-9]')}|S{_NUMBER}|{code_pattern('G', '4')}|P{_NUMBER})*")
 
 
 class MotionInterlock:

@@ -340,7 +340,7 @@ def test_a_device_that_takes_nothing_any_more_is_lost_and_none_that_rested(playe
     player.output.append(*even_plan(2000).columns)
     player.port.waiting = 17
     player.run_for(0.9)
-    with pytest.raises(LinkError, match="takes nothing for 1 s") as caught:
+    with pytest.raises(LinkError, match="accepted nothing for 1 s") as caught:
         player.run_for(0.2)
     assert caught.value.code == "port-lost"
 
