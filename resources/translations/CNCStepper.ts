@@ -10406,10 +10406,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>continues with</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>convert the text to paths in the drawing program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11283,6 +11279,10 @@
         </message>
         <message>
             <source>goes down at {plunge_mm_min:g} mm/min</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>goes on with</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -10406,10 +10406,6 @@
             <translation>a velocidade de corte constante virou uma rotação por movimento</translation>
         </message>
         <message>
-            <source>continues with</source>
-            <translation>continua com</translation>
-        </message>
-        <message>
             <source>convert the text to paths in the drawing program</source>
             <translation>converta o texto em caminhos no programa de desenho</translation>
         </message>
@@ -11284,6 +11280,10 @@
         <message>
             <source>goes down at {plunge_mm_min:g} mm/min</source>
             <translation>desce a {plunge_mm_min:g} mm/min</translation>
+        </message>
+        <message>
+            <source>goes on with</source>
+            <translation>continua com</translation>
         </message>
         <message>
             <source>goes to Z {height_mm:.3f} first, straight up (it is not sent while the tool stands higher), then over the place</source>

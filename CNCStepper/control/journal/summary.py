@@ -39,7 +39,7 @@ def begun_as(story: JobReplay) -> Iterator[tuple[str, str]]:
     )
     if first:
         yield (
-            "continues with",
+            "goes on with",
             Text("{first_file}: restart that one again; its restart's cuts count as cut", first_file=first.file),
         )
     machine, port, firmware, begin = (header[name] for name in ("machine", "port", "firmware", "begin"))

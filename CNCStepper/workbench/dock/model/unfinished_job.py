@@ -20,7 +20,7 @@ from CNCStepper.workbench.services.translation import later
 
 NAMES = {
     "program": later("Program"),
-    "continues with": later("Goes on with"),
+    "goes on with": later("Goes on with"),
     "machine": later("Machine"),
     KILLED: later("Killed"),
     STOPPED: later("Stopped"),

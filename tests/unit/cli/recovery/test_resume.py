@@ -97,7 +97,7 @@ def test_of_a_restart_the_first_program_is_restarted_again(tmp_path, program):
     program.write_text(LONG, "utf-8")
     first = {"file": str(program), "program_sha256": digest_of_text(LONG), "lines": [[40, 812]]}
     text = told(tmp_path, file="part-restart.nc", program_sha256="00", restart_of=first)
-    assert f"continues with {program}: restart that one again" in text
+    assert f"goes on with {program}: restart that one again" in text
     assert "--line 815 --without-stock --machine table-a " in text and "peça 1.nc" in text.splitlines()[-1]
     program.write_text("G21\n", "utf-8")
     assert "was changed since" in told(tmp_path, name="2", file="part-restart.nc", restart_of=first)

@@ -19,7 +19,7 @@ def test_a_program_that_asks_its_place_is_checked_from_there(dialect: str) -> No
     start = Start(position_mm=(5.0, 0.0, 0.0))
     assert EditCheck(dialect, start).new_errors(ASKS_ITS_PLACE, ASKS_ITS_PLACE) == []
     assert list(refused_lines(ASKS_ITS_PLACE, start, dialect)) == []
-    with pytest.raises(ProgramError, match="is unknown here"):
+    with pytest.raises(ProgramError, match="is not known here"):
         EditCheck(dialect).new_errors(ASKS_ITS_PLACE, ASKS_ITS_PLACE)
 
 
