@@ -11458,16 +11458,12 @@
             <translation>instale-o para o Python que verifica (python -m pip install NOME)</translation>
         </message>
         <message>
-            <source>install it: python -m pip install platformdirs</source>
-            <translation>instale-o: python -m pip install platformdirs</translation>
-        </message>
-        <message>
-            <source>install it: python -m pip install pyserial</source>
-            <translation>instale-o: python -m pip install pyserial</translation>
-        </message>
-        <message>
             <source>install it: python -m pip install spyrrow</source>
             <translation>instale-o: python -m pip install spyrrow</translation>
+        </message>
+        <message>
+            <source>install it: python -m pip install {package}</source>
+            <translation>instale-o: python -m pip install {package}</translation>
         </message>
         <message>
             <source>install them in one (python -m pip install {packages}), or set {variable} to a Python that has them</source>
@@ -13282,10 +13278,6 @@
             <translation>os planos são uma opção da compilação: omita-a, os arcos ficam em XY</translation>
         </message>
         <message>
-            <source>platformdirs is not installed</source>
-            <translation>o platformdirs não está instalado</translation>
-        </message>
-        <message>
             <source>please report it, with the program</source>
             <translation>relate-o, por favor, com o programa</translation>
         </message>
@@ -13382,10 +13374,6 @@
             <translation>coloque o cartão e monte-o com $FM</translation>
         </message>
         <message>
-            <source>pyserial is not installed</source>
-            <translation>o pyserial não está instalado</translation>
-        </message>
-        <message>
             <source>radii and resolution must be positive</source>
             <translation>os semieixos e a resolução devem ser positivos</translation>
         </message>
@@ -13463,7 +13451,7 @@
         </message>
         <message>
             <source>reading '{suffix}' files needs {programs}, which is not installed</source>
-            <translation>para ler arquivos '{suffix}' é preciso {programs}, que não está aqui</translation>
+            <translation>para ler arquivos '{suffix}' é preciso {programs}, que não está instalado</translation>
         </message>
         <message>
             <source>reading the solid takes too long</source>
@@ -19012,6 +19000,10 @@
         <message>
             <source>{owner} sets the zero from where the tool stands after moves of the path</source>
             <translation>{owner} define o zero a partir de onde a ferramenta está depois de movimentos do percurso</translation>
+        </message>
+        <message>
+            <source>{package} is not installed</source>
+            <translation>{package} não está instalado</translation>
         </message>
         <message>
             <source>{path} cannot be read: {error}</source>
