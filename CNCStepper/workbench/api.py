@@ -162,10 +162,14 @@ def load_program(job: Any, path: str | Path) -> Any:
 
 
 def add_freehand(
-    document: Any, points_mm: Iterable[Sequence[float]], tolerance_mm: float = 0.0, closed: bool = False
+    document: Any,
+    points_mm: Iterable[Sequence[float]],
+    tolerance_mm: float = 0.0,
+    closed: bool = False,
+    smooth_mm: float = 0.0,
 ) -> Any:
     """Return a new CNCStepper_Freehand through points (X, Y or X, Y, Z) in drawing order."""
-    values = {"points_mm": list(points_mm), "tolerance_mm": tolerance_mm, "closed": closed}
+    values = {"points_mm": list(points_mm), "tolerance_mm": tolerance_mm, "smooth_mm": smooth_mm, "closed": closed}
     return _add(document, "Part::FeaturePython", Freehand, values)
 
 

@@ -84,6 +84,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Arcs and lines this close to the drawn points, instead of the tolerance; 0: straight lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Arcs below</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1588,6 +1592,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Smooth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Solids that hold the work down, which the tool must not touch</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2504,6 +2512,10 @@
         </message>
         <message>
             <source>Arc tolerance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arcs and lines this close to the drawn points, instead of the tolerance; 0: straight lines</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5364,6 +5376,10 @@
         </message>
         <message>
             <source>Small holes at a feed of their own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Smooth</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11399,10 +11415,6 @@
         </message>
         <message>
             <source>if it was cutting, the position is unknown: look at the machine, then see {session_file}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>import importlib.util, sys; sys.exit(importlib.util.find_spec({0}) is None)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

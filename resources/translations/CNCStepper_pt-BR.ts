@@ -84,6 +84,10 @@
             <translation>Raio dos arcos</translation>
         </message>
         <message>
+            <source>Arcs and lines this close to the drawn points, instead of the tolerance; 0: straight lines</source>
+            <translation>Arcos e linhas a esta distância dos pontos desenhados, em vez da tolerância; 0: linhas retas</translation>
+        </message>
+        <message>
             <source>Arcs below</source>
             <translation>Arcos abaixo de</translation>
         </message>
@@ -1588,6 +1592,10 @@
             <translation>Furos pequenos com avanço próprio</translation>
         </message>
         <message>
+            <source>Smooth</source>
+            <translation>Suavizar</translation>
+        </message>
+        <message>
             <source>Solids that hold the work down, which the tool must not touch</source>
             <translation>Sólidos que prendem a peça e em que a ferramenta não pode tocar</translation>
         </message>
@@ -2505,6 +2513,10 @@
         <message>
             <source>Arc tolerance</source>
             <translation>Tolerância de arco</translation>
+        </message>
+        <message>
+            <source>Arcs and lines this close to the drawn points, instead of the tolerance; 0: straight lines</source>
+            <translation>Arcos e linhas a esta distância dos pontos desenhados, em vez da tolerância; 0: linhas retas</translation>
         </message>
         <message>
             <source>Arcs below</source>
@@ -5365,6 +5377,10 @@
         <message>
             <source>Small holes at a feed of their own</source>
             <translation>Furos pequenos com avanço próprio</translation>
+        </message>
+        <message>
+            <source>Smooth</source>
+            <translation>Suavizar</translation>
         </message>
         <message>
             <source>Solids that hold the work down, which the tool must not touch</source>
@@ -11400,10 +11416,6 @@
         <message>
             <source>if it was cutting, the position is unknown: look at the machine, then see {session_file}</source>
             <translation>se estava cortando, a posição é desconhecida: olhe a máquina e depois veja {session_file}</translation>
-        </message>
-        <message>
-            <source>import importlib.util, sys; sys.exit(importlib.util.find_spec({0}) is None)</source>
-            <translation>import importlib.util, sys; sys.exit(importlib.util.find_spec({0}) is None)</translation>
         </message>
         <message>
             <source>in absolute mode the control drives an axis without a word to 0</source>
