@@ -4,6 +4,18 @@
     <context>
         <name>App::Property</name>
         <message>
+            <source>A TrueType or OpenType file, instead of the font</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A factor of the font's own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A font of the system, or a single-line font for engraving</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A laser's S word for marks; 0: a twentieth of its power</source>
             <translation type="unfinished"></translation>
         </message>
@@ -52,7 +64,39 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Above</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Active</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Added between letters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Align</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Alignment</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>All, the outline, or the holes in it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>All, the outlines of letters, or the holes in them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Along</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Along a line or arc</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -69,6 +113,22 @@
         </message>
         <message>
             <source>Angle out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arc Centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arc Radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arc Start</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arc Sweep</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -108,6 +168,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Below this grey, 1 to 255, it is dark; 0: found from the picture</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Between neighbouring helices at most; 0: 0.4 of the tool's diameter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -132,11 +196,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Blur</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Bridges that hold the part until it is broken out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>By Colour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>By colour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Chains</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -172,6 +252,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Close</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Close gaps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Closed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -193,6 +281,10 @@
         </message>
         <message>
             <source>Containers of the clamps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Contours</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -288,6 +380,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Curve Count</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Curves</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -352,6 +452,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Dimensions</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Direction</source>
             <translation type="unfinished"></translation>
         </message>
@@ -361,6 +465,22 @@
         </message>
         <message>
             <source>Dogbones</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Double</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Doubles</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drawing, solid or picture</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -393,6 +513,10 @@
         </message>
         <message>
             <source>End angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Ends that are nearer than this are moved together</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -432,6 +556,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Faults</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Feed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -457,6 +585,10 @@
         </message>
         <message>
             <source>File</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>File State</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -496,6 +628,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Font</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Font file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>For a mill that does not cut over its centre; 0: 10°</source>
             <translation type="unfinished"></translation>
         </message>
@@ -505,6 +645,10 @@
         </message>
         <message>
             <source>Free length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -552,6 +696,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Gaps up to this are closed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Good Side</source>
             <translation type="unfinished"></translation>
         </message>
@@ -585,6 +733,10 @@
         </message>
         <message>
             <source>Height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Height of</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -644,6 +796,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How far above it the letters stand</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far an arc turns, or how far a line leans away from the contour</source>
             <translation type="unfinished"></translation>
         </message>
@@ -676,7 +832,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How far letters lean to the right</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far lines and arcs may leave other curves</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far lines and arcs may leave the letters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far lines and arcs may leave the pixels; 0: half a pixel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far one turn of the helix falls</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far the arc goes; below 0 clockwise, with the letters outside</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -716,6 +892,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How it was read last</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How long a spot has power</source>
             <translation type="unfinished"></translation>
         </message>
@@ -733,6 +913,10 @@
         </message>
         <message>
             <source>How many corners and narrow places the tool does not reach into</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many gaps, doubles, crossings and other faults were found</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -781,6 +965,10 @@
         </message>
         <message>
             <source>How many teeth; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many there are</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -880,7 +1068,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Invert</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Its name in job files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Join</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Join ends</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Join only lines of one colour</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -897,6 +1105,14 @@
         </message>
         <message>
             <source>Kerf Used</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Kerning</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Kind</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1004,7 +1220,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Light areas</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Line Begin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Line End</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1012,7 +1240,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Line Spacing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Line length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Line spacing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1020,7 +1256,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Lines nearer than this to another one are drawn twice</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Lines of many points become fewer lines and arcs within this; 0: they stay</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Lines that are marked with low power or lightly scribed before anything is cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Lines up to this long are left out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1112,6 +1360,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Mend</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Message</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1148,7 +1400,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Objects</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of a bull nose; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of its curves</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1156,11 +1416,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Of the arc</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of the bores; 0: that of each circle of the drawing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Of the capitals, or of the em</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of the corners seen from above; 0: as round as the tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the font, such as Bold; empty: the regular one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1224,6 +1496,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Pairs of letters stand as near as the font says</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Parts</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1245,6 +1525,10 @@
         </message>
         <message>
             <source>Peck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Picture</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1277,6 +1561,10 @@
         </message>
         <message>
             <source>Pitch</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pixels an inch; 0: as the file says</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1448,6 +1736,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Radius in pixels of a blur that takes out noise</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Radius out</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1476,11 +1768,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Rectangle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Region</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Repair</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Repair what is wrong, as far as these values allow</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Report</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1536,7 +1844,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Section</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Setting</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Shape</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Shape Kind</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1553,6 +1873,10 @@
         </message>
         <message>
             <source>Size</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Slant</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1592,6 +1916,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Smaller areas, in mm², are left out; 0: four pixels</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Smooth</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1601,6 +1929,14 @@
         </message>
         <message>
             <source>Spacing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Speck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Specks</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1620,6 +1956,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Split</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Spot</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1636,7 +1976,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Start</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Start angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>State</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1696,6 +2044,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Sweep</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Tabs</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1728,6 +2080,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Text</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The G-code file that it is, which has nothing to do with the operations of its job</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1745,6 +2101,10 @@
         </message>
         <message>
             <source>The clamps seen from above, at the height of their tops</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The colour in the file</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1792,6 +2152,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The drawing that the objects follow</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The edge of the sheet through which the wire comes in</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1828,6 +2192,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The groups around it in the file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The height of the rapids between holes: G98 or G99</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1848,6 +2216,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The layer in the file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The length of all cuts</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1857,6 +2229,10 @@
         </message>
         <message>
             <source>The length of the cutting edges; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The length of the file's unit; 0: as the file says, or as its program usually means it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1876,6 +2252,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The name in the file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The nominal diameter; 0: that of each circle of the drawing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1889,6 +2269,10 @@
         </message>
         <message>
             <source>The other end of the diagonal, before the rectangle is rotated</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The outline seen from above, or the faces or the section at a height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2028,6 +2412,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The width of the picture; 0: as its resolution says</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The wire stays this close to every drawn point; 0 keeps every point that bends the line</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2036,7 +2424,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Threshold</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Through</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tiny</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2057,6 +2453,10 @@
         </message>
         <message>
             <source>Tip diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>To</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2084,7 +2484,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Trace Tolerance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Trace what is light instead of what is dark</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Turns</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Unit</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2097,6 +2509,10 @@
         </message>
         <message>
             <source>Wall feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What becomes one object</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2116,6 +2532,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>What is written; several lines are set below each other</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>What stays at the wall, for another operation to take</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2128,11 +2548,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>What the height is measured of</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What the letters stand on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>What the raw material looks like</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>What the round tool must leave at the ends of the long axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What was found in it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What was read</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2144,7 +2580,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Where the arc begins; counter-clockwise from X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Where the holes stand</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the line begins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the line ends</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2153,6 +2601,10 @@
         </message>
         <message>
             <source>Where the row ends</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the text stands about its zero, or on its line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2172,6 +2624,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Whether all of its chains are closed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Whether form, kerf and feeds are those of the job's cut chart</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2181,6 +2637,14 @@
         </message>
         <message>
             <source>Whether the depth is that of the point or of the full diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether the file fills it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether the file is as it was read</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2221,6 +2685,10 @@
         </message>
         <message>
             <source>Work zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Z of the faces or of the section</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2291,11 +2759,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A TrueType or OpenType file, instead of the font</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A bar above and a stem below, the zero in the middle of the bar's upper edge; three holes.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A bore about the zero with a keyway above (DIN 6885: bore and key's depth over all).</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A chart's file…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A circle about the zero.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A controller is connected already.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A cross of two bars about the zero.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2307,7 +2795,47 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A disc about the zero less another one beside it, like a moon.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A disc about the zero with round notches in its rim and a bore.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A disc about the zero, cut off straight above.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A drop: a disc about the zero and a point above.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A factor of the font's own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A file is checked with a job's machine, stock, tools and clamps; no operation is needed.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A flange of two bolts along X: a disc about the zero with an ear on each side.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A font of the system, or a single-line font for engraving</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A heart of two half circles over a rounded tip, the zero in its notch.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A hole to hang a part on a screw: a circle about the zero for its head, a slot above for its shank.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A hook to hang things on: a plate with two holes above, the hook's round inside about the zero.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2324,6 +2852,10 @@
         </message>
         <message>
             <source>A job is being cut: wait for its end, or stop it.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A label about the zero: round corners, cut off on the left, with a hole for a string.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2355,6 +2887,30 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A parallelogram, its left lower corner at the zero.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A piece of a ring about the zero, from X counter-clockwise.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A plate about the zero for a stepper motor of NEMA size 8, 11, 14, 17, 23 or 34.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A plate about the zero with an eye and a hole at each of three corners.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A plate to hang a load: a base below, an eye about the zero above.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A polygon of equal sides about the zero, one side below; the size is across the flats.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A profile's file…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2363,11 +2919,47 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A rectangle about the zero with its corners cut off at 45°.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A rectangle about the zero, its corners sharp or round.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A rectangular plate about the zero with a hole near each corner.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A right-angled stiffening plate, its right angle at the zero, cut off there to clear a weld.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A ring, or a washer, about the zero.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A round flange about the zero with a bore and a circle of bolt holes.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A round hole with flat sides above and below, about the zero.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A round hole with one flat side above, for shafts with a flat; about the circle's middle.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A serial port, or an address as socket://192.168.0.7:23</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>A share of the machine's greatest power; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A shield, the zero in the middle of its upper edge: straight sides, round below.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2395,7 +2987,39 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A slice of a disc about the zero, from X counter-clockwise.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A slot in the edge of a plate for a bolt's head: open below, the zero at its mouth's middle.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A slot with round ends along an arc about the zero, from X counter-clockwise.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A square plate about the zero with a bore and a hole near each corner.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A star about the zero, one point above.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A straight slot with round ends along X, about the zero; the length is over all.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A tool of this shape has none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A trapezoid, the zero in the middle of its base.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A triangle with two equal sides, the zero in the middle of its base.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2407,7 +3031,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A wheel about the zero with saw teeth and a bore.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>About the first corner, counter-clockwise</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Above</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2416,6 +3048,14 @@
         </message>
         <message>
             <source>Acceleration in steps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Across the flat</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Across the flats</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2451,11 +3091,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Added between letters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>After {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Alarm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Alignment</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2475,6 +3123,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>All, the outline, or the holes in it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>All, the outlines of letters, or the holes in them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Along</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Along X, mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2484,6 +3144,18 @@
         </message>
         <message>
             <source>Along Z, mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Along a line or arc</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>An angle of two legs, its outer corner at the zero, a hole near the end of each leg.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>An arrow along X, its tip at the zero.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2511,6 +3183,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Arc slot</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Arc tolerance</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2528,6 +3204,10 @@
         </message>
         <message>
             <source>Arcs within a tolerance, or the published points</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arrow</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2583,6 +3263,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Base</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Before {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2600,6 +3284,10 @@
         </message>
         <message>
             <source>Below thickness times</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Below this grey, 1 to 255, it is dark; 0: found from the picture</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2627,7 +3315,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Blur</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Bore</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Bore; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Boring</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Brackets</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2636,6 +3340,10 @@
         </message>
         <message>
             <source>Busy</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>By colour</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2660,6 +3368,14 @@
         </message>
         <message>
             <source>Certain</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Chamfer along each side</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Chamfered rectangle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2719,6 +3435,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Choose another file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Choose in the controller's panel a machine whose pulses this computer makes.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2744,6 +3464,10 @@
         </message>
         <message>
             <source>Close</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Close gaps</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2839,6 +3563,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Contours</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Controller</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2903,7 +3631,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Crescent</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cross</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Current</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Curves</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2939,6 +3679,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Cut off at the right angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Cutting</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2952,6 +3696,10 @@
         </message>
         <message>
             <source>Cycle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>D-hole</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3007,6 +3755,46 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Diameter cut away</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Diameter of its middle line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Diameter of the bolt circle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Diameter of the disc</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Diameter of the holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Diameter of the inner corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Diameter of the notches</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Diameter of the points</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Diameter through the holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Dimensions</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Direction</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3031,6 +3819,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Distance of both</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Distance of the holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Does</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3044,6 +3840,14 @@
         </message>
         <message>
             <source>Door</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Double D-hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Doubles</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3063,7 +3867,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drawing, solid or picture</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Drawings</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drawings ({0})</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3076,6 +3892,10 @@
         </message>
         <message>
             <source>Drive the length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drop</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3151,6 +3971,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Ends of the legs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Ends that are nearer than this are moved together</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Engagement</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3183,6 +4011,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Eye</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Eye plate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Eyes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>F is one over the minutes that a move takes</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3204,6 +4044,14 @@
         </message>
         <message>
             <source>Failed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Family</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Faults</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3279,7 +4127,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>First eye</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>First hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>First hole at</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3296,6 +4152,14 @@
         </message>
         <message>
             <source>Fitting arcs…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Flange</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Flanges and plates</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3320,6 +4184,14 @@
         </message>
         <message>
             <source>Follow what is selected, and nothing else</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Font</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Font file</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3364,6 +4236,10 @@
         </message>
         <message>
             <source>FreeCAD's Python lacks {0}. Some files cannot be read without.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3423,7 +4299,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>From the base to the eye's middle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From the bore's bottom to the keyway's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From the circle's middle to the slot's end</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From the edges to the holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>From the middle of the circle to the holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From the middle to the point</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3484,6 +4380,10 @@
         </message>
         <message>
             <source>G99 retract</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Gaps up to this are closed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3559,6 +4459,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Gusset</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>H-profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>HDPE plastic</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3579,11 +4487,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Heart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Height above the top of the stock; lines: where the tool's tip goes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Height below the notch</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Height of</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Height of the head</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Height of the plate above the middle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Height of the teeth</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3623,6 +4555,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Hole for the head</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Holes</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3643,6 +4583,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Holes; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Home</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3656,6 +4600,10 @@
         </message>
         <message>
             <source>Homing works only while the machine is idle or in alarm.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Hook</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3684,6 +4632,10 @@
         </message>
         <message>
             <source>How far a pierce stays from parts and cut edges; 0: that of the cut chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far above it the letters stand</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3719,6 +4671,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How far letters lean to the right</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far lines and arcs may leave other curves</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far lines and arcs may leave the letters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far lines and arcs may leave the pixels; 0: half a pixel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far one click goes along the cut.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3728,6 +4696,10 @@
         </message>
         <message>
             <source>How far one turn of the helix falls</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far the arc goes; below 0 clockwise, with the letters outside</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3783,6 +4755,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How it was read last</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How long a spot has power</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3800,6 +4776,10 @@
         </message>
         <message>
             <source>How many corners and narrow places the tool does not reach into</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many gaps, doubles, crossings and other faults were found</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3848,6 +4828,10 @@
         </message>
         <message>
             <source>How many teeth; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many there are</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3943,6 +4927,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Import drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Import tools</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3975,11 +4963,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Inner diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Inputs</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Inputs that are on: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Inside of the hook</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3992,6 +4988,10 @@
         </message>
         <message>
             <source>Is the work zero set on the stock and the way free?</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Isosceles triangle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4008,6 +5008,10 @@
         </message>
         <message>
             <source>Its language and its link: grbl, grblhal, fluidnc, linuxcnc, thesis-a …</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Its name in job files</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4032,6 +5036,14 @@
         </message>
         <message>
             <source>Jogging works only while the machine is idle.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Join ends</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Join only lines of one colour</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4063,7 +5075,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Kerning</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Keyhole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Keyway bore</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Killed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Kind</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>L-bracket</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4139,6 +5171,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Length of the head</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Length of the neck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Length offset</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4175,7 +5215,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Lever</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Lift before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Light areas</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4195,6 +5243,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Line spacing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Line {0}, {1}: {2}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4211,11 +5263,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Lines nearer than this to another one are drawn twice</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Lines of many points become fewer lines and arcs within this; 0: they stay</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Lines that are marked with low power or lightly scribed before anything is cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Lines up to this long are left out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Load {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Locking wheel</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4315,6 +5383,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Margin around the motor</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Marking feed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4332,6 +5404,10 @@
         </message>
         <message>
             <source>Measured</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Mend</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4403,6 +5479,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Mounting plate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Move</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4436,6 +5516,14 @@
         </message>
         <message>
             <source>Move…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>NEMA motor plate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>NEMA size</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4515,6 +5603,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Notches</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Note</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4547,6 +5639,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Objects</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of a board that takes bytes: 0 to 3, or unused for a motor without an axis</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4555,11 +5651,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Of its curves</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of one wall that a jet or wire leaves, against the vertical; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Of the arc</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of the bores; 0: that of each circle of the drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the capitals, or of the em</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4568,6 +5676,10 @@
         </message>
         <message>
             <source>Of the driver, in a full step</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the font, such as Bold; empty: the regular one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4667,6 +5779,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Outer diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Outlines of the clamps</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4680,6 +5796,10 @@
         </message>
         <message>
             <source>Outside corners that turn by more get a loop</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Oval flange</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4719,11 +5839,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Pairs of letters stand as near as the font says</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Parallel port</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Parallelogram</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Parts and signs</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4752,6 +5884,10 @@
         </message>
         <message>
             <source>Peck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Picture</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4784,6 +5920,10 @@
         </message>
         <message>
             <source>Pitch</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pixels an inch; 0: as the file says</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4828,6 +5968,10 @@
         </message>
         <message>
             <source>Points of the pull-out curve, rpm and Nm: 0 1.2; 300 1.0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Polygons</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4991,6 +6135,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Radius in pixels of a blur that takes out noise</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Radius of the inner corner</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Radius of the inner corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Radius out</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5031,7 +6187,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Ratchet wheel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Reached</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Read the file again; operations keep their contours</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Reading the drawing: {0} %</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Reading the drawing…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5067,6 +6243,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Regular polygon</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Relays</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5087,6 +6267,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Reload</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Reload {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Remaining</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5103,11 +6291,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Repair</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Repair what is wrong, as far as the values under Repair allow</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Repair what is wrong, as far as these values allow</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Replace</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Replace with</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Report</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5167,11 +6371,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Ring</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Ring sector</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Rotate…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Rotation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Round shapes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5243,7 +6459,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Second eye</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Second hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Seconds at the bottom</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Sector</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Segment</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5307,7 +6539,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Setting</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Shape</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Shapes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5320,6 +6560,10 @@
         </message>
         <message>
             <source>Sheet, Y</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Shield</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5347,6 +6591,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Sides</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Signals and pins</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5367,6 +6615,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Slant</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Slot</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Slots and holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Slower than published</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5376,6 +6636,10 @@
         </message>
         <message>
             <source>Small holes at a feed of their own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Smaller areas, in mm², are left out; 0: four pixels</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5396,6 +6660,10 @@
         </message>
         <message>
             <source>Spacing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Specks</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5431,7 +6699,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Square flange</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Squareness</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Star</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5448,6 +6724,10 @@
         </message>
         <message>
             <source>Starting</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>State</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5519,6 +6799,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Style</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Sweep</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Switch it on or off.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5535,7 +6823,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>T-bracket</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>T-slot</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Tabs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tag</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5579,6 +6879,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Teeth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Text</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The G-code file that it is, which has nothing to do with the operations of its job</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5616,6 +6924,10 @@
         </message>
         <message>
             <source>The clamps seen from above, at the height of their tops</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The colour in the file</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5695,6 +7007,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The drawing that the objects follow</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The edge of the sheet through which the wire comes in</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5739,6 +7055,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The groups around it in the file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The height of the rapids between holes: G98 or G99</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5775,6 +7095,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The layer in the file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The length of all cuts</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5784,6 +7108,10 @@
         </message>
         <message>
             <source>The length of the cutting edges; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The length of the file's unit; 0: as the file says, or as its program usually means it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5879,6 +7207,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The name in the file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The nominal diameter; 0: that of each circle of the drawing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5892,6 +7224,10 @@
         </message>
         <message>
             <source>The other end of the diagonal, before the rectangle is rotated</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The outline seen from above, or the faces or the section at a height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5964,6 +7300,10 @@
         </message>
         <message>
             <source>The restart is made and proven…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The section of a beam, about the zero.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6123,6 +7463,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The width of the picture; 0: as its resolution says</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The wire stays this close to every drawn point; 0 keeps every point that bends the line</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6151,6 +7495,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Thickness of the flanges</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Thickness of the web</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>This is cut by: {0}. The job's process is: {1}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6164,6 +7516,10 @@
         </message>
         <message>
             <source>Thread</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Threshold</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6183,6 +7539,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Tiny</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Tip</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6192,6 +7552,10 @@
         </message>
         <message>
             <source>Tip diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>To</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6255,11 +7619,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Top</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Torch off before</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Torque at speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Trace what is light instead of what is dark</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Trapezoid</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6283,6 +7659,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Triangular plate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Turns</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6295,11 +7675,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Twice from the middle to a side</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Two eyes and the bar that joins them along X; the first eye's hole is at the zero.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Two flanges that an offset web joins, its left lower corner at the zero; a hole in each flange.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Two legs up from a base, the zero in the middle of the base's lower edge; a hole in each leg.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Type a line: $$, $#, G0 X10</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>U-bracket</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Unfinished job…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Unit</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6355,6 +7759,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>What becomes one object</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>What happened to the job's own program since</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6375,6 +7783,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>What is written; several lines are set below each other</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>What stays at the wall, for another operation to take</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6391,6 +7803,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>What the height is measured of</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What the letters stand on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>What the motor turns at a reversal before the axis moves</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6403,6 +7823,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>What was found in it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What was read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Where on the stock the work zero lies</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6411,7 +7839,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Where the arc begins; counter-clockwise from X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Where the holes stand</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the line begins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the line ends</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6431,6 +7871,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Where the text stands about its zero, or on its line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Where the way turns by less, the wire neither stands nor slows down</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6447,6 +7891,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Whether all of its chains are closed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Whether form, kerf and feeds are those of the job's cut chart</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6456,6 +7904,14 @@
         </message>
         <message>
             <source>Whether the depth is that of the point or of the full diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether the file fills it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether the file is as it was read</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6484,6 +7940,46 @@
         </message>
         <message>
             <source>Width</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width of each flange</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width of the bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width of the bars</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width of the ears</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width of the head</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width of the key</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width of the legs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width of the mouth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width of the shaft</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width of the slot</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6551,11 +8047,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Z of the faces or of the section</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Z times</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Z, steps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Z-bracket</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6592,6 +8096,10 @@
         </message>
         <message>
             <source>ae, recalculated to whole passes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>all</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6695,6 +8203,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>at a height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>at the lower end</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6740,6 +8252,10 @@
         </message>
         <message>
             <source>by numbers</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>by their number</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6991,6 +8507,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>how often, or which</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7072,6 +8592,10 @@
         </message>
         <message>
             <source>make room in the folder for temporary files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>middle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7215,6 +8739,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>one for each contour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>one for each layer and colour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>open a document or its 3D view</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7224,6 +8756,14 @@
         </message>
         <message>
             <source>our planner</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>outline</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>outlines</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7491,11 +9031,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the capitals</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the cutter runs left of the path</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the cutter runs right of the path</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the em (font size)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7607,6 +9155,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} (single lines)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} = 0</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7640,6 +9192,10 @@
         </message>
         <message>
             <source>{0} has nothing to cut: add an operation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} is as its file again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7683,6 +9239,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} on layer '{1}' was left out: {2}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} readings: mean {1:.4f} mm, standard deviation {2:.4f} mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7719,6 +9279,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} × {1} mm, layers: {2}, open contours: {3}, the file's unit: {4} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0}, cut until {1}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7739,6 +9303,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0}: its file has changed; Reload in the tree takes it anew</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0}: its file is not there any more; what was read stays</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0}: {1}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7748,6 +9320,10 @@
         </message>
         <message>
             <source>{0}× speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>… and {0} more</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9999,6 +11575,10 @@
         </message>
         <message>
             <source>break the line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>bring it back, or choose another file</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12314,6 +13894,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>make one object of each layer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>make resolution_mm larger</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13298,6 +14882,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>please report it, with the drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>please report it, with the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13499,6 +15087,10 @@
         </message>
         <message>
             <source>release_line goes with line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>reload it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13895,6 +15487,10 @@
         </message>
         <message>
             <source>shorten the start-up line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>simplify it, or divide it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14858,6 +16454,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the drawing failed by a fault of ours: {kind}: {fault}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the drawing has no closed outline</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14891,6 +16491,14 @@
         </message>
         <message>
             <source>the drawing reaches beyond the stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the drawing takes more memory than there is</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the drawing would become too many objects</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15083,6 +16691,14 @@
         </message>
         <message>
             <source>the file needs a strip_height above 0 and a list of items</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the file of the drawing has changed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the file of the drawing is not there any more</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15930,6 +17546,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the process that reads drawings has ended</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the process that reads the last job has ended</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16139,6 +17759,10 @@
         </message>
         <message>
             <source>the reading</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the reading of the drawing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17255,6 +18879,10 @@
         </message>
         <message>
             <source>try again; if it stays so, the program may need more memory than there is</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>try it again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19396,6 +21024,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_ImportDrawing</name>
+        <message>
+            <source>Brings in SVG, DXF, STEP, STL, pictures, points or G-code, linked to the file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Import drawing…</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_ImportTools</name>
         <message>
             <source>Adds the tools of FreeCAD's library or of a tool table</source>
@@ -19506,6 +21145,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_Shapes</name>
+        <message>
+            <source>Adds a shape by its dimensions: holes, slots, flanges, brackets</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Shapes…</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_SheetCut</name>
         <message>
             <source>Cuts parts out of sheet by torch, laser, jet, knife or point</source>
@@ -19524,6 +21174,17 @@
         </message>
         <message>
             <source>Checks the program of the job and shows what it cuts</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Text</name>
+        <message>
+            <source>Adds a text in any font, or in single lines for engraving</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Text</source>
             <translation type="unfinished"></translation>
         </message>
     </context>
