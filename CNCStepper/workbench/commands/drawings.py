@@ -6,7 +6,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from CNCStepper.workbench.commands.create_object import create, labelled, show_all
+from CNCStepper.workbench.commands.create_object import create, labelled
 from CNCStepper.workbench.document import targets
 from CNCStepper.workbench.services import missing_packages
 from CNCStepper.workbench.services.command import Command
@@ -40,7 +40,6 @@ class ImportDrawing(Command):
 
         document = targets.document() or FreeCAD.newDocument()
         create(document, self.text(), lambda: _group(document, path))
-        show_all()
 
 
 def _group(document: Any, path: str) -> Any:
@@ -68,7 +67,6 @@ class Text(Command):
 
         document = targets.document() or FreeCAD.newDocument()
         create(document, self.text(), lambda: labelled(api.add_text(document, tr("Text")), tr("Text")))
-        show_all()
 
 
 class Shapes(Command):
@@ -98,4 +96,3 @@ class Shapes(Command):
         document = targets.document() or FreeCAD.newDocument()
         title = tr(library_shape(kind).title)
         create(document, title, lambda: labelled(api.add_shape(document, kind), title))
-        show_all()

@@ -32,6 +32,7 @@ from CNCStepper.workbench.features.drawings.drawing import (
 from CNCStepper.workbench.services.messages import guarded, note, polled
 from CNCStepper.workbench.services.translation import tr
 
+Looked = tuple[tuple[str, str], Any, str]  # document and name of an object, its FileState when it was read, the new one
 LOOK_EVERY_MS = 1000
 STEP_S = 0.01  # so long are objects made before the window sees to its events
 DONE = object()
@@ -149,6 +150,7 @@ def ask_file(folder: str, take: Callable[[str], None]) -> None:
     dialog.setObjectName("CNCStepper_Import_drawing")
     dialog.setFileMode(QtGui.QFileDialog.FileMode.ExistingFile)
     dialog.setNameFilters([tr("Drawings ({0})").format(endings), tr("All files ({0})").format("*")])
+    dialog.setOption(QtGui.QFileDialog.Option.HideNameFilterDetails)
     dialog.setAttribute(QtCore.Qt.WidgetAttribute.WA_DeleteOnClose)
     dialog.fileSelected.connect(guarded(take))
     dialog.open()
@@ -190,7 +192,7 @@ class _Watch:
     def __init__(self) -> None:
         from PySide import QtCore
 
-        self._future: Future[list[tuple[tuple[str, str], str]]] | None = None
+        self._future: Future[list[Looked]] | None = None
         self._timer = QtCore.QTimer(QtCore.QCoreApplication.instance())
         self._timer.setInterval(LOOK_EVERY_MS)
         self._timer.timeout.connect(polled(self._look))
@@ -205,7 +207,9 @@ class _Watch:
             _tell(future.result())
         drawings = [((obj.Document.Name, obj.Name), path_of(obj), state_of(obj)) for obj in drawings_of_all()]
         if drawings:
-            self._future = in_background(lambda: [(place, _looked_at(path, state)) for place, path, state in drawings])
+            self._future = in_background(
+                lambda: [(place, state, _looked_at(path, state)) for place, path, state in drawings]
+            )
 
 
 _watches: list[_Watch] = []
@@ -229,13 +233,18 @@ def drawings_of_all() -> list[Any]:
     return [obj for obj in found if proxy_type(obj) == Drawing.Type]
 
 
-def _tell(found: list[tuple[tuple[str, str], str]]) -> None:
-    """Say at the objects, and once in the status bar, which files have changed or are gone."""
+def _tell(found: list[Looked]) -> None:
+    """Say at the objects, and once in the status bar, which files have changed or are gone.
+
+    One that was read anew meanwhile is looked at again.
+    """
     import FreeCAD
 
-    for (document, name), state in found:
+    for (document, name), read, state in found:
         obj = FreeCAD.listDocuments()[document].getObject(name) if document in FreeCAD.listDocuments() else None
-        if obj is None or not state or obj.FileState == state or FreeCAD.getActiveTransaction() is not None:
+        if obj is None or not state or obj.FileState == state or state_of(obj) != read:
+            continue
+        if FreeCAD.getActiveTransaction() is not None:
             continue
         set_state(obj, state)
         if state == CHANGED:

@@ -21,7 +21,8 @@ from CNCStepper.workbench.panels.tool_field import ToolField
 KINDS = {"tool": ToolField, "mark_drawings": MarksField, "pattern_points_mm": PointsField}
 RARE = (FINISH, PATH, TABS, LEADS, RULES)  # groups of operations
 FREEHAND = "CNCStepper_Freehand"
-DRAWING, TEXT = "CNCStepper_Drawing", "CNCStepper_Text"
+DRAWING = "CNCStepper_Drawing"
+OUTLINES = ("CNCStepper_Text", "CNCStepper_Shape")
 HIDDEN = {FREEHAND: ("points_mm",)}
 
 
@@ -38,10 +39,11 @@ def panel_of(obj: Any) -> Panel:
         from CNCStepper.workbench.panels.drawing import DrawingPanel, FileField
 
         return DrawingPanel(obj, Editor(obj, {"file": FileField}, (REPAIR,)))
-    if name == TEXT:
-        from CNCStepper.workbench.panels.text import FontField, LinesField
+    if name in OUTLINES:
+        from CNCStepper.workbench.panels.text import FontField, LinesField, OutlinePanel
 
-        return Panel(obj, Editor(obj, {"text": LinesField, "font": FontField}, (SETTING,)))
+        is_new = obj.Shape.isNull()
+        return OutlinePanel(obj, Editor(obj, {"text": LinesField, "font": FontField}, (SETTING,)), is_new)
     editor = Editor(obj, {**KINDS, "drawings": drawings}, folded, HIDDEN.get(name, ()))
     if name == FREEHAND:
         from CNCStepper.workbench.panels.freehand import FreehandPanel

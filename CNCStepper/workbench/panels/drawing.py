@@ -22,6 +22,7 @@ from CNCStepper.workbench.panels.task_panel import Panel
 from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.services.translation import tr
+from CNCStepper.workbench.services.view_fit import show_all
 
 ROWS_SEEN = 6
 
@@ -117,6 +118,7 @@ class DrawingPanel(Panel):
         self.reading: Reading | None = None
         self.refused = False  # whether the file could not be read with these options
         self._closing = False  # OK was pressed while it was read
+        self._is_new = not obj.ReadWith
         editor.applied.connect(guarded(self.follow))
         self.follow()
 
@@ -182,6 +184,9 @@ class DrawingPanel(Panel):
 
     def _done(self) -> None:
         self._end()
+        if self._is_new:
+            self._is_new = False
+            show_all()
         self.editor.refresh()
         self.report.refresh()
         if self._closing:

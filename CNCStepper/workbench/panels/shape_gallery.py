@@ -15,7 +15,7 @@ from CNCStepper.workbench.services.translation import tr
 if TYPE_CHECKING:
     from CNCStepper.drawing.shape_library.declaration import LibraryShape
 
-ICON_PX = 72
+ICON_PX = 56
 MARGIN_SHARE = 0.08  # of the picture, around the shape
 CHORD_SHARE = 0.004  # of the shape: how far the picture's chords leave arcs
 FILL, LINE, LINE_PX = "#a9cdf0", "#1b3556", 2.0
@@ -43,7 +43,7 @@ class ShapeGallery:
         self.list.setResizeMode(QtGui.QListView.ResizeMode.Adjust)
         self.list.setMovement(QtGui.QListView.Movement.Static)
         self.list.setIconSize(QtCore.QSize(ICON_PX, ICON_PX))
-        self.list.setGridSize(QtCore.QSize(ICON_PX + 36, ICON_PX + 3 * self.list.fontMetrics().height()))
+        self.list.setGridSize(QtCore.QSize(ICON_PX + 28, ICON_PX + 3 * self.list.fontMetrics().height()))
         self.list.setWordWrap(True)
         self.list.setMinimumHeight(320)
         self.about = QtGui.QLabel(self.form)
@@ -55,7 +55,8 @@ class ShapeGallery:
             column.addWidget(widget)
         self.family.currentIndexChanged.connect(guarded(self.fill))
         self.list.currentRowChanged.connect(guarded(self._tell))
-        self.list.itemDoubleClicked.connect(guarded(self.accept))
+        later = QtCore.QTimer.singleShot  # closing deletes the list, which must have told its click
+        self.list.itemDoubleClicked.connect(guarded(lambda: later(0, guarded(self.accept))))
         self.fill()
 
     def fill(self) -> None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The fields of a text's panel: a box of several lines, and the fonts that there are."""
+"""The panels of texts and shapes; the fields of a text: a box of several lines, and the fonts that there are."""
 
 from __future__ import annotations
 
@@ -12,11 +12,29 @@ from CNCStepper.control.processes.background_thread import in_background
 from CNCStepper.workbench.features.base import value_of
 from CNCStepper.workbench.features.drawings.text import single_line_fonts
 from CNCStepper.workbench.panels.fields import Field
+from CNCStepper.workbench.panels.object_form import Editor
+from CNCStepper.workbench.panels.task_panel import Panel
 from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.services.translation import tr
+from CNCStepper.workbench.services.view_fit import show_all
 
 LINES_SEEN = 3
 LOOK_MS = 50
+
+
+class OutlinePanel(Panel):
+    """Edits what is made of its values alone; what is new is brought into view when it is made."""
+
+    def __init__(self, obj: Any, editor: Editor, is_new: bool):
+        super().__init__(obj, editor)
+        self._obj, self._is_new = obj, is_new
+        editor.applied.connect(guarded(self._show_new))
+        QtCore.QTimer.singleShot(0, guarded(self._show_new))
+
+    def _show_new(self) -> None:
+        if self._is_new and self._document() is not None and not self._obj.Shape.isNull():
+            self._is_new = False
+            show_all()
 
 
 class LinesField(Field):
