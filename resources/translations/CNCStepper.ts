@@ -3559,11 +3559,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Contour that crosses itself</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Contour {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Contours</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Contours that cross</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3883,6 +3891,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Drawn twice</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Drilling</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3968,6 +3980,10 @@
         </message>
         <message>
             <source>End angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Ends joined</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4380,6 +4396,14 @@
         </message>
         <message>
             <source>G99 retract</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Gap</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Gap closed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5743,6 +5767,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Open contour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Open or make a document first</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6599,6 +6627,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Simplified</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Simplify</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6872,6 +6904,14 @@
         </message>
         <message>
             <source>Take the solids that are selected for clamps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Taken out, drawn twice</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Taken out, tiny</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7540,6 +7580,10 @@
         </message>
         <message>
             <source>Tiny</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tiny contour</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8215,6 +8259,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>automatic</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>back along the cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8251,11 +8299,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>by numbers</source>
+            <source>by contour</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>by their number</source>
+            <source>by layer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>by numbers</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8736,14 +8788,6 @@
         </message>
         <message>
             <source>on when pressed</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>one for each contour</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>one for each layer and colour</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9236,6 +9280,10 @@
         </message>
         <message>
             <source>{0} of {1} lines, line {2} of the file, sent to line {3}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} on layer '{1}' at X {2} Y {3}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

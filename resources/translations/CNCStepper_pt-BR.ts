@@ -3559,12 +3559,20 @@
             <translation>Contorno</translation>
         </message>
         <message>
+            <source>Contour that crosses itself</source>
+            <translation>Contorno que cruza a si mesmo</translation>
+        </message>
+        <message>
             <source>Contour {0}</source>
             <translation>Contorno {0}</translation>
         </message>
         <message>
             <source>Contours</source>
             <translation>Contornos</translation>
+        </message>
+        <message>
+            <source>Contours that cross</source>
+            <translation>Contornos que se cruzam</translation>
         </message>
         <message>
             <source>Controller</source>
@@ -3883,6 +3891,10 @@
             <translation>Desenhos ({0})</translation>
         </message>
         <message>
+            <source>Drawn twice</source>
+            <translation>Desenhado duas vezes</translation>
+        </message>
+        <message>
             <source>Drilling</source>
             <translation>Furação</translation>
         </message>
@@ -3969,6 +3981,10 @@
         <message>
             <source>End angle</source>
             <translation>Ângulo final</translation>
+        </message>
+        <message>
+            <source>Ends joined</source>
+            <translation>Pontas unidas</translation>
         </message>
         <message>
             <source>Ends of the legs</source>
@@ -4381,6 +4397,14 @@
         <message>
             <source>G99 retract</source>
             <translation>G99 recuo</translation>
+        </message>
+        <message>
+            <source>Gap</source>
+            <translation>Vão</translation>
+        </message>
+        <message>
+            <source>Gap closed</source>
+            <translation>Vão fechado</translation>
         </message>
         <message>
             <source>Gaps up to this are closed</source>
@@ -5743,6 +5767,10 @@
             <translation>Abrir um arquivo G-code</translation>
         </message>
         <message>
+            <source>Open contour</source>
+            <translation>Contorno aberto</translation>
+        </message>
+        <message>
             <source>Open or make a document first</source>
             <translation>Abra ou crie antes um documento</translation>
         </message>
@@ -6599,6 +6627,10 @@
             <translation>Sinais e pinos</translation>
         </message>
         <message>
+            <source>Simplified</source>
+            <translation>Simplificado</translation>
+        </message>
+        <message>
             <source>Simplify</source>
             <translation>Simplificar</translation>
         </message>
@@ -6873,6 +6905,14 @@
         <message>
             <source>Take the solids that are selected for clamps</source>
             <translation>Usa como grampos os sólidos selecionados</translation>
+        </message>
+        <message>
+            <source>Taken out, drawn twice</source>
+            <translation>Retirado, desenhado duas vezes</translation>
+        </message>
+        <message>
+            <source>Taken out, tiny</source>
+            <translation>Retirado, minúsculo</translation>
         </message>
         <message>
             <source>Taper</source>
@@ -7541,6 +7581,10 @@
         <message>
             <source>Tiny</source>
             <translation>Minúscula</translation>
+        </message>
+        <message>
+            <source>Tiny contour</source>
+            <translation>Contorno minúsculo</translation>
         </message>
         <message>
             <source>Tip</source>
@@ -8215,6 +8259,10 @@
             <translation>no extremo superior</translation>
         </message>
         <message>
+            <source>automatic</source>
+            <translation>automático</translation>
+        </message>
+        <message>
             <source>back along the cut</source>
             <translation>volta pelo corte</translation>
         </message>
@@ -8251,12 +8299,16 @@
             <translation>fresa toroidal</translation>
         </message>
         <message>
-            <source>by numbers</source>
-            <translation>por números</translation>
+            <source>by contour</source>
+            <translation>por contorno</translation>
         </message>
         <message>
-            <source>by their number</source>
-            <translation>conforme o número deles</translation>
+            <source>by layer</source>
+            <translation>por camada</translation>
+        </message>
+        <message>
+            <source>by numbers</source>
+            <translation>por números</translation>
         </message>
         <message>
             <source>calls a subprogram</source>
@@ -8737,14 +8789,6 @@
         <message>
             <source>on when pressed</source>
             <translation>ligado ao apertar</translation>
-        </message>
-        <message>
-            <source>one for each contour</source>
-            <translation>um para cada contorno</translation>
-        </message>
-        <message>
-            <source>one for each layer and colour</source>
-            <translation>um para cada camada e cor</translation>
         </message>
         <message>
             <source>open a document or its 3D view</source>
@@ -9237,6 +9281,10 @@
         <message>
             <source>{0} of {1} lines, line {2} of the file, sent to line {3}</source>
             <translation>{0} de {1} linhas, linha {2} do arquivo, enviado até a linha {3}</translation>
+        </message>
+        <message>
+            <source>{0} on layer '{1}' at X {2} Y {3}</source>
+            <translation>{0} na camada '{1}' em X {2} Y {3}</translation>
         </message>
         <message>
             <source>{0} on layer '{1}' was left out: {2}</source>

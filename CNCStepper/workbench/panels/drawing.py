@@ -21,10 +21,25 @@ from CNCStepper.workbench.panels.object_form import Editor
 from CNCStepper.workbench.panels.task_panel import Panel
 from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.messages import guarded
-from CNCStepper.workbench.services.translation import tr
+from CNCStepper.workbench.services.translation import later, tr
 from CNCStepper.workbench.services.view_fit import show_all
 
 ROWS_SEEN = 6
+FOUND_WORDS = {
+    "open": later("Open contour"),
+    "gap": later("Gap"),
+    "double": later("Drawn twice"),
+    "tiny": later("Tiny contour"),
+    "crossing": later("Contour that crosses itself"),
+    "overlap": later("Contours that cross"),
+}
+MENDED_WORDS = {
+    "double": later("Taken out, drawn twice"),
+    "tiny": later("Taken out, tiny"),
+    "joined": later("Ends joined"),
+    "closed": later("Gap closed"),
+    "fitted": later("Simplified"),
+}
 
 
 class FileField(TextField):
@@ -64,7 +79,6 @@ class Report(QtGui.QWidget):
         self.rows.setAccessibleName(tr("What was found in it"))
         self.rows.setWordWrap(True)
         self.rows.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.rows.setFixedHeight(ROWS_SEEN * 2 * self.fontMetrics().height())
         self.work = WorkNote(f"{NAME}_reading", self)
         column = QtGui.QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
@@ -80,6 +94,8 @@ class Report(QtGui.QWidget):
         self.summary.setVisible(bool(told))
         self.rows.clear()
         self.rows.addItems(lines)
+        seen = min(len(lines), ROWS_SEEN)
+        self.rows.setFixedHeight((2 * seen + 1) * self.fontMetrics().lineSpacing())
         self.rows.setVisible(bool(lines))
 
 
@@ -93,13 +109,20 @@ def _summary(told: dict[str, Any]) -> str:
 def _lines(told: dict[str, Any]) -> list[str]:
     """Return the rows of the list: warnings, faults, changes, what was left out; each kind with the rest's count."""
     rows = [translated(each) for each in told["warnings"]]
-    for count, texts in (told["problems"], told["changes"]):
-        rows += [translated(each) for each in texts]
-        rows += _rest(count - len(texts))
+    for (count, found), words in ((told["problems"], FOUND_WORDS), (told["changes"], MENDED_WORDS)):
+        rows += [_placed(words[kind], kind, layer, place, size) for kind, layer, place, size in found]
+        rows += _rest(count - len(found))
     count, entries = told["skipped"]
     for kind, layer, why in entries:
         rows.append(tr("{0} on layer '{1}' was left out: {2}").format(kind, layer, translated(why)))
     return rows + _rest(count - len(entries))
+
+
+def _placed(words: str, kind: str, layer: str, place_mm: list[float], size: float) -> str:
+    """Return a fault or a change with its layer, its place and its length; a fit counts segments."""
+    x, y = place_mm
+    said = tr("{0} on layer '{1}' at X {2} Y {3}").format(tr(words), layer, f"{x:.3f}", f"{y:.3f}")
+    return f"{said}, {size:.4g} mm" if size and kind != "fitted" else said
 
 
 def _rest(count: int) -> list[str]:

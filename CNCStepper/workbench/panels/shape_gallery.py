@@ -55,8 +55,8 @@ class ShapeGallery:
             column.addWidget(widget)
         self.family.currentIndexChanged.connect(guarded(self.fill))
         self.list.currentRowChanged.connect(guarded(self._tell))
-        later = QtCore.QTimer.singleShot  # closing deletes the list, which must have told its click
-        self.list.itemDoubleClicked.connect(guarded(lambda: later(0, guarded(self.accept))))
+        soon = QtCore.QTimer.singleShot  # closing deletes the list, which must have told its click
+        self.list.itemDoubleClicked.connect(guarded(lambda: soon(0, guarded(self.accept))))
         self.fill()
 
     def fill(self) -> None:

@@ -89,9 +89,9 @@ WORDS = {
     "outline": later("outline"),
     "section": later("at a height"),
     "holes": later("holes"),
-    "automatic": later("by their number"),
-    "layer": later("one for each layer and colour"),
-    "chain": later("one for each contour"),
+    "automatic": later("automatic"),
+    "layer": later("by layer"),
+    "chain": later("by contour"),
 }
 
 

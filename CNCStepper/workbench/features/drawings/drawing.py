@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator
+from dataclasses import asdict, astuple
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -219,8 +220,6 @@ def applied(obj: Any, imported: ImportedDrawing) -> Iterator[None]:
     The document changes when all shapes are made. An object of before that goes on keeps its name, label and place;
     what the file does not hold any more is deleted.
     """
-    from dataclasses import asdict
-
     from CNCStepper.workbench.features.drawings.imported_parts import (
         best_split,
         matched,
@@ -264,8 +263,8 @@ def _report(imported: ImportedDrawing) -> dict[str, Any]:
         "unit_mm": imported.unit_mm,
         "layers": len({chain.attributes.layer for chain in imported.chains}),
         "open": sum(not chain.curve.closed for chain in imported.chains),
-        "problems": [imported.problems.count, [row.text for row in imported.problems.rows]],
-        "changes": [imported.changes.count, [row.text for row in imported.changes.rows]],
+        "problems": [imported.problems.count, [astuple(row) for row in imported.problems.rows]],
+        "changes": [imported.changes.count, [astuple(row) for row in imported.changes.rows]],
         "skipped": [imported.skipped.count, [[row.kind, row.layer, row.why] for row in imported.skipped.rows]],
         "warnings": list(imported.warnings),
     }
