@@ -164,6 +164,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>At smaller corners the wire neither pauses nor slows down</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Below thickness times</source>
             <translation type="unfinished"></translation>
         </message>
@@ -220,6 +224,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Changes of the job's own program since then</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Chart</source>
             <translation type="unfinished"></translation>
         </message>
@@ -264,7 +272,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Closed lines round what is faced; without it the whole stock</source>
+            <source>Closed lines around the area to face; without them the whole stock</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -553,6 +561,14 @@
         </message>
         <message>
             <source>Entry slit</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Exit of the wire: back along its entry, or the shortest way to an edge</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Extra depth, so that the tool comes out below</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -856,10 +872,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>How far the cut line may leave the drawn one, to be of fewer moves; 0: not at all</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>How far the cut may be off the drawing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -901,14 +913,6 @@
         </message>
         <message>
             <source>How long the flame heats before the pierce; 0: that of the chart</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>How long the tool stands with power; 0: that of the cut chart</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>How long the wire stands where the way turns back; less at blunter corners</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -980,10 +984,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>How much deeper the tool goes, to come out below</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>How much of the rim may be in the material at most, as an angle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1033,10 +1033,6 @@
         </message>
         <message>
             <source>How the tool leaves the contour</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>How the wire comes out at last: back the way it came, or on the shortest way to an edge</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1208,7 +1204,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Length, width and height; of a cylinder, which stands, the length is its diameter</source>
+            <source>Length that the controller adds to Z, if the machine uses a table of lengths; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Length, width and height; for an upright cylinder the length is its diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1360,6 +1360,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Material of the cutter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Material that a round tool leaves at the ends of the long axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Mend</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1480,6 +1488,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Outputs that are on while cutting</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Outside corners that turn by more get a loop</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1521,6 +1533,10 @@
         </message>
         <message>
             <source>Pause</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pause of the wire where the path turns back; shorter at blunter corners</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1860,6 +1876,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Shape of the raw material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Shorter than</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2040,6 +2060,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Stock to leave at the wall for another operation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Style</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2112,6 +2136,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The current set at the power source; 0: from the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The cut chart gives this value; change it in the job</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2136,7 +2164,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The diameter of what holds the tool; 0: not given</source>
+            <source>The diameter of the tool holder; 0: not given</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2156,7 +2184,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The edge of the sheet through which the wire comes in</source>
+            <source>The edge of the sheet at which the wire enters</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2200,11 +2228,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The job whose machine, stock, tools and clamps the program is for</source>
+            <source>The job whose program is shown</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The job whose program is shown</source>
+            <source>The job with the machine, stock, tools and clamps for the program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2260,6 +2288,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The operations, in their order</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The order in which the holes are made</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2284,11 +2316,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The place of the work zero in this document</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The place of the work zero on the stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The places of the holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The plunge feed of the program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>The points as they were drawn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The program that is shown, checked and sent, if the machine needs one for each tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2328,11 +2376,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The sketch, wires or faces whose lines are cut: closed ones are parts and holes in turn</source>
+            <source>The sketch, wires or faces to cut: closed lines are parts and holes in turn</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The sketch, wires or faces whose lines are followed</source>
+            <source>The sketch, wires or faces to follow</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2432,6 +2480,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Time of the tool at rest with power; 0: from the cut chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Tiny</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2464,6 +2516,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Tolerance of the cut line, which reduces the number of moves; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Tool</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2476,7 +2532,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Tools without feeds or speed take theirs from its table</source>
+            <source>Tools without feeds or speed use its table</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2516,35 +2572,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>What happened to the job's own program since</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What is cut, in this order</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What is set at the power source; 0: that of the chart</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What is switched on while cutting</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>What is written; several lines are set below each other</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What stays at the wall, for another operation to take</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What the controller adds to Z, where the machine takes lengths from a table; 0: not given</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What the cutter is made of</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2556,14 +2584,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>What the raw material looks like</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What the round tool must leave at the ends of the long axis</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>What was found in it</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2572,19 +2592,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Where on the stock the work zero lies</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>Where rapids travel across the work</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Where the arc begins; counter-clockwise from X</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Where the holes stand</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2605,14 +2617,6 @@
         </message>
         <message>
             <source>Where the text stands about its zero, or on its line</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Where the way turns by less, the wire neither stands nor slows down</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Where the work zero lies in this document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2653,10 +2657,6 @@
         </message>
         <message>
             <source>Whether the program holds it</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Which one is shown, checked and sent, where the machine wants one a tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2719,10 +2719,6 @@
     <context>
         <name>CNCStepper</name>
         <message>
-            <source>'{0}' does not stand in the program</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>'{0}' has no meaning in a number</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2744,6 +2740,10 @@
         </message>
         <message>
             <source>'{0}' is no whole number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{0}' is not in the program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2915,7 +2915,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>A program without F takes {0} mm/min ({1}; kerf {2} mm).</source>
+            <source>A program without F runs at {0} mm/min ({1}; kerf {2} mm).</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3079,7 +3079,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Add the part, as it stands now, to the document as a mesh</source>
+            <source>Add the part in its present state to the document as a mesh</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3131,6 +3131,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Allow jogging: spindle or beam off; Resume returns to the cut on a safe path.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Along</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3148,6 +3152,10 @@
         </message>
         <message>
             <source>Along a line or arc</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Also follow the selected lines</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3223,6 +3231,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>At smaller corners the wire neither pauses nor slows down</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>At the end of {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3260,6 +3272,10 @@
         </message>
         <message>
             <source>Backlash</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Backlash of the axis in the profile; the moves sent compensate it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3391,6 +3407,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Changes of the job's own program since then</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Chart</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3415,7 +3435,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Choose a line, an entry of the list, or click a cut in the 3D view. All before it counts as cut: if unsure, choose an earlier one.</source>
+            <source>Choose a line, an entry of the list, or click a cut in the 3D view. Everything before it counts as cut; if unsure, choose an earlier one.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3436,10 +3456,6 @@
         </message>
         <message>
             <source>Choose another file</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Choose in the controller's panel a machine whose pulses this computer makes.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3483,7 +3499,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Closed lines round what is faced; without it the whole stock</source>
+            <source>Closed lines around the area to face; without them the whole stock</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3496,10 +3512,6 @@
         </message>
         <message>
             <source>Come from below</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Comes from</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3635,6 +3647,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Correct the marked fields first.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Count</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3671,7 +3687,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Cut in this order; what is not checked is left out of the program</source>
+            <source>Cut in this order; unchecked operations are left out of the program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3819,7 +3835,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Disconnect first: this is what the dock is connected to.</source>
+            <source>Disconnect first: the dock is connected to this machine.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Disconnect from the controller.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4015,6 +4035,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Entry from</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Entry slit</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4023,7 +4047,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Every job whose journal is kept was cut to its end.</source>
+            <source>Every job with a journal was cut to its end.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Exit of the wire: back along its entry, or the shortest way to an edge</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Extra depth, so that the tool comes out below</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4039,15 +4071,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>F is one over the minutes that a move takes</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>F is the feed per minute</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>F is the feed per turn of the spindle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>F is the inverse of a move's time in minutes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4191,15 +4223,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Follow only the selected lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Follow the drawing that is selected in the tree or in the 3D view</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Follow what is selected as well</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Follow what is selected, and nothing else</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4208,6 +4236,10 @@
         </message>
         <message>
             <source>Font file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>For a board that receives bytes: 0 to 3, or unused for a motor without an axis</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4431,23 +4463,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Go forward again along the cut by this length, to where it had come at most.</source>
+            <source>Go forward along the cut by this length, at most to where it was held.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Go on</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Go on after a hold, a pause or the door.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Go on with the program from a line, an operation, a contour or a place in the picture.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Go on with the program from the line under way, all before it taken as cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4456,10 +4476,6 @@
         </message>
         <message>
             <source>Goes back by</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Goes on in the controller's panel: connect, work zero, start.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4479,7 +4495,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Grey values are from the chart; what you type wins</source>
+            <source>Grey values are from the chart; typed values replace them</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4567,7 +4583,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Hold: slow down and stand still; nothing is lost, the spindle goes on turning.</source>
+            <source>Hold: slow down and stop on the path; nothing is lost, the spindle keeps turning.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4612,6 +4628,10 @@
         </message>
         <message>
             <source>Home</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Home the machine: it finds its zero with its limit switches.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4731,10 +4751,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>How far the cut line may leave the drawn one, to be of fewer moves; 0: not at all</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>How far the cut may be off the drawing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4788,14 +4804,6 @@
         </message>
         <message>
             <source>How long the flame heats before the pierce; 0: that of the chart</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>How long the tool stands with power; 0: that of the cut chart</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>How long the wire stands where the way turns back; less at blunter corners</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4875,10 +4883,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>How much deeper the tool goes, to come out below</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>How much of the rim may be in the material at most, as an angle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4931,10 +4935,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>How the wire comes out at last: back the way it came, or on the shortest way to an edge</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>How wide a tab is at its top</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4975,6 +4975,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>In the controller's panel choose a machine whose pulses this computer makes.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>In the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5011,7 +5015,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Is the work zero set on the stock and the way free?</source>
+            <source>Is the work zero set on the stock, and is the path free?</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5027,7 +5031,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>It is your copy of a shipped profile, and takes its place.</source>
+            <source>It is your copy of a shipped profile, and is used in its place.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5211,23 +5215,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Length, width and height; of a cylinder, which stands, the length is its diameter</source>
+            <source>Length that the controller adds to Z, if the machine uses a table of lengths; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Length, width and height; for an upright cylinder the length is its diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Lengths and limits</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Let go of the controller.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Let the machine be jogged: spindle or beam off; Resume goes back to the cut over a safe way.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Let the machine find its own zero with its switches.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5427,15 +5423,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Material of the cutter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Material that a round tool leaves at the ends of the long axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Measured</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Mend</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Mend what is marked first.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5587,6 +5587,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Next, in the controller's panel: connect, work zero, start.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>No connection</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5664,10 +5668,6 @@
         </message>
         <message>
             <source>Objects</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Of a board that takes bytes: 0 to 3, or unused for a motor without an axis</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5819,7 +5819,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Outputs on the way back</source>
+            <source>Outputs during a retract</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Outputs that are on while cutting</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5907,6 +5911,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Pause of the wire where the path turns back; shorter at blunter corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Paused</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5956,6 +5964,10 @@
         </message>
         <message>
             <source>Place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Place of the mirror, mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6151,7 +6163,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Put the stock around what is selected, or around the drawings of the operations</source>
+            <source>Put the stock around the selection, or around the drawings of the operations</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6363,6 +6375,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Restart the program at a line, an operation, a contour or a place in the picture.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Restart the program at the present line; everything before it counts as cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Restart: {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6376,6 +6396,10 @@
         </message>
         <message>
             <source>Resume</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Resume after a hold, a pause or the door.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6463,10 +6487,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Say how far the last job came that was not cut to its end, and restart it there.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>Scale…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6527,19 +6547,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Select the area to clear: a sketch, closed wires, or faces of a solid</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Select the job in the tree: this document has several</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Select what is to be cleared: a sketch, closed wires, or faces of a solid</source>
+            <source>Select the lines to cut: a sketch, wires, or faces or edges of a solid</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Select what is to be cut out: a sketch, wires, or faces or edges of a solid</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Select what is to be engraved: a sketch, a wire, a B-spline or a freehand line</source>
+            <source>Select the lines to engrave: a sketch, a wire, a B-spline or a freehand line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6575,6 +6595,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Shape of the raw material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Shapes</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6596,6 +6620,10 @@
         </message>
         <message>
             <source>Shorter than</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Show how far the last unfinished job came, and restart it there.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6811,6 +6839,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Stock to leave at the wall for another operation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Stop</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6819,7 +6851,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Stop: slow down, stand still, spindle off; the rest of the job is not cut. This is not an emergency stop: the emergency stop is on the machine.</source>
+            <source>Stop: slow down, stop, spindle off; the rest of the job is not cut. This is not an emergency stop: the emergency stop is on the machine.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6883,10 +6915,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Take the alarm away without homing: only when the position is surely right.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>Take the chart's value again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6939,7 +6967,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The axis of each motor in turn; -y is one that is mounted the other way round: x y -y z</source>
+            <source>The axis of each motor in order; -y is mounted the other way round: x y -y z</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6999,11 +7027,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The cut chart gives this value; change it in the job</source>
+            <source>The current set at the power source; 0: from the chart</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The cut goes on without FreeCAD; the controller's panel finds it again the next time it is opened.</source>
+            <source>The cut chart gives this value; change it in the job</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7031,7 +7059,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The diameter of what holds the tool; 0: not given</source>
+            <source>The diameter of the tool holder; 0: not given</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7051,7 +7079,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The edge of the sheet through which the wire comes in</source>
+            <source>The edge of the sheet at which the wire enters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The feed of a program without F, and the cutting speed of a language without F</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7103,6 +7135,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The job continues without FreeCAD; the controller's panel shows it when it is opened again.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The job is being cut.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7115,15 +7151,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The job whose machine, stock, tools and clamps the program is for</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>The job whose program is shown</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The last job of this machine, {0}, was not cut to its end. Unfinished job… says how far it came.</source>
+            <source>The job with the machine, stock, tools and clamps for the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The last job of this machine, {0}, was not cut to its end. Unfinished job… shows how far it came.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7159,11 +7195,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The letters begin where the machine stands.</source>
+            <source>The letters start at the machine's position.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>The link to the controller is being started.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The machine is at rest and waits.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The machine is at rest; nothing is lost. Resume or stop.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7203,19 +7247,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The machine stands and waits.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The machine stands; nothing is lost. Resume or stop.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>The machine waits before each line of a job; Resume cuts the next one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The machine whose dialect the program is read in</source>
+            <source>The machine with the dialect in which the program is read</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7223,7 +7259,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The machine's position is unknown: stop what it was doing, then home it or set the zero of all axes.</source>
+            <source>The machine's position is unknown: stop the job, then home the machine or set the zero of all axes.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7255,6 +7291,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The operations, in their order</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The order in which the holes are made</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7283,7 +7323,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The place of the work zero in this document</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The place of the work zero on the stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The place on the cut is being looked for…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The places of the holes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7295,6 +7347,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The position of the table is unknown: home the machine, or set the work zero again.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The profile has a value that is none: mend it first.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7303,7 +7359,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The program has changed since: what is shown is the one before.</source>
+            <source>The program has changed since: the view shows the earlier one.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7319,7 +7375,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The program waits. Resume goes on.</source>
+            <source>The program that is shown, checked and sent, if the machine needs one for each tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The program waits; Resume continues it.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7340,6 +7400,14 @@
         </message>
         <message>
             <source>The restart is made and proven…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The retract along the cut is being calculated: wait, hold or stop.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The retract along the cut is being checked…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7367,11 +7435,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The sketch, wires or faces whose lines are cut: closed ones are parts and holes in turn</source>
+            <source>The sketch, wires or faces to cut: closed lines are parts and holes in turn</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The sketch, wires or faces whose lines are followed</source>
+            <source>The sketch, wires or faces to follow</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7423,7 +7491,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The tool can go back along exactly the way by which it came.</source>
+            <source>The tool can retract along exactly the path by which it came.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7435,19 +7503,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The tool is at the end of the cut.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The tool is on line {0}, at the end of the cut.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The tool is on line {0}, {1} behind the end of the cut.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The tool moves along the cut.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The tool stands on line {0}, where the cut has come to.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The tool stands on line {0}, {1} behind where the cut has come to.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The tool stands where the cut has come to.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7468,14 +7536,6 @@
         </message>
         <message>
             <source>The waits between steps from rest, in ms, none longer than the one before it</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The way along the cut is being checked…</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The way along the cut is being found: wait, hold or stop.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7551,7 +7611,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>This takes a number without a unit, not '{0}'</source>
+            <source>This needs a number without a unit, not '{0}'</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7568,6 +7628,10 @@
         </message>
         <message>
             <source>Time in the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Time of the tool at rest with power; 0: from the cut chart</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7603,7 +7667,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>To get what is missing, type in a terminal, with Python {0}, and start FreeCAD again:</source>
+            <source>To install the missing packages, type in a terminal, with Python {0}, and start FreeCAD again:</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7631,6 +7695,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Tolerance of the cut line, which reduces the number of moves; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Tool</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7655,7 +7723,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Tools without feeds or speed take theirs from its table</source>
+            <source>Tools without feeds or speed use its table</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7692,6 +7760,10 @@
         </message>
         <message>
             <source>Travel from</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Travel of the motor at a reversal before the axis moves</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7759,6 +7831,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Unlock the alarm without homing: only if the position is certainly right.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Unreachable</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7799,19 +7875,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>What a program without F takes, and the cutting speed of a language without F</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>What becomes one object</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What happened to the job's own program since</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What is cut, in this order</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7819,31 +7883,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>What is set at the power source; 0: that of the chart</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What is switched on while cutting</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>What is written; several lines are set below each other</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What stays at the wall, for another operation to take</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What the axis loses at a reversal, as the profile says; moves that are sent take it up</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What the controller adds to Z, where the machine takes lengths from a table; 0: not given</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What the cutter is made of</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7855,27 +7895,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>What the motor turns at a reversal before the axis moves</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What the raw material looks like</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What the round tool must leave at the ends of the long axis</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>What was found in it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>What was read</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Where on the stock the work zero lies</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7887,19 +7911,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Where the holes stand</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>Where the line begins</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Where the line ends</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Where the mirror stands, mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7911,19 +7927,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Where the table stands is not known: home the machine, or set the work zero anew.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>Where the text stands about its zero, or on its line</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Where the way turns by less, the wire neither stands nor slows down</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Where the work zero lies in this document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7964,10 +7968,6 @@
         </message>
         <message>
             <source>Whether the program holds it</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Which one is shown, checked and sent, where the machine wants one a tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8183,6 +8183,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>applies a given tool length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>applies the tool's length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>arc</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8267,7 +8275,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>back the way it came</source>
+            <source>back along the entry</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8312,6 +8320,10 @@
         </message>
         <message>
             <source>calls a subprogram</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>cancels G92</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8443,6 +8455,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>exceeds the machine's travel; at most {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>feed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8500,10 +8516,6 @@
         </message>
         <message>
             <source>glass</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>goes beyond what the machine can travel; at most {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8851,11 +8863,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>pauses until it is told to go on</source>
+            <source>pauses if optional stop is on</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>pauses where the operator wants it</source>
+            <source>pauses until cycle start</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8895,11 +8907,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>probes away until it lets go</source>
+            <source>probes away until the contact opens</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>probes away until it lets go, an alarm where it does not</source>
+            <source>probes away until the contact opens; otherwise an alarm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9063,18 +9075,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>takes G92 back</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>takes a given tool length into account</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>takes the tool's length into account</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>the capitals</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9223,7 +9223,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{0} has changed in the document meanwhile; here is still what you typed</source>
+            <source>{0} has changed in the document; your typed values are kept here</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9319,7 +9319,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{0} was not cut to its end, and its program, as it was sent, is in no open document.</source>
+            <source>{0} was not cut to its end, and no open document has the program that was sent.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9474,11 +9474,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>'{text}' is not a tool</source>
+            <source>'{text}' is a move whose end only the controller knows</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>'{text}' moves as only the controller knows</source>
+            <source>'{text}' is not a tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9930,7 +9930,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>G5.3 ends what no G5.2 began</source>
+            <source>G5.3 without a G5.2 before it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10154,7 +10154,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>NOT cut on any stock: the machine's limits are checked, but nobody sees whether a rapid meets material; give --job, or --stock and --tool</source>
+            <source>NOT simulated on a stock: the machine's limits are checked, but not whether a rapid meets material; give --job, or --stock and --tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10430,7 +10430,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a `%` stands where no file begins or ends</source>
+            <source>a `%` is neither at the begin nor at the end of the file</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10510,7 +10510,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a cut goes into stock while the spindle stands</source>
+            <source>a cut goes into stock while the spindle is off</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10610,7 +10610,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a job runs, and the machine does not stand</source>
+            <source>a job runs, and the machine is not at standstill</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10698,7 +10698,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a line of a tool table names one tool, which stands in it once</source>
+            <source>a line of a tool table names one tool, and no other line names it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10710,7 +10710,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a line that runs by itself at every start moves without anybody who looks</source>
+            <source>a line that runs at every start moves the machine while nobody watches</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10746,7 +10746,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a material number stands twice</source>
+            <source>a material number is used twice</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10763,10 +10763,6 @@
         </message>
         <message>
             <source>a motor driver reports a fault</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>a move that the lathe has begun goes on: switch it off, then set its zero again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10966,7 +10962,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a session's file belongs to {user} and cannot be opened, so that nobody can tell its port</source>
+            <source>a session's file belongs to {user} and cannot be opened, so that its port is unknown</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11134,7 +11130,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a word stands twice in one line</source>
+            <source>a word is twice in one line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11502,7 +11498,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>automatic mode: from here on nothing stops the lathe over its link, and there is no way back to manual mode until it is switched off</source>
+            <source>automatic mode: from here on the link cannot stop the lathe, and only switching it off returns it to manual mode</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11526,11 +11522,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>back along the cut: go on back, forward, or resume from here</source>
+            <source>back to where the program paused: up, over, down</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>back to where the program paused: up, over, down</source>
+            <source>backlash cannot be compensated in an arc with an absolute centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>backlash cannot be compensated in rotated coordinates</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>backlash cannot be compensated in the dialect {dialect}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>backlash cannot be compensated within this line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>backlash has three values, one for each axis</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11710,7 +11722,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>check cable, grounding and baud rate, and that the firmware is one that this program knows</source>
+            <source>check cable, grounding and baud rate, and that this program supports the firmware</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11750,6 +11762,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>check the baud rate, and which reports the controller sends unasked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>check the cable</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11767,6 +11783,10 @@
         </message>
         <message>
             <source>check the program again, and send it with the certificate that this gives</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>check the state of the machine now, then answer again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11915,6 +11935,10 @@
         </message>
         <message>
             <source>circles and points of several drawings that stand about the same centre, one hole each: {twice}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>clamp the tool with more stickout</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12266,10 +12290,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>cut on the stock that the moves before it have left; the wanted shape is not known, so it is not judged</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>cut some of the curves in an operation of their own</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12318,7 +12338,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>dog-bones or a smaller tool take it away</source>
+            <source>dog-bones or a smaller tool remove it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12458,10 +12478,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>entered here, the program does not stand alone: {error}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>entered here, the program would do something else than when it is run whole</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12495,6 +12511,10 @@
         </message>
         <message>
             <source>exclusively lock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>expand it first: cncstepper convert</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12575,6 +12595,10 @@
         </message>
         <message>
             <source>formats inside MTEXT are not applied</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>free space on its disk, and resume when the journal is written again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12802,6 +12826,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give the number of the run</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give the path of a file</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12883,10 +12911,6 @@
         </message>
         <message>
             <source>go line by line while a job runs</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>go on with it or stop it where it was started, or with: cncstepper back --session {file}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13054,10 +13078,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>in the language of {dialect} no play can be taken up</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>in the operation {span}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13098,6 +13118,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it appears when that is done</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it begins with {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13110,7 +13134,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it contains a file that no bundle has: {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it cuts upwards on a helix, as thread mills do, and is entered at its begin, line {begin}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it does not answer</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13134,7 +13166,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>it goes on by itself</source>
+            <source>it has accepted nothing for {limit:g} s</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13210,10 +13242,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>it holds what no bundle does: {name}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>it is a device</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13250,11 +13278,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>it is there by itself when that is done</source>
+            <source>it is too long for its tolerance</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>it is too long for its tolerance</source>
+            <source>it is uncertain which of several passes was cut, so the earliest possible one is used: line {file_line}, not {file_line2}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13298,7 +13326,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>it says nothing</source>
+            <source>it resumes without a person</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13322,10 +13350,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>it takes nothing for {limit:g} s</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>it takes too long</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13346,7 +13370,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>it would forget the settings: write the settings that are to change one by one</source>
+            <source>it would erase the settings: write the settings that you want to change one by one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13371,6 +13395,10 @@
         </message>
         <message>
             <source>its directory is too large</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>its effect depends on the machine: leave it out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13490,7 +13518,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>jog it down to that height where you see what is below it, or restart with the height {here_mm:.1f} (--height), from which it goes over the place at once</source>
+            <source>jog it down to that height where the way below is free, or restart with the height {here_mm:.1f} (--height), at which it moves over the place directly</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13514,7 +13542,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>kept only if the controller has had power ever since and was not reset in motion; a greeting, an alarm or a place that is not right says that it was: then {home}; {until_homed}</source>
+            <source>kept only if the controller stayed powered and was not reset in motion; a greeting, an alarm or a wrong position shows that it was: then {home}; {until_homed}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13563,10 +13591,6 @@
         </message>
         <message>
             <source>lead in and out through scrap</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>lead it round the part, through what becomes scrap</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13682,14 +13706,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>let the tool stick out farther</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>let them coincide, or keep them {small_mm:g} mm apart</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>lift the head higher, or go round the piece</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13746,7 +13762,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>lines of '{drawing}' that are no whole circles and want no holes: {lines}</source>
+            <source>lines of '{drawing}' that are not whole circles, so that no hole is drilled: {lines}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13754,7 +13770,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>load the module ppdev, and let your user use the device</source>
+            <source>load the module ppdev, and give your user access to the device</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13762,7 +13778,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>log in as a user who may do it</source>
+            <source>log in as a user with that permission</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13806,10 +13822,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>look at the baud rate, and at what reports the controller sends by itself</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>look at the controller's file system, then try again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13830,23 +13842,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>look at what it says, and correct that line</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>look at what it says, end other programs, or choose lower speeds</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>look for a pendant or another program that is connected, set the zero again, then send again</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>look how the machine stands now, then answer to that</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>look that the axes stand, check cable and grounding, and home again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13950,10 +13946,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>make room on its disk, and resume when it is said to be written again</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>make room on the disk of {folder}, and see that you may write there; then send again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13975,6 +13967,10 @@
         </message>
         <message>
             <source>make stepover_mm larger</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>make sure that the axes are at rest, check cable and grounding, and home again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14018,6 +14014,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>make them coincide, or keep them {small_mm:g} mm apart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>make them lower</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14038,7 +14038,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>material stays in {gaps} gap(s) between walls that are narrower than the tool, the deepest one before X{x:.3f} Y{y:.3f}; a smaller tool takes it away</source>
+            <source>material stays in {gaps} gap(s) between walls that are narrower than the tool, the deepest one before X{x:.3f} Y{y:.3f}; a smaller tool removes it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>material that is cut off</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14490,14 +14494,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>nobody has confirmed the work zero</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>nobody leads the tool along its cut; the program's lines for that are not at the controller</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>none of the selected drawings can be followed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14614,7 +14610,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>not an outcome: it does not say how it ended</source>
+            <source>not an outcome: it has no end state</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14786,6 +14782,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>only the controller knows where a probe stops</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>only the first control point goes without X and Y</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14794,7 +14794,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>only {written} of {data} bytes were taken</source>
+            <source>only {written} of {data} bytes were accepted</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14811,6 +14811,10 @@
         </message>
         <message>
             <source>operation {number} ({cycle}) will take long: about {length_mm:.0f} m of cut in {levels} levels</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>otherwise the move would be bent</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14842,7 +14846,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>part of the drawn shape lies beside the stock</source>
+            <source>part of the drawn shape is beside the stock</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14926,10 +14930,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>play is told of three axes</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>please report it, with the drawing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15002,11 +15002,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>pulses are taken back in a hold only, not in state {state}</source>
+            <source>pulses are those of a machine</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>pulses are those of a machine</source>
+            <source>pulses can be retracted only in a hold, not in state {state}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15082,6 +15082,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>read as a flat mill: '{name}' does not name a shape</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>read its message, and correct that line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>read its message, close other programs, or choose lower speeds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>read its output, and report it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>read the controller's start-up messages ($SS) and correct its configuration</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15094,7 +15110,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>reading '{suffix}' files takes {programs}, which is not here</source>
+            <source>reading '{suffix}' files needs {programs}, which is not installed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15202,19 +15218,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>resume again, or set the zero so that the way there lies within the travel</source>
+            <source>resume again, or set the zero so that the move to it is within the travel</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>resume again; where $341 is not 0, do first what the controller itself wants at a change of tools</source>
+            <source>resume again; if $341 is not 0, finish the controller's own tool change first</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>resume once it stands</source>
+            <source>resume or stop it where it was started, or with: cncstepper back --session {file}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>resume what it was doing, or reset it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>resume when it is at standstill</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15235,6 +15255,14 @@
         </message>
         <message>
             <source>retract mode set to r_plane</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>retracted along the cut: go further back, forward, or resume from here</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>route it around the part, through scrap</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15286,14 +15314,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>say it with M61 Q and the tool's number</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>say which time it is run</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>scale all axes alike</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15326,10 +15346,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>see what it printed, and report it</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>see whether it is whole</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15354,7 +15370,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>send the file anew</source>
+            <source>send the file again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15402,7 +15418,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>set again at the pause at line {line}: {places} (machine, mm); what comes after counts from there, what was before from the old one</source>
+            <source>set again at the pause at line {line}: {places} (machine, mm); later lines use this zero, earlier ones the old one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15419,6 +15435,10 @@
         </message>
         <message>
             <source>set it again, and do not start before it is right</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set it with M61 Q and the tool's number</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15546,6 +15566,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>simulated on the stock that the earlier moves have left; the wanted shape is unknown and was not compared</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>smooth_mm belongs to points</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15670,7 +15694,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>stop the machine with its own buttons where it must stand now</source>
+            <source>stop the machine with its own buttons if it must stop now</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15858,10 +15882,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>taken as a flat mill: '{name}' names no shape that a table's words can tell</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>tapping became plain moves: the feed may be overridden, and nothing keeps it to the spindle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15911,6 +15931,10 @@
         </message>
         <message>
             <source>the USB board's controller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the actions between the moves would change</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15994,7 +16018,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the beam is never on where it is to cut</source>
+            <source>the beam is never on during a cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16018,7 +16042,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the certificate holds what no proof has</source>
+            <source>the certificate has an entry that no proof has</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16026,7 +16050,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the certificate lacks what a sender needs</source>
+            <source>the certificate lacks an entry that a sender needs</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16082,6 +16106,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the circle's share of it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the columns of MTEXT are set one below the other</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16114,11 +16142,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the computer came too late with a pulse and stopped after {written} writes in time, {at_ns:.3f} s from the begin; spindle, beam and drives are off, and steps may be lost</source>
+            <source>the computer was late with a pulse and stopped after {written} writes, {at_ns:.3f} s from the begin; spindle, beam and drives are off, and steps may be lost</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the configuration is not valid</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the connection service does not start</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16131,6 +16163,18 @@
         </message>
         <message>
             <source>the contour goes through the stock and sets a piece free that no tab holds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller accepts no jog while it is held</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller asks for a login</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller did not store the zero of {axis} in {system}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16162,23 +16206,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the controller does not report its modes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller does not report its state</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller does not report its work system: {modes}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the controller does not report its {system}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the controller does not say its modes</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the controller does not say its work system: {modes}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the controller does not say whether it reports in mm or in inches</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the controller does not tell its state</source>
+            <source>the controller does not report whether it uses mm or inches</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16238,6 +16282,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the controller reported: {report}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller reports that it is homed, but too soon: another line than $H reached it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the controller restarted in the middle of the job</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16246,19 +16298,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the controller restarted when its port was opened; it counts from where it stands</source>
+            <source>the controller restarted when its port was opened; it counts from its present position</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the controller restarted when its port was opened; it counts from where it stands. Until it is unplugged no later opening restarts it</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the controller said: {report}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the controller says that it is homed, but too soon: another line than $H reached it</source>
+            <source>the controller restarted when its port was opened; it counts from its present position. Until it is unplugged no later opening restarts it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16274,15 +16318,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the controller takes no jog while it is held</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>the controller waits for its new tool</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the controller wants to know who you are</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16306,11 +16342,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the converted program would go on after this</source>
+            <source>the converted program would continue after this</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the converted program would not come by this point</source>
+            <source>the converted program would not pass this point</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16342,6 +16378,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the curve that {kind} follows is unknown</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the curves of the drawing are too many and too wild for the tolerance</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16355,10 +16395,6 @@
         </message>
         <message>
             <source>the cut begins without waiting for the spindle</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the cut comes too near to the sheet's edge</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16378,7 +16414,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the cut is taken to be {kerf_mm:g} mm wide, the simulation cuts with the tool's {diameter_mm:g} mm</source>
+            <source>the cut is too close to the sheet's edge</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16395,6 +16431,10 @@
         </message>
         <message>
             <source>the cycle takes too many passes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the cycle uses a kerf of {kerf_mm:g} mm, the simulation the tool's diameter of {diameter_mm:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16426,11 +16466,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the desk's process does not come up</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the device takes nothing for {limit:g} s; steps may be lost</source>
+            <source>the device has accepted nothing for {limit:g} s; steps may be lost</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16498,7 +16534,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the drawing declares entities that stand for more than a short text</source>
+            <source>the drawing declares XML entities that are longer than a short text</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16575,6 +16611,10 @@
         </message>
         <message>
             <source>the edited program has no job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the elements picked of '{drawing}' no longer exist</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16690,7 +16730,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the file could not be taken over</source>
+            <source>the file could not be loaded</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16702,7 +16742,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the file gives no size in mm or inches: {dpi:g} pixels an inch are taken</source>
+            <source>the file gives no size in mm or inches: {dpi:g} pixels an inch are assumed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16890,7 +16930,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the job is about to go on</source>
+            <source>the job is about to resume</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16958,7 +16998,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the journal could not be ended ({error}): it will tell of a killed job</source>
+            <source>the journal could not be closed ({error}): the job will be listed as killed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17006,7 +17046,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the kernels are not compiled ahead: {said}</source>
+            <source>the kernels were not compiled in advance: {said}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17034,15 +17074,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the lathe finishes a move that it has begun: switch it off, then set its zero again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the lathe is in automatic mode and cannot be jogged: {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the lathe jogs at up to {0} mm/min, or at {1}: it takes the slower one</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the lathe takes a zero in manual mode only: {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17062,7 +17102,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the length offset of tool {tool_number} is not known, it is taken as 0</source>
+            <source>the length offset of tool {tool_number} is unknown; 0 is assumed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17114,7 +17154,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the line holds a byte that the controller acts upon wherever it stands</source>
+            <source>the line holds a real-time command byte</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17150,11 +17190,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the line reads where the machine stands, which the edit would change</source>
+            <source>the line reads the machine's position, which the edit would change</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the lines after this tool change do not stand alone</source>
+            <source>the lines after it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the lines after this tool change cannot run on their own</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17163,6 +17207,10 @@
         </message>
         <message>
             <source>the lines have different numbers of heights</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the lines of a retract are not at the controller</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17198,18 +17246,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the machine does not stand</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the machine does not stand on the way of the lines that it has</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the machine does not stand where the way back begins</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>the machine finds its own zero</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17226,11 +17262,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the machine is at rest, spindle and outputs are off, its position is kept (the reset cleared G92 and tool length)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the machine is homed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the machine is not at rest</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine is not at standstill</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine is not at the begin of the retract</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17243,6 +17291,10 @@
         </message>
         <message>
             <source>the machine is not in alarm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine is not on the path of the lines that it has</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17275,10 +17327,6 @@
         </message>
         <message>
             <source>the machine must be homed first</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the machine stands, spindle and outputs are off, its position is kept (the reset cleared G92 and tool length)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17338,11 +17386,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the moves that are taken as done cut into the wanted part</source>
+            <source>the moves before the restart cut into the wanted part</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the moves that are taken as done leave material that should be removed</source>
+            <source>the moves before the restart leave material that should be removed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17386,11 +17434,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the outlines enclose nothing</source>
+            <source>the outlines are beside the stock</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the outlines lie beside the stock</source>
+            <source>the outlines enclose nothing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17406,7 +17454,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the overrides are not what they were before the reset</source>
+            <source>the overrides differ from those before the reset</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17422,11 +17470,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the part at X{x:.3f} Y{y:.3f} would come loose before it is cut, in any order</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the part may differ from it by as much: lower P, or follow the exact path with G61</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the path begins where the machine happens to stand: it is told by ways (G91) alone</source>
+            <source>the path begins at the machine's position: it has incremental moves (G91) only</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the path contains the tool's radius and is right for this tool only</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17442,11 +17498,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the picture does not say its size: {dpi:g} dpi are taken; give its width</source>
+            <source>the picture has no dark areas</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the picture has no dark areas</source>
+            <source>the picture has no size: {dpi:g} dpi are assumed; give its width</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17502,18 +17558,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the play of the axes cannot be taken up in an arc with an absolute centre</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the play of the axes cannot be taken up in coordinates that are turned</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the play of the axes cannot be taken up within this line</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>the pocket is so narrow that its way at this engagement would be too long beside parallels</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17550,11 +17594,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the power stands at the pierce for much longer than the chart's delay</source>
+            <source>the power is on at the pierce for much longer than the chart's delay</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the probe stands at its end already</source>
+            <source>the probe is at its target already</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17570,15 +17614,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the process that calculates the retract has ended</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the process that cuts ended before it had an answer</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the process that finds the way back has ended</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the process that knows the part at every moment has ended</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17586,7 +17626,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the process that plays the pulses stood still: it was stopped, or the computer gave it no time; everything is off, and steps may be lost</source>
+            <source>the process that plays the pulses was stopped or got no processor time; all outputs are off, and steps may be lost</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17642,6 +17682,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the program cannot run from here on its own: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the program changes no tool</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17655,6 +17699,10 @@
         </message>
         <message>
             <source>the program cuts nothing at a known place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the program does not contain the values of the material that QtPlasmaC has selected</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17834,6 +17882,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the retract along the cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the retract cannot be read back: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the retract cannot be sent as it was written</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the retract does not lead to that place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the retract mode may not be changed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17910,11 +17974,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the sender or its computer stopped without a word; what the controller held it may have made</source>
+            <source>the sender or its computer stopped suddenly; the controller may have executed the lines in its buffer</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the sender's process does not come up</source>
+            <source>the sender's process does not start</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17931,10 +17995,6 @@
         </message>
         <message>
             <source>the session still runs</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the session {session_file} answers what this program does not understand</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17994,6 +18054,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the simulation's process has ended</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the slot's width</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18022,7 +18086,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the spindle does not do as it is told</source>
+            <source>the spindle does not follow the program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18034,7 +18098,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the spindle is switched on at S0, since no speed was said before</source>
+            <source>the spindle is switched on at S0, since no S came before</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18058,11 +18122,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the stand that this answers to is over</source>
+            <source>the stand-alone interpreter moves X Y Z A B C only</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the stand-alone interpreter moves X Y Z A B C only</source>
+            <source>the state of the machine's position cannot be stored: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18198,7 +18262,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the tool does not reach into {corners} corners or narrow places; what stays there: {told}</source>
+            <source>the tool does not reach into {corners} corners or narrow places; material left there: {told}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18206,11 +18270,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the tool goes below the stock and cuts what lies under it</source>
+            <source>the tool goes below the stock and cuts the table under it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the tool goes up or down while it cuts: backwards it would enter at the full depth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the tool is at Z {high}, and the restart first goes straight down to Z {low} as a rapid</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18258,11 +18326,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the tool stands at Z {high}, and the restart goes straight down to Z {low} first, as a rapid</source>
+            <source>the tool table cannot be read again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the tool table cannot be read again</source>
+            <source>the tool's position is unknown here</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18274,15 +18342,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the tool's radius went into the path, which is right for this tool only</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>the tool's width is not the cut chart's kerf</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the torch may not be taken off</source>
+            <source>the tool's {letter} is unknown here, and a rotation needs both coordinates</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the torch cannot be switched off</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18302,6 +18370,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the value of #{number} is known only when the program runs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the velocity may not be reduced</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18315,26 +18387,6 @@
         </message>
         <message>
             <source>the wall may be up to {promise_mm:.3f} mm off: an ellipse is no offset of an ellipse, and the resolution adds to it; method "tolerance" keeps to tolerance_mm</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the way along the cut cannot be sent as it was written</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the way back along the cut</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the way back cannot be read: {error}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the way back does not lead there</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the way would be bent otherwise</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18378,7 +18430,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the wire would stand too long at corners and melt a hole</source>
+            <source>the wire would stay too long at corners and melt a hole</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18398,7 +18450,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the work zero cannot be set here: what lies behind was cut from another one</source>
+            <source>the work zero cannot be set here: the cut behind used another one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18406,15 +18458,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the work zero is not confirmed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the work zero is not known, so the program's place on the table is unknown</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the work zero was set at a pause, so the way back along the cut is not known</source>
+            <source>the work zero was set at a pause, so that the retract along the cut is unknown</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the zero of {axis} in {system} was not taken over</source>
+            <source>the zero of the lathe can be set in manual mode only: {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18430,7 +18486,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the {tool} tool does not say how many flutes it has; its feed is reckoned with {usual_flutes}</source>
+            <source>the {tool} tool has no number of flutes; its feed is calculated with {usual_flutes}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18446,7 +18502,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>then runs {own} lines of the program as they are; all before them is taken as cut</source>
+            <source>then runs {own} lines of the program unchanged; everything before them counts as cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18634,6 +18690,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this answer belongs to an earlier pause</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this build of the controller has no such setting</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18682,6 +18742,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this is no word that can be edited</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this is not allowed while an emergency stop or a limit is active</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18706,15 +18770,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>this line is not executed (deleted, after the end or not led to): what it means is not known</source>
+            <source>this line is in the part that is to be reversed, and is not only a move</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>this line stands within a way that is to run backwards, and does more than move</source>
+            <source>this line is not executed (deleted, after the end, or never reached), so that its meaning is unknown</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>this machine cannot be held while its program runs: its link takes no such command</source>
+            <source>this machine cannot be held while its program runs: its link has no such command</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18730,7 +18794,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>this machine cannot be stopped while it runs what it was sent</source>
+            <source>this machine cannot be stopped while it runs the lines that it has</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18746,7 +18810,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>this machine does not report its position: it is counted from what was sent</source>
+            <source>this machine does not report its position: it is calculated from the lines sent</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18758,15 +18822,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this machine has no output to switch (knife and point have no power): take it out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this machine has no probe</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>this machine has no spindle whose speed is chosen: write M3 alone</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>this machine has nothing that is switched (knife and point have no power): take it out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18778,11 +18842,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>this one is made by itself when that is done, in about a minute</source>
+            <source>this one is made when that is done, in about a minute</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>this pin of the machine is not known to this reader</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this program does not understand the answers of the session {session_file}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18806,7 +18874,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>this takes long, and is being made beside the window</source>
+            <source>this takes long and is calculated in the background</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18858,7 +18926,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>too many lines lie on each other</source>
+            <source>too many lines are on top of each other</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18894,7 +18962,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>tool {number} is not known, so what it cuts is not checked</source>
+            <source>tool {number} is unknown, so that its cuts are not checked</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18906,7 +18974,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>tool {tool} does not stand in the tool table</source>
+            <source>tool {tool} is not in the tool table</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18970,7 +19038,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>two commands of one line both want axis words</source>
+            <source>two commands of one line both use axis words</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19014,7 +19082,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>two words of one modal group stand in one line</source>
+            <source>two words of one modal group are in one line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19310,6 +19378,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>wait until it is at rest, or hold it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>wait until it is homed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19319,10 +19391,6 @@
         </message>
         <message>
             <source>wait until it is idle; after an alarm home it or unlock it</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>wait until it stands, or hold it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19358,71 +19426,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>what #{number} will hold is known only when the program runs</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>what comes after that</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>what happens between the moves would not be the same</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>what is cut off</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>what is known of the machine's position cannot be kept: {error}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>what it does is the machine's own: leave it out</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>what lies at X{x:.3f} Y{y:.3f} would come loose before it is cut, in any order</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>what lies inside an outline is faced with it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>what stands here is no word that can be edited</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>what the circle takes of it</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>what the material that QtPlasmaC has chosen says is not in the text</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>what was picked of '{drawing}' is not there any more</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>what {kind} follows is not known</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>where a probe stops only the controller knows</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>where the machine is cannot be seen: every report of the controller is damaged</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>where the tool stands along {letter} is not known here, and turning needs both coordinates</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>where the tool stands here is not known</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19435,10 +19443,6 @@
         </message>
         <message>
             <source>where this way begins is not known</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>which of several passes was cut cannot be told for certain, so the earliest that fits is taken: line {file_line}, not {file_line2}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19698,7 +19702,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>write each program so that it stands alone</source>
+            <source>write each program so that it can run on its own</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19790,10 +19794,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>write out what it does first: cncstepper convert</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>write ph=, pd=, ch= and fr=</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19826,11 +19826,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write the cuts as [[operation]]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write the end point itself</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>write the motion word again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write the path of the tool's centre</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19858,10 +19866,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>write the way of the tool's centre</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>write the words with plain numbers</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19875,10 +19879,6 @@
         </message>
         <message>
             <source>write to another one</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>write what is to be cut as [[operation]]</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20054,7 +20054,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{count} clip paths and masks are not applied: what they hide is read too</source>
+            <source>{count} clip paths and masks are not applied: the parts that they hide are read too</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20170,7 +20170,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{first_file}: restart that one again, what its restart has cut counts as cut</source>
+            <source>{first_file}: restart that one again; its restart's cuts count as cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20258,6 +20258,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{key} is twice in one material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{key} leads into a value that is no table</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20310,7 +20314,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{key} stands twice in one material</source>
+            <source>{key}= is twice in a material's comment</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20319,10 +20323,6 @@
         </message>
         <message>
             <source>{key}= of a material is out of its bounds</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{key}= stands twice in a material's comment</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20370,11 +20370,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{letter} goes on from the point before: neither with {other} nor under G91</source>
+            <source>{letter} continues from the last point: neither with {other} nor under G91</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{letter} has no meaning with G10 L{kind}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{letter} is out of range</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{letter} is twice on the line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20387,14 +20395,6 @@
         </message>
         <message>
             <source>{letter} of {name} must be {word} 0</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{letter} says nothing with G10 L{kind}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{letter} stands twice on the line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20418,11 +20418,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{line} stands in line {index} of {known_file} already</source>
+            <source>{line} is in line {index} of {known_file} already</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{line} stands outside any subroutine</source>
+            <source>{line} is outside any subroutine</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20434,7 +20434,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{link} does not say its modes: question or answer was damaged</source>
+            <source>{link} does not report its modes: question or answer was damaged</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20447,6 +20447,10 @@
         </message>
         <message>
             <source>{link} sends no line ends</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{machine} accepts no pulse letters</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20471,10 +20475,6 @@
         </message>
         <message>
             <source>{machine} has no relay '{name}'</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{machine} takes no pulse letters</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20558,6 +20558,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{name} is between G5.2 and G5.3</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{name} is in use</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20566,7 +20570,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{name} is no port that takes pulses</source>
+            <source>{name} is no port for pulses</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20642,11 +20646,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{name} says more than anybody asked for</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{name} stands between G5.2 and G5.3</source>
+            <source>{name} sends more than was asked for</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20742,7 +20742,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{places} of {wanted} tabs fit on the contour that begins at X{x:.3f} Y{y:.3f}; make them narrower to have more</source>
+            <source>{places} of {wanted} tabs fit on the contour that begins at X{x:.3f} Y{y:.3f}; make them narrower to fit more</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20818,7 +20818,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{says} is out of its bounds</source>
+            <source>{says} is out of range</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20878,7 +20878,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{twice} of the {drawn} holes stand where others do and are made once</source>
+            <source>{twice} of the {drawn} holes are at the place of others and are made once</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20894,7 +20894,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{value:g} stands where a whole number must</source>
+            <source>{value:g} must be a whole number</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
