@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """`make matrix`: the tests inside FreeCAD 0.20.2, 1.0.0 and 1.1.3, without and with a window; run by .venv's Python.
 
-What is asked for on the command line (versions) is all that runs, three runs on two cores: each waits a part of its time
+What is asked for on the command line (versions) is all that runs, three runs on two cores: each waits part of its time
 for machines, screens and answers. What each says is printed when it has ended, and stays in build/matrix. It goes on to
 the end whatever fails. Tests in a window that failed beside another window are then run once more, alone, in a FreeCAD
 of their own: a fault is there again, a shared core is not. At last a table says what failed, and the exit status is 0
