@@ -13098,15 +13098,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>install it: python -m pip install platformdirs</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>install it: python -m pip install pyserial</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>install it: python -m pip install spyrrow</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>install it: python -m pip install {package}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14926,10 +14922,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>platformdirs is not installed</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>please report it, with the drawing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15027,10 +15019,6 @@
         </message>
         <message>
             <source>put the card in, then mount it with $FM</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>pyserial is not installed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20699,6 +20687,10 @@
         </message>
         <message>
             <source>{owner} sets the zero from where the tool stands after moves of the path</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{package} is not installed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
