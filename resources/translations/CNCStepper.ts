@@ -100,6 +100,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>At smaller corners the wire neither pauses nor slows down</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Below thickness times</source>
             <translation type="unfinished"></translation>
         </message>
@@ -133,6 +137,10 @@
         </message>
         <message>
             <source>Centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Changes of the job's own program since then</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -172,7 +180,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Closed lines round what is faced; without it the whole stock</source>
+            <source>Closed lines around the area to face; without them the whole stock</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -428,6 +436,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Exit of the wire: back along its entry, or the shortest way to an edge</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Extra depth, so that the tool comes out below</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Feed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -676,10 +692,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>How far the cut line may leave the drawn one, to be of fewer moves; 0: not at all</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>How far the cut may be off the drawing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -717,14 +729,6 @@
         </message>
         <message>
             <source>How long the flame heats before the pierce; 0: that of the chart</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>How long the tool stands with power; 0: that of the cut chart</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>How long the wire stands where the way turns back; less at blunter corners</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -788,10 +792,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>How much deeper the tool goes, to come out below</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>How much of the rim may be in the material at most, as an angle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -841,10 +841,6 @@
         </message>
         <message>
             <source>How the tool leaves the contour</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>How the wire comes out at last: back the way it came, or on the shortest way to an edge</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -988,7 +984,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Length, width and height; of a cylinder, which stands, the length is its diameter</source>
+            <source>Length that the controller adds to Z, if the machine uses a table of lengths; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Length, width and height; for an upright cylinder the length is its diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1108,6 +1108,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Material of the cutter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Material that a round tool leaves at the ends of the long axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Message</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1204,6 +1212,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Outputs that are on while cutting</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Outside corners that turn by more get a loop</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1237,6 +1249,10 @@
         </message>
         <message>
             <source>Pause</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pause of the wire where the path turns back; shorter at blunter corners</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1536,6 +1552,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Shape of the raw material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Shorter than</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1684,6 +1704,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Stock to leave at the wall for another operation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Style</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1744,6 +1768,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The current set at the power source; 0: from the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The cut chart gives this value; change it in the job</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1768,7 +1796,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The diameter of what holds the tool; 0: not given</source>
+            <source>The diameter of the tool holder; 0: not given</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1784,7 +1812,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The edge of the sheet through which the wire comes in</source>
+            <source>The edge of the sheet at which the wire enters</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1824,11 +1852,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The job whose machine, stock, tools and clamps the program is for</source>
+            <source>The job whose program is shown</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The job whose program is shown</source>
+            <source>The job with the machine, stock, tools and clamps for the program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1872,6 +1900,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The operations, in their order</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The order in which the holes are made</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1892,11 +1924,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The place of the work zero in this document</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The place of the work zero on the stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The places of the holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The plunge feed of the program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>The points as they were drawn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The program that is shown, checked and sent, if the machine needs one for each tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1936,11 +1984,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The sketch, wires or faces whose lines are cut: closed ones are parts and holes in turn</source>
+            <source>The sketch, wires or faces to cut: closed lines are parts and holes in turn</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The sketch, wires or faces whose lines are followed</source>
+            <source>The sketch, wires or faces to follow</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2032,6 +2080,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Time of the tool at rest with power; 0: from the cut chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Tip</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2056,6 +2108,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Tolerance of the cut line, which reduces the number of moves; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Tool</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2068,7 +2124,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Tools without feeds or speed take theirs from its table</source>
+            <source>Tools without feeds or speed use its table</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2092,51 +2148,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>What happened to the job's own program since</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What is cut, in this order</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What is set at the power source; 0: that of the chart</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What is switched on while cutting</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What stays at the wall, for another operation to take</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What the controller adds to Z, where the machine takes lengths from a table; 0: not given</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What the cutter is made of</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What the raw material looks like</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What the round tool must leave at the ends of the long axis</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Where on the stock the work zero lies</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>Where rapids travel across the work</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Where the holes stand</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2145,14 +2157,6 @@
         </message>
         <message>
             <source>Where the row ends</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Where the way turns by less, the wire neither stands nor slows down</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Where the work zero lies in this document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2181,10 +2185,6 @@
         </message>
         <message>
             <source>Whether the program holds it</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Which one is shown, checked and sent, where the machine wants one a tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2243,10 +2243,6 @@
     <context>
         <name>CNCStepper</name>
         <message>
-            <source>'{0}' does not stand in the program</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>'{0}' has no meaning in a number</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2268,6 +2264,10 @@
         </message>
         <message>
             <source>'{0}' is no whole number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{0}' is not in the program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2351,7 +2351,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>A program without F takes {0} mm/min ({1}; kerf {2} mm).</source>
+            <source>A program without F runs at {0} mm/min ({1}; kerf {2} mm).</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2431,7 +2431,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Add the part, as it stands now, to the document as a mesh</source>
+            <source>Add the part in its present state to the document as a mesh</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2467,6 +2467,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Allow jogging: spindle or beam off; Resume returns to the cut on a safe path.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Along X, mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2476,6 +2480,10 @@
         </message>
         <message>
             <source>Along Z, mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Also follow the selected lines</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2531,6 +2539,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>At smaller corners the wire neither pauses nor slows down</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>At the end of {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2568,6 +2580,10 @@
         </message>
         <message>
             <source>Backlash</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Backlash of the axis in the profile; the moves sent compensate it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2663,6 +2679,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Changes of the job's own program since then</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Chart</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2687,7 +2707,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Choose a line, an entry of the list, or click a cut in the 3D view. All before it counts as cut: if unsure, choose an earlier one.</source>
+            <source>Choose a line, an entry of the list, or click a cut in the 3D view. Everything before it counts as cut; if unsure, choose an earlier one.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2704,10 +2724,6 @@
         </message>
         <message>
             <source>Choose above where to cut, then connect.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Choose in the controller's panel a machine whose pulses this computer makes.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2747,7 +2763,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Closed lines round what is faced; without it the whole stock</source>
+            <source>Closed lines around the area to face; without them the whole stock</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2760,10 +2776,6 @@
         </message>
         <message>
             <source>Come from below</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Comes from</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2887,6 +2899,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Correct the marked fields first.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Count</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2911,7 +2927,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Cut in this order; what is not checked is left out of the program</source>
+            <source>Cut in this order; unchecked operations are left out of the program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3011,7 +3027,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Disconnect first: this is what the dock is connected to.</source>
+            <source>Disconnect first: the dock is connected to this machine.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Disconnect from the controller.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3159,6 +3179,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Entry from</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Entry slit</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3167,11 +3191,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Every job whose journal is kept was cut to its end.</source>
+            <source>Every job with a journal was cut to its end.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>F is one over the minutes that a move takes</source>
+            <source>Exit of the wire: back along its entry, or the shortest way to an edge</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Extra depth, so that the tool comes out below</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3180,6 +3208,10 @@
         </message>
         <message>
             <source>F is the feed per turn of the spindle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>F is the inverse of a move's time in minutes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3299,15 +3331,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Follow only the selected lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Follow the drawing that is selected in the tree or in the 3D view</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Follow what is selected as well</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Follow what is selected, and nothing else</source>
+            <source>For a board that receives bytes: 0 to 3, or unused for a motor without an axis</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3495,23 +3527,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Go forward again along the cut by this length, to where it had come at most.</source>
+            <source>Go forward along the cut by this length, at most to where it was held.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Go on</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Go on after a hold, a pause or the door.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Go on with the program from a line, an operation, a contour or a place in the picture.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Go on with the program from the line under way, all before it taken as cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3520,10 +3540,6 @@
         </message>
         <message>
             <source>Goes back by</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Goes on in the controller's panel: connect, work zero, start.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3543,7 +3559,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Grey values are from the chart; what you type wins</source>
+            <source>Grey values are from the chart; typed values replace them</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3599,7 +3615,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Hold: slow down and stand still; nothing is lost, the spindle goes on turning.</source>
+            <source>Hold: slow down and stop on the path; nothing is lost, the spindle keeps turning.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3632,6 +3648,10 @@
         </message>
         <message>
             <source>Home</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Home the machine: it finds its zero with its limit switches.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3723,10 +3743,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>How far the cut line may leave the drawn one, to be of fewer moves; 0: not at all</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>How far the cut may be off the drawing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3776,14 +3792,6 @@
         </message>
         <message>
             <source>How long the flame heats before the pierce; 0: that of the chart</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>How long the tool stands with power; 0: that of the cut chart</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>How long the wire stands where the way turns back; less at blunter corners</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3855,10 +3863,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>How much deeper the tool goes, to come out below</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>How much of the rim may be in the material at most, as an angle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3911,10 +3915,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>How the wire comes out at last: back the way it came, or on the shortest way to an edge</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>How wide a tab is at its top</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3951,6 +3951,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>In the controller's panel choose a machine whose pulses this computer makes.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>In the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3979,7 +3983,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Is the work zero set on the stock and the way free?</source>
+            <source>Is the work zero set on the stock, and is the path free?</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3991,7 +3995,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>It is your copy of a shipped profile, and takes its place.</source>
+            <source>It is your copy of a shipped profile, and is used in its place.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4135,23 +4139,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Length, width and height; of a cylinder, which stands, the length is its diameter</source>
+            <source>Length that the controller adds to Z, if the machine uses a table of lengths; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Length, width and height; for an upright cylinder the length is its diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Lengths and limits</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Let go of the controller.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Let the machine be jogged: spindle or beam off; Resume goes back to the cut over a safe way.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Let the machine find its own zero with its switches.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4319,11 +4315,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Measured</source>
+            <source>Material of the cutter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Mend what is marked first.</source>
+            <source>Material that a round tool leaves at the ends of the long axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Measured</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4463,6 +4463,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Next, in the controller's panel: connect, work zero, start.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>No connection</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4532,10 +4536,6 @@
         </message>
         <message>
             <source>Number the lines…</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Of a board that takes bytes: 0 to 3, or unused for a motor without an axis</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4663,7 +4663,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Outputs on the way back</source>
+            <source>Outputs during a retract</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Outputs that are on while cutting</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4735,6 +4739,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Pause of the wire where the path turns back; shorter at blunter corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Paused</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4776,6 +4784,10 @@
         </message>
         <message>
             <source>Place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Place of the mirror, mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4967,7 +4979,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Put the stock around what is selected, or around the drawings of the operations</source>
+            <source>Put the stock around the selection, or around the drawings of the operations</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5119,6 +5131,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Restart the program at a line, an operation, a contour or a place in the picture.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Restart the program at the present line; everything before it counts as cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Restart: {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5132,6 +5152,10 @@
         </message>
         <message>
             <source>Resume</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Resume after a hold, a pause or the door.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5207,10 +5231,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Say how far the last job came that was not cut to its end, and restart it there.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>Scale…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5255,19 +5275,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Select the area to clear: a sketch, closed wires, or faces of a solid</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Select the job in the tree: this document has several</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Select what is to be cleared: a sketch, closed wires, or faces of a solid</source>
+            <source>Select the lines to cut: a sketch, wires, or faces or edges of a solid</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Select what is to be cut out: a sketch, wires, or faces or edges of a solid</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Select what is to be engraved: a sketch, a wire, a B-spline or a freehand line</source>
+            <source>Select the lines to engrave: a sketch, a wire, a B-spline or a freehand line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5299,6 +5319,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Shape of the raw material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Sheet cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5312,6 +5336,10 @@
         </message>
         <message>
             <source>Shorter than</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Show how far the last unfinished job came, and restart it there.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5483,6 +5511,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Stock to leave at the wall for another operation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Stop</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5491,7 +5523,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Stop: slow down, stand still, spindle off; the rest of the job is not cut. This is not an emergency stop: the emergency stop is on the machine.</source>
+            <source>Stop: slow down, stop, spindle off; the rest of the job is not cut. This is not an emergency stop: the emergency stop is on the machine.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5535,10 +5567,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Take the alarm away without homing: only when the position is surely right.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>Take the chart's value again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5575,7 +5603,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The axis of each motor in turn; -y is one that is mounted the other way round: x y -y z</source>
+            <source>The axis of each motor in order; -y is mounted the other way round: x y -y z</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5631,11 +5659,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The cut chart gives this value; change it in the job</source>
+            <source>The current set at the power source; 0: from the chart</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The cut goes on without FreeCAD; the controller's panel finds it again the next time it is opened.</source>
+            <source>The cut chart gives this value; change it in the job</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5663,7 +5691,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The diameter of what holds the tool; 0: not given</source>
+            <source>The diameter of the tool holder; 0: not given</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5679,7 +5707,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The edge of the sheet through which the wire comes in</source>
+            <source>The edge of the sheet at which the wire enters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The feed of a program without F, and the cutting speed of a language without F</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5727,6 +5759,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The job continues without FreeCAD; the controller's panel shows it when it is opened again.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The job is being cut.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5739,15 +5775,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The job whose machine, stock, tools and clamps the program is for</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>The job whose program is shown</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The last job of this machine, {0}, was not cut to its end. Unfinished job… says how far it came.</source>
+            <source>The job with the machine, stock, tools and clamps for the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The last job of this machine, {0}, was not cut to its end. Unfinished job… shows how far it came.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5775,11 +5811,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The letters begin where the machine stands.</source>
+            <source>The letters start at the machine's position.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>The link to the controller is being started.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The machine is at rest and waits.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The machine is at rest; nothing is lost. Resume or stop.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5819,19 +5863,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The machine stands and waits.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The machine stands; nothing is lost. Resume or stop.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>The machine waits before each line of a job; Resume cuts the next one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The machine whose dialect the program is read in</source>
+            <source>The machine with the dialect in which the program is read</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5839,7 +5875,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The machine's position is unknown: stop what it was doing, then home it or set the zero of all axes.</source>
+            <source>The machine's position is unknown: stop the job, then home the machine or set the zero of all axes.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5867,6 +5903,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The operations, in their order</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The order in which the holes are made</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5891,7 +5931,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The place of the work zero in this document</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The place of the work zero on the stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The place on the cut is being looked for…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The places of the holes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5903,6 +5955,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The position of the table is unknown: home the machine, or set the work zero again.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The profile has a value that is none: mend it first.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5911,7 +5967,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The program has changed since: what is shown is the one before.</source>
+            <source>The program has changed since: the view shows the earlier one.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5927,7 +5983,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The program waits. Resume goes on.</source>
+            <source>The program that is shown, checked and sent, if the machine needs one for each tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The program waits; Resume continues it.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5951,6 +6011,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The retract along the cut is being calculated: wait, hold or stop.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The retract along the cut is being checked…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The share of the feed there</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5971,11 +6039,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The sketch, wires or faces whose lines are cut: closed ones are parts and holes in turn</source>
+            <source>The sketch, wires or faces to cut: closed lines are parts and holes in turn</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The sketch, wires or faces whose lines are followed</source>
+            <source>The sketch, wires or faces to follow</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6027,7 +6095,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The tool can go back along exactly the way by which it came.</source>
+            <source>The tool can retract along exactly the path by which it came.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6039,19 +6107,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The tool is at the end of the cut.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The tool is on line {0}, at the end of the cut.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The tool is on line {0}, {1} behind the end of the cut.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The tool moves along the cut.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The tool stands on line {0}, where the cut has come to.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The tool stands on line {0}, {1} behind where the cut has come to.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The tool stands where the cut has come to.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6072,14 +6140,6 @@
         </message>
         <message>
             <source>The waits between steps from rest, in ms, none longer than the one before it</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The way along the cut is being checked…</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The way along the cut is being found: wait, hold or stop.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6143,7 +6203,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>This takes a number without a unit, not '{0}'</source>
+            <source>This needs a number without a unit, not '{0}'</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6156,6 +6216,10 @@
         </message>
         <message>
             <source>Time in the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Time of the tool at rest with power; 0: from the cut chart</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6179,7 +6243,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>To get what is missing, type in a terminal, with Python {0}, and start FreeCAD again:</source>
+            <source>To install the missing packages, type in a terminal, with Python {0}, and start FreeCAD again:</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6207,6 +6271,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Tolerance of the cut line, which reduces the number of moves; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Tool</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6231,7 +6299,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Tools without feeds or speed take theirs from its table</source>
+            <source>Tools without feeds or speed use its table</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6256,6 +6324,10 @@
         </message>
         <message>
             <source>Travel from</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Travel of the motor at a reversal before the axis moves</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6292,6 +6364,10 @@
         </message>
         <message>
             <source>Unlock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Unlock the alarm without homing: only if the position is certainly right.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6335,71 +6411,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>What a program without F takes, and the cutting speed of a language without F</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What happened to the job's own program since</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What is cut, in this order</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>What is one step: a line of the program, a move, or a pulse of the motors</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>What is set at the power source; 0: that of the chart</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What is switched on while cutting</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What stays at the wall, for another operation to take</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What the axis loses at a reversal, as the profile says; moves that are sent take it up</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What the controller adds to Z, where the machine takes lengths from a table; 0: not given</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What the cutter is made of</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What the motor turns at a reversal before the axis moves</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What the raw material looks like</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What the round tool must leave at the ends of the long axis</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Where on the stock the work zero lies</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>Where rapids travel across the work</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Where the holes stand</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Where the mirror stands, mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6408,18 +6424,6 @@
         </message>
         <message>
             <source>Where the row ends</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Where the table stands is not known: home the machine, or set the work zero anew.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Where the way turns by less, the wire neither stands nor slows down</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Where the work zero lies in this document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6448,10 +6452,6 @@
         </message>
         <message>
             <source>Whether the program holds it</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Which one is shown, checked and sent, where the machine wants one a tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6615,6 +6615,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>applies a given tool length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>applies the tool's length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>arc</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6691,7 +6699,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>back the way it came</source>
+            <source>back along the entry</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6728,6 +6736,10 @@
         </message>
         <message>
             <source>calls a subprogram</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>cancels G92</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6859,6 +6871,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>exceeds the machine's travel; at most {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>feed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6916,10 +6932,6 @@
         </message>
         <message>
             <source>glass</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>goes beyond what the machine can travel; at most {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7251,11 +7263,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>pauses until it is told to go on</source>
+            <source>pauses if optional stop is on</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>pauses where the operator wants it</source>
+            <source>pauses until cycle start</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7295,11 +7307,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>probes away until it lets go</source>
+            <source>probes away until the contact opens</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>probes away until it lets go, an alarm where it does not</source>
+            <source>probes away until the contact opens; otherwise an alarm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7463,18 +7475,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>takes G92 back</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>takes a given tool length into account</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>takes the tool's length into account</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>the cutter runs left of the path</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7611,7 +7611,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{0} has changed in the document meanwhile; here is still what you typed</source>
+            <source>{0} has changed in the document; your typed values are kept here</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7695,7 +7695,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{0} was not cut to its end, and its program, as it was sent, is in no open document.</source>
+            <source>{0} was not cut to its end, and no open document has the program that was sent.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7834,11 +7834,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>'{text}' is not a tool</source>
+            <source>'{text}' is a move whose end only the controller knows</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>'{text}' moves as only the controller knows</source>
+            <source>'{text}' is not a tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8290,7 +8290,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>G5.3 ends what no G5.2 began</source>
+            <source>G5.3 without a G5.2 before it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8514,7 +8514,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>NOT cut on any stock: the machine's limits are checked, but nobody sees whether a rapid meets material; give --job, or --stock and --tool</source>
+            <source>NOT simulated on a stock: the machine's limits are checked, but not whether a rapid meets material; give --job, or --stock and --tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8790,7 +8790,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a `%` stands where no file begins or ends</source>
+            <source>a `%` is neither at the begin nor at the end of the file</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8870,7 +8870,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a cut goes into stock while the spindle stands</source>
+            <source>a cut goes into stock while the spindle is off</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8970,7 +8970,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a job runs, and the machine does not stand</source>
+            <source>a job runs, and the machine is not at standstill</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9058,7 +9058,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a line of a tool table names one tool, which stands in it once</source>
+            <source>a line of a tool table names one tool, and no other line names it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9070,7 +9070,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a line that runs by itself at every start moves without anybody who looks</source>
+            <source>a line that runs at every start moves the machine while nobody watches</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9106,7 +9106,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a material number stands twice</source>
+            <source>a material number is used twice</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9123,10 +9123,6 @@
         </message>
         <message>
             <source>a motor driver reports a fault</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>a move that the lathe has begun goes on: switch it off, then set its zero again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9326,7 +9322,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a session's file belongs to {user} and cannot be opened, so that nobody can tell its port</source>
+            <source>a session's file belongs to {user} and cannot be opened, so that its port is unknown</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9494,7 +9490,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a word stands twice in one line</source>
+            <source>a word is twice in one line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9862,7 +9858,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>automatic mode: from here on nothing stops the lathe over its link, and there is no way back to manual mode until it is switched off</source>
+            <source>automatic mode: from here on the link cannot stop the lathe, and only switching it off returns it to manual mode</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9886,11 +9882,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>back along the cut: go on back, forward, or resume from here</source>
+            <source>back to where the program paused: up, over, down</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>back to where the program paused: up, over, down</source>
+            <source>backlash cannot be compensated in an arc with an absolute centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>backlash cannot be compensated in rotated coordinates</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>backlash cannot be compensated in the dialect {dialect}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>backlash cannot be compensated within this line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>backlash has three values, one for each axis</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10066,7 +10078,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>check cable, grounding and baud rate, and that the firmware is one that this program knows</source>
+            <source>check cable, grounding and baud rate, and that this program supports the firmware</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10106,6 +10118,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>check the baud rate, and which reports the controller sends unasked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>check the cable</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10123,6 +10139,10 @@
         </message>
         <message>
             <source>check the program again, and send it with the certificate that this gives</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>check the state of the machine now, then answer again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10271,6 +10291,10 @@
         </message>
         <message>
             <source>circles and points of several drawings that stand about the same centre, one hole each: {twice}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>clamp the tool with more stickout</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10622,10 +10646,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>cut on the stock that the moves before it have left; the wanted shape is not known, so it is not judged</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>cut some of the curves in an operation of their own</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10674,7 +10694,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>dog-bones or a smaller tool take it away</source>
+            <source>dog-bones or a smaller tool remove it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10814,10 +10834,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>entered here, the program does not stand alone: {error}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>entered here, the program would do something else than when it is run whole</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10851,6 +10867,10 @@
         </message>
         <message>
             <source>exclusively lock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>expand it first: cncstepper convert</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10931,6 +10951,10 @@
         </message>
         <message>
             <source>formats inside MTEXT are not applied</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>free space on its disk, and resume when the journal is written again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11158,6 +11182,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give the number of the run</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give the path of a file</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11239,10 +11267,6 @@
         </message>
         <message>
             <source>go line by line while a job runs</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>go on with it or stop it where it was started, or with: cncstepper back --session {file}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11414,10 +11438,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>in the language of {dialect} no play can be taken up</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>in the operation {span}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11458,6 +11478,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it appears when that is done</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it begins with {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11470,7 +11494,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it contains a file that no bundle has: {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it cuts upwards on a helix, as thread mills do, and is entered at its begin, line {begin}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it does not answer</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11494,7 +11526,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>it goes on by itself</source>
+            <source>it has accepted nothing for {limit:g} s</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11570,10 +11602,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>it holds what no bundle does: {name}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>it is a device</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11610,11 +11638,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>it is there by itself when that is done</source>
+            <source>it is too long for its tolerance</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>it is too long for its tolerance</source>
+            <source>it is uncertain which of several passes was cut, so the earliest possible one is used: line {file_line}, not {file_line2}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11658,7 +11686,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>it says nothing</source>
+            <source>it resumes without a person</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11682,10 +11710,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>it takes nothing for {limit:g} s</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>it takes too long</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11706,7 +11730,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>it would forget the settings: write the settings that are to change one by one</source>
+            <source>it would erase the settings: write the settings that you want to change one by one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11731,6 +11755,10 @@
         </message>
         <message>
             <source>its directory is too large</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>its effect depends on the machine: leave it out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11850,7 +11878,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>jog it down to that height where you see what is below it, or restart with the height {here_mm:.1f} (--height), from which it goes over the place at once</source>
+            <source>jog it down to that height where the way below is free, or restart with the height {here_mm:.1f} (--height), at which it moves over the place directly</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11874,7 +11902,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>kept only if the controller has had power ever since and was not reset in motion; a greeting, an alarm or a place that is not right says that it was: then {home}; {until_homed}</source>
+            <source>kept only if the controller stayed powered and was not reset in motion; a greeting, an alarm or a wrong position shows that it was: then {home}; {until_homed}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11923,10 +11951,6 @@
         </message>
         <message>
             <source>lead in and out through scrap</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>lead it round the part, through what becomes scrap</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12042,14 +12066,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>let the tool stick out farther</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>let them coincide, or keep them {small_mm:g} mm apart</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>lift the head higher, or go round the piece</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12106,7 +12122,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>lines of '{drawing}' that are no whole circles and want no holes: {lines}</source>
+            <source>lines of '{drawing}' that are not whole circles, so that no hole is drilled: {lines}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12114,7 +12130,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>load the module ppdev, and let your user use the device</source>
+            <source>load the module ppdev, and give your user access to the device</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12122,7 +12138,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>log in as a user who may do it</source>
+            <source>log in as a user with that permission</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12166,10 +12182,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>look at the baud rate, and at what reports the controller sends by itself</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>look at the controller's file system, then try again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12190,23 +12202,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>look at what it says, and correct that line</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>look at what it says, end other programs, or choose lower speeds</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>look for a pendant or another program that is connected, set the zero again, then send again</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>look how the machine stands now, then answer to that</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>look that the axes stand, check cable and grounding, and home again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12306,10 +12302,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>make room on its disk, and resume when it is said to be written again</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>make room on the disk of {folder}, and see that you may write there; then send again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12331,6 +12323,10 @@
         </message>
         <message>
             <source>make stepover_mm larger</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>make sure that the axes are at rest, check cable and grounding, and home again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12374,6 +12370,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>make them coincide, or keep them {small_mm:g} mm apart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>make them lower</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12394,7 +12394,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>material stays in {gaps} gap(s) between walls that are narrower than the tool, the deepest one before X{x:.3f} Y{y:.3f}; a smaller tool takes it away</source>
+            <source>material stays in {gaps} gap(s) between walls that are narrower than the tool, the deepest one before X{x:.3f} Y{y:.3f}; a smaller tool removes it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>material that is cut off</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12846,14 +12850,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>nobody has confirmed the work zero</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>nobody leads the tool along its cut; the program's lines for that are not at the controller</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>none of the selected drawings can be followed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12970,7 +12966,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>not an outcome: it does not say how it ended</source>
+            <source>not an outcome: it has no end state</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13142,6 +13138,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>only the controller knows where a probe stops</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>only the first control point goes without X and Y</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13150,7 +13150,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>only {written} of {data} bytes were taken</source>
+            <source>only {written} of {data} bytes were accepted</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13167,6 +13167,10 @@
         </message>
         <message>
             <source>operation {number} ({cycle}) will take long: about {length_mm:.0f} m of cut in {levels} levels</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>otherwise the move would be bent</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13198,7 +13202,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>part of the drawn shape lies beside the stock</source>
+            <source>part of the drawn shape is beside the stock</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13282,10 +13286,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>play is told of three axes</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>please report it, with the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13354,11 +13354,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>pulses are taken back in a hold only, not in state {state}</source>
+            <source>pulses are those of a machine</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>pulses are those of a machine</source>
+            <source>pulses can be retracted only in a hold, not in state {state}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13434,6 +13434,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>read as a flat mill: '{name}' does not name a shape</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>read its message, and correct that line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>read its message, close other programs, or choose lower speeds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>read its output, and report it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>read the controller's start-up messages ($SS) and correct its configuration</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13446,7 +13462,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>reading '{suffix}' files takes {programs}, which is not here</source>
+            <source>reading '{suffix}' files needs {programs}, which is not installed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13550,19 +13566,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>resume again, or set the zero so that the way there lies within the travel</source>
+            <source>resume again, or set the zero so that the move to it is within the travel</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>resume again; where $341 is not 0, do first what the controller itself wants at a change of tools</source>
+            <source>resume again; if $341 is not 0, finish the controller's own tool change first</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>resume once it stands</source>
+            <source>resume or stop it where it was started, or with: cncstepper back --session {file}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>resume what it was doing, or reset it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>resume when it is at standstill</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13583,6 +13603,14 @@
         </message>
         <message>
             <source>retract mode set to r_plane</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>retracted along the cut: go further back, forward, or resume from here</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>route it around the part, through scrap</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13634,14 +13662,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>say it with M61 Q and the tool's number</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>say which time it is run</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>scale all axes alike</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13674,10 +13694,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>see what it printed, and report it</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>see whether it is whole</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13702,7 +13718,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>send the file anew</source>
+            <source>send the file again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13750,7 +13766,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>set again at the pause at line {line}: {places} (machine, mm); what comes after counts from there, what was before from the old one</source>
+            <source>set again at the pause at line {line}: {places} (machine, mm); later lines use this zero, earlier ones the old one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13767,6 +13783,10 @@
         </message>
         <message>
             <source>set it again, and do not start before it is right</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set it with M61 Q and the tool's number</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13887,6 +13907,10 @@
         </message>
         <message>
             <source>simplify the solid, or end the script's loop</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>simulated on the stock that the earlier moves have left; the wanted shape is unknown and was not compared</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14014,7 +14038,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>stop the machine with its own buttons where it must stand now</source>
+            <source>stop the machine with its own buttons if it must stop now</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14202,10 +14226,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>taken as a flat mill: '{name}' names no shape that a table's words can tell</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>tapping became plain moves: the feed may be overridden, and nothing keeps it to the spindle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14255,6 +14275,10 @@
         </message>
         <message>
             <source>the USB board's controller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the actions between the moves would change</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14338,7 +14362,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the beam is never on where it is to cut</source>
+            <source>the beam is never on during a cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14362,7 +14386,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the certificate holds what no proof has</source>
+            <source>the certificate has an entry that no proof has</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14370,7 +14394,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the certificate lacks what a sender needs</source>
+            <source>the certificate lacks an entry that a sender needs</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14426,6 +14450,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the circle's share of it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the columns of MTEXT are set one below the other</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14458,11 +14486,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the computer came too late with a pulse and stopped after {written} writes in time, {at_ns:.3f} s from the begin; spindle, beam and drives are off, and steps may be lost</source>
+            <source>the computer was late with a pulse and stopped after {written} writes, {at_ns:.3f} s from the begin; spindle, beam and drives are off, and steps may be lost</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the configuration is not valid</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the connection service does not start</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14475,6 +14507,18 @@
         </message>
         <message>
             <source>the contour goes through the stock and sets a piece free that no tab holds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller accepts no jog while it is held</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller asks for a login</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller did not store the zero of {axis} in {system}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14506,23 +14550,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the controller does not report its modes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller does not report its state</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller does not report its work system: {modes}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the controller does not report its {system}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the controller does not say its modes</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the controller does not say its work system: {modes}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the controller does not say whether it reports in mm or in inches</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the controller does not tell its state</source>
+            <source>the controller does not report whether it uses mm or inches</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14582,6 +14626,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the controller reported: {report}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller reports that it is homed, but too soon: another line than $H reached it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the controller restarted in the middle of the job</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14590,19 +14642,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the controller restarted when its port was opened; it counts from where it stands</source>
+            <source>the controller restarted when its port was opened; it counts from its present position</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the controller restarted when its port was opened; it counts from where it stands. Until it is unplugged no later opening restarts it</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the controller said: {report}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the controller says that it is homed, but too soon: another line than $H reached it</source>
+            <source>the controller restarted when its port was opened; it counts from its present position. Until it is unplugged no later opening restarts it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14618,15 +14662,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the controller takes no jog while it is held</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>the controller waits for its new tool</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the controller wants to know who you are</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14650,11 +14686,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the converted program would go on after this</source>
+            <source>the converted program would continue after this</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the converted program would not come by this point</source>
+            <source>the converted program would not pass this point</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14686,6 +14722,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the curve that {kind} follows is unknown</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the curves of the drawing are too many and too wild for the tolerance</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14699,10 +14739,6 @@
         </message>
         <message>
             <source>the cut begins without waiting for the spindle</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the cut comes too near to the sheet's edge</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14722,7 +14758,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the cut is taken to be {kerf_mm:g} mm wide, the simulation cuts with the tool's {diameter_mm:g} mm</source>
+            <source>the cut is too close to the sheet's edge</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14739,6 +14775,10 @@
         </message>
         <message>
             <source>the cycle takes too many passes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the cycle uses a kerf of {kerf_mm:g} mm, the simulation the tool's diameter of {diameter_mm:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14770,11 +14810,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the desk's process does not come up</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the device takes nothing for {limit:g} s; steps may be lost</source>
+            <source>the device has accepted nothing for {limit:g} s; steps may be lost</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14842,7 +14878,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the drawing declares entities that stand for more than a short text</source>
+            <source>the drawing declares XML entities that are longer than a short text</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14907,6 +14943,10 @@
         </message>
         <message>
             <source>the edited program has no job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the elements picked of '{drawing}' no longer exist</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15022,7 +15062,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the file could not be taken over</source>
+            <source>the file could not be loaded</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15034,7 +15074,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the file gives no size in mm or inches: {dpi:g} pixels an inch are taken</source>
+            <source>the file gives no size in mm or inches: {dpi:g} pixels an inch are assumed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15214,7 +15254,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the job is about to go on</source>
+            <source>the job is about to resume</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15282,7 +15322,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the journal could not be ended ({error}): it will tell of a killed job</source>
+            <source>the journal could not be closed ({error}): the job will be listed as killed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15330,7 +15370,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the kernels are not compiled ahead: {said}</source>
+            <source>the kernels were not compiled in advance: {said}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15358,15 +15398,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the lathe finishes a move that it has begun: switch it off, then set its zero again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the lathe is in automatic mode and cannot be jogged: {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the lathe jogs at up to {0} mm/min, or at {1}: it takes the slower one</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the lathe takes a zero in manual mode only: {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15386,7 +15426,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the length offset of tool {tool_number} is not known, it is taken as 0</source>
+            <source>the length offset of tool {tool_number} is unknown; 0 is assumed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15438,7 +15478,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the line holds a byte that the controller acts upon wherever it stands</source>
+            <source>the line holds a real-time command byte</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15474,11 +15514,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the line reads where the machine stands, which the edit would change</source>
+            <source>the line reads the machine's position, which the edit would change</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the lines after this tool change do not stand alone</source>
+            <source>the lines after it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the lines after this tool change cannot run on their own</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15487,6 +15531,10 @@
         </message>
         <message>
             <source>the lines have different numbers of heights</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the lines of a retract are not at the controller</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15522,18 +15570,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the machine does not stand</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the machine does not stand on the way of the lines that it has</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the machine does not stand where the way back begins</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>the machine finds its own zero</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15550,11 +15586,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the machine is at rest, spindle and outputs are off, its position is kept (the reset cleared G92 and tool length)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the machine is homed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the machine is not at rest</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine is not at standstill</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine is not at the begin of the retract</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15567,6 +15615,10 @@
         </message>
         <message>
             <source>the machine is not in alarm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine is not on the path of the lines that it has</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15599,10 +15651,6 @@
         </message>
         <message>
             <source>the machine must be homed first</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the machine stands, spindle and outputs are off, its position is kept (the reset cleared G92 and tool length)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15662,11 +15710,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the moves that are taken as done cut into the wanted part</source>
+            <source>the moves before the restart cut into the wanted part</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the moves that are taken as done leave material that should be removed</source>
+            <source>the moves before the restart leave material that should be removed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15710,11 +15758,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the outlines enclose nothing</source>
+            <source>the outlines are beside the stock</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the outlines lie beside the stock</source>
+            <source>the outlines enclose nothing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15730,7 +15778,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the overrides are not what they were before the reset</source>
+            <source>the overrides differ from those before the reset</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15746,11 +15794,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the part at X{x:.3f} Y{y:.3f} would come loose before it is cut, in any order</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the part may differ from it by as much: lower P, or follow the exact path with G61</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the path begins where the machine happens to stand: it is told by ways (G91) alone</source>
+            <source>the path begins at the machine's position: it has incremental moves (G91) only</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the path contains the tool's radius and is right for this tool only</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15766,11 +15822,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the picture does not say its size: {dpi:g} dpi are taken; give its width</source>
+            <source>the picture has no dark areas</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the picture has no dark areas</source>
+            <source>the picture has no size: {dpi:g} dpi are assumed; give its width</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15826,18 +15882,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the play of the axes cannot be taken up in an arc with an absolute centre</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the play of the axes cannot be taken up in coordinates that are turned</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the play of the axes cannot be taken up within this line</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>the pocket is so narrow that its way at this engagement would be too long beside parallels</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15874,11 +15918,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the power stands at the pierce for much longer than the chart's delay</source>
+            <source>the power is on at the pierce for much longer than the chart's delay</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the probe stands at its end already</source>
+            <source>the probe is at its target already</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15894,15 +15938,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the process that calculates the retract has ended</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the process that cuts ended before it had an answer</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the process that finds the way back has ended</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the process that knows the part at every moment has ended</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15910,7 +15950,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the process that plays the pulses stood still: it was stopped, or the computer gave it no time; everything is off, and steps may be lost</source>
+            <source>the process that plays the pulses was stopped or got no processor time; all outputs are off, and steps may be lost</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15962,6 +16002,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the program cannot run from here on its own: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the program changes no tool</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15975,6 +16019,10 @@
         </message>
         <message>
             <source>the program cuts nothing at a known place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the program does not contain the values of the material that QtPlasmaC has selected</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16150,6 +16198,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the retract along the cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the retract cannot be read back: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the retract cannot be sent as it was written</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the retract does not lead to that place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the retract mode may not be changed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16226,11 +16290,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the sender or its computer stopped without a word; what the controller held it may have made</source>
+            <source>the sender or its computer stopped suddenly; the controller may have executed the lines in its buffer</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the sender's process does not come up</source>
+            <source>the sender's process does not start</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16247,10 +16311,6 @@
         </message>
         <message>
             <source>the session still runs</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the session {session_file} answers what this program does not understand</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16310,6 +16370,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the simulation's process has ended</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the slot's width</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16338,7 +16402,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the spindle does not do as it is told</source>
+            <source>the spindle does not follow the program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16350,7 +16414,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the spindle is switched on at S0, since no speed was said before</source>
+            <source>the spindle is switched on at S0, since no S came before</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16374,11 +16438,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the stand that this answers to is over</source>
+            <source>the stand-alone interpreter moves X Y Z A B C only</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the stand-alone interpreter moves X Y Z A B C only</source>
+            <source>the state of the machine's position cannot be stored: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16514,7 +16578,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the tool does not reach into {corners} corners or narrow places; what stays there: {told}</source>
+            <source>the tool does not reach into {corners} corners or narrow places; material left there: {told}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16522,11 +16586,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the tool goes below the stock and cuts what lies under it</source>
+            <source>the tool goes below the stock and cuts the table under it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the tool goes up or down while it cuts: backwards it would enter at the full depth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the tool is at Z {high}, and the restart first goes straight down to Z {low} as a rapid</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16574,11 +16642,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the tool stands at Z {high}, and the restart goes straight down to Z {low} first, as a rapid</source>
+            <source>the tool table cannot be read again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the tool table cannot be read again</source>
+            <source>the tool's position is unknown here</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16590,15 +16658,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the tool's radius went into the path, which is right for this tool only</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>the tool's width is not the cut chart's kerf</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the torch may not be taken off</source>
+            <source>the tool's {letter} is unknown here, and a rotation needs both coordinates</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the torch cannot be switched off</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16618,6 +16686,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the value of #{number} is known only when the program runs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the velocity may not be reduced</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16631,26 +16703,6 @@
         </message>
         <message>
             <source>the wall may be up to {promise_mm:.3f} mm off: an ellipse is no offset of an ellipse, and the resolution adds to it; method "tolerance" keeps to tolerance_mm</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the way along the cut cannot be sent as it was written</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the way back along the cut</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the way back cannot be read: {error}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the way back does not lead there</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the way would be bent otherwise</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16694,7 +16746,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the wire would stand too long at corners and melt a hole</source>
+            <source>the wire would stay too long at corners and melt a hole</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16714,7 +16766,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the work zero cannot be set here: what lies behind was cut from another one</source>
+            <source>the work zero cannot be set here: the cut behind used another one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16722,15 +16774,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the work zero is not confirmed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the work zero is not known, so the program's place on the table is unknown</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the work zero was set at a pause, so the way back along the cut is not known</source>
+            <source>the work zero was set at a pause, so that the retract along the cut is unknown</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the zero of {axis} in {system} was not taken over</source>
+            <source>the zero of the lathe can be set in manual mode only: {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16746,7 +16802,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the {tool} tool does not say how many flutes it has; its feed is reckoned with {usual_flutes}</source>
+            <source>the {tool} tool has no number of flutes; its feed is calculated with {usual_flutes}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16762,7 +16818,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>then runs {own} lines of the program as they are; all before them is taken as cut</source>
+            <source>then runs {own} lines of the program unchanged; everything before them counts as cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16950,6 +17006,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this answer belongs to an earlier pause</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this build of the controller has no such setting</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16998,6 +17058,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this is no word that can be edited</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this is not allowed while an emergency stop or a limit is active</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17022,15 +17086,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>this line is not executed (deleted, after the end or not led to): what it means is not known</source>
+            <source>this line is in the part that is to be reversed, and is not only a move</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>this line stands within a way that is to run backwards, and does more than move</source>
+            <source>this line is not executed (deleted, after the end, or never reached), so that its meaning is unknown</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>this machine cannot be held while its program runs: its link takes no such command</source>
+            <source>this machine cannot be held while its program runs: its link has no such command</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17046,7 +17110,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>this machine cannot be stopped while it runs what it was sent</source>
+            <source>this machine cannot be stopped while it runs the lines that it has</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17062,7 +17126,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>this machine does not report its position: it is counted from what was sent</source>
+            <source>this machine does not report its position: it is calculated from the lines sent</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17074,15 +17138,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this machine has no output to switch (knife and point have no power): take it out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this machine has no probe</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>this machine has no spindle whose speed is chosen: write M3 alone</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>this machine has nothing that is switched (knife and point have no power): take it out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17094,11 +17158,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>this one is made by itself when that is done, in about a minute</source>
+            <source>this one is made when that is done, in about a minute</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>this pin of the machine is not known to this reader</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this program does not understand the answers of the session {session_file}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17122,7 +17190,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>this takes long, and is being made beside the window</source>
+            <source>this takes long and is calculated in the background</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17174,7 +17242,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>too many lines lie on each other</source>
+            <source>too many lines are on top of each other</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17210,7 +17278,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>tool {number} is not known, so what it cuts is not checked</source>
+            <source>tool {number} is unknown, so that its cuts are not checked</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17222,7 +17290,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>tool {tool} does not stand in the tool table</source>
+            <source>tool {tool} is not in the tool table</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17282,7 +17350,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>two commands of one line both want axis words</source>
+            <source>two commands of one line both use axis words</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17326,7 +17394,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>two words of one modal group stand in one line</source>
+            <source>two words of one modal group are in one line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17622,6 +17690,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>wait until it is at rest, or hold it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>wait until it is homed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17631,10 +17703,6 @@
         </message>
         <message>
             <source>wait until it is idle; after an alarm home it or unlock it</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>wait until it stands, or hold it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17670,71 +17738,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>what #{number} will hold is known only when the program runs</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>what comes after that</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>what happens between the moves would not be the same</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>what is cut off</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>what is known of the machine's position cannot be kept: {error}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>what it does is the machine's own: leave it out</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>what lies at X{x:.3f} Y{y:.3f} would come loose before it is cut, in any order</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>what lies inside an outline is faced with it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>what stands here is no word that can be edited</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>what the circle takes of it</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>what the material that QtPlasmaC has chosen says is not in the text</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>what was picked of '{drawing}' is not there any more</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>what {kind} follows is not known</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>where a probe stops only the controller knows</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>where the machine is cannot be seen: every report of the controller is damaged</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>where the tool stands along {letter} is not known here, and turning needs both coordinates</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>where the tool stands here is not known</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17747,10 +17755,6 @@
         </message>
         <message>
             <source>where this way begins is not known</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>which of several passes was cut cannot be told for certain, so the earliest that fits is taken: line {file_line}, not {file_line2}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18010,7 +18014,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>write each program so that it stands alone</source>
+            <source>write each program so that it can run on its own</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18102,10 +18106,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>write out what it does first: cncstepper convert</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>write ph=, pd=, ch= and fr=</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18138,11 +18138,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write the cuts as [[operation]]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write the end point itself</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>write the motion word again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write the path of the tool's centre</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18170,10 +18178,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>write the way of the tool's centre</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>write the words with plain numbers</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18187,10 +18191,6 @@
         </message>
         <message>
             <source>write to another one</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>write what is to be cut as [[operation]]</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18366,7 +18366,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{count} clip paths and masks are not applied: what they hide is read too</source>
+            <source>{count} clip paths and masks are not applied: the parts that they hide are read too</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18482,7 +18482,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{first_file}: restart that one again, what its restart has cut counts as cut</source>
+            <source>{first_file}: restart that one again; its restart's cuts count as cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18570,6 +18570,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{key} is twice in one material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{key} leads into a value that is no table</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18622,7 +18626,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{key} stands twice in one material</source>
+            <source>{key}= is twice in a material's comment</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18631,10 +18635,6 @@
         </message>
         <message>
             <source>{key}= of a material is out of its bounds</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{key}= stands twice in a material's comment</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18682,11 +18682,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{letter} goes on from the point before: neither with {other} nor under G91</source>
+            <source>{letter} continues from the last point: neither with {other} nor under G91</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{letter} has no meaning with G10 L{kind}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{letter} is out of range</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{letter} is twice on the line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18699,14 +18707,6 @@
         </message>
         <message>
             <source>{letter} of {name} must be {word} 0</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{letter} says nothing with G10 L{kind}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{letter} stands twice on the line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18730,11 +18730,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{line} stands in line {index} of {known_file} already</source>
+            <source>{line} is in line {index} of {known_file} already</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{line} stands outside any subroutine</source>
+            <source>{line} is outside any subroutine</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18746,7 +18746,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{link} does not say its modes: question or answer was damaged</source>
+            <source>{link} does not report its modes: question or answer was damaged</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18759,6 +18759,10 @@
         </message>
         <message>
             <source>{link} sends no line ends</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{machine} accepts no pulse letters</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18783,10 +18787,6 @@
         </message>
         <message>
             <source>{machine} has no relay '{name}'</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{machine} takes no pulse letters</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18870,6 +18870,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{name} is between G5.2 and G5.3</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{name} is in use</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18878,7 +18882,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{name} is no port that takes pulses</source>
+            <source>{name} is no port for pulses</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18954,11 +18958,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{name} says more than anybody asked for</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{name} stands between G5.2 and G5.3</source>
+            <source>{name} sends more than was asked for</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19054,7 +19054,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{places} of {wanted} tabs fit on the contour that begins at X{x:.3f} Y{y:.3f}; make them narrower to have more</source>
+            <source>{places} of {wanted} tabs fit on the contour that begins at X{x:.3f} Y{y:.3f}; make them narrower to fit more</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19130,7 +19130,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{says} is out of its bounds</source>
+            <source>{says} is out of range</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19190,7 +19190,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{twice} of the {drawn} holes stand where others do and are made once</source>
+            <source>{twice} of the {drawn} holes are at the place of others and are made once</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19206,7 +19206,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{value:g} stands where a whole number must</source>
+            <source>{value:g} must be a whole number</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -158,7 +158,7 @@ def test_a_job_without_operations(hand: Hand) -> None:
     expect_enabled(hand, NEW_JOB, IMPORT, FREEHAND, *BY_NUMBERS, OPEN, CONTROLLER, MACHINES, LETTERS)
     assert reason(hand, SEND) == "Job has nothing to cut: add an operation"
     assert {reason(hand, name).partition(":")[0] for name in DRAWN} == {
-        "Select what is to be cleared", "Select what is to be cut out", "Select what is to be engraved",
+        "Select the area to clear", "Select the lines to cut", "Select the lines to engrave",
     }  # fmt: skip
 
 

@@ -31,7 +31,7 @@ BY_CODE = {  # of errors that speak of several keys
 NOT_BETWEEN = later("must be 0, or at least {0}")
 SENTENCES = {
     "depth": later("goes far beyond the stock; at most {0}"),
-    "travel": later("goes beyond what the machine can travel; at most {0}"),
+    "travel": later("exceeds the machine's travel; at most {0}"),
     "width": later("goes far beyond the stock and the machine; at most {0}"),
     "feed": later("goes far beyond the machine's fastest axis; at most {0}"),
 }

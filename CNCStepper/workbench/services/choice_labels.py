@@ -124,7 +124,7 @@ CUT_WORDS = {
     "front": later("front"),
     "back": later("rear"),
 }
-OF_KEY = {("leave", "back"): later("back the way it came"), ("leave", "edge"): later("to the nearest edge")}
+OF_KEY = {("leave", "back"): later("back along the entry"), ("leave", "edge"): later("to the nearest edge")}
 WORDS |= {**PROCESS_WORDS, **CHART_WORDS, **CUT_WORDS}
 
 
