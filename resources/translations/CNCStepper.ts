@@ -10070,7 +10070,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>check cable and power; home the machine or set its zero again before its next move</source>
+            <source>check cable and power, then move the tool to the work zero and set it there before its next move</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10914,7 +10914,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>find the cause, switch the lathe off and on, and set its zero by hand: its position is lost</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>find the cause, then home the machine: its position is lost</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>find the cause, then move the tool to the work zero and set it there: its position is lost</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11375,10 +11383,6 @@
         </message>
         <message>
             <source>home the machine again</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>home the machine before its next move</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12530,6 +12534,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>move the tool to the work zero and set it there before its next move</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>move the work zero {word} the {name} axis or make the program smaller</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12623,6 +12631,10 @@
         </message>
         <message>
             <source>name the machine (--machine)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>name the machine profile of the table that is wired to it (controller = "thesis-a")</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13359,6 +13371,10 @@
         </message>
         <message>
             <source>pulses can be retracted only in a hold, not in state {state}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>pulses, relays and trials of a rate: `cncstepper machine-test` does them</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17418,6 +17434,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>unlock it with $X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>until then nothing but homing, jogging and setting the zero is safe</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18867,6 +18887,10 @@
         </message>
         <message>
             <source>{name} is a parallel port, and the machine is a board</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} is a parallel port, on which there is no controller</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -125,9 +125,7 @@ PLAY = Backlash((0.3, 0.2, 0.0), (-1, -1, -1), (40.0, 40.0, 40.0))
 WITH_EVENTS = "G21 G90\nG0 X0 Y0\n(Operation: edge)\nG1 X9 F300\nM0\nG1 X2 Y4\nG4 P0.5\nG2 X2 Y0 I0 J-2\nG1 X5\nM2\n"
 
 
-@pytest.mark.parametrize(
-    ("text", "source"), [(random_program(random.Random(3)), THESIS), (WITH_EVENTS, "linuxcnc")]
-)
+@pytest.mark.parametrize(("text", "source"), [(random_program(random.Random(3)), THESIS), (WITH_EVENTS, "linuxcnc")])
 def test_backlash_is_compensated_in_the_lines_sent_and_the_tool_goes_the_programs_way(
     text: str, source: str, tmp_path
 ) -> None:
