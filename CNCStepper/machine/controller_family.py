@@ -44,5 +44,5 @@ def family_of(machine: Driven | None) -> Family:
 
 
 def makes_pulses(machine: Driven | None) -> bool:
-    """Return whether this computer makes the machine's pulses: backlash is taken up there, and outputs are its pins."""
+    """Return whether this computer makes the machine's pulses, so that outputs are its pins."""
     return family_of(machine) in PULSES

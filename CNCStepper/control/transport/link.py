@@ -36,6 +36,7 @@ SLICE_S = 0.001  # how long a port that cannot be waited on sleeps between two l
 BAUD = 115_200
 BUSY = (errno.EBUSY, errno.EAGAIN)
 FORBIDDEN = (errno.EACCES, errno.EPERM)
+PARALLEL_PORT = re.compile(r"/dev/(parport|lp)[0-9]+$")
 NETWORK = ("socket://", "telnet://", "rfc2217://")
 
 
@@ -168,6 +169,12 @@ def open_link(name: str, baud: int = BAUD, machine: str = "") -> Link:
     """
     if machine and has_no_controller(machine):
         return Link(open_controller(name, machine), name, LINE_BAUD)
+    if PARALLEL_PORT.match(name):
+        raise LinkError(
+            "port-parallel",
+            Text("{name} is a parallel port, on which there is no controller", name=name),
+            advice='name the machine profile of the table that is wired to it (controller = "thesis-a")',
+        )
     serial = load_pyserial()
     is_telnet = name.startswith("telnet://")
     try:
