@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Blocks a second of processor time: our interpreter beside LinuxCNC's `rs274 -g`, same programs, same run.
 
-Beside it `cncstepper trace`, which prints the same calls, as a process of its own. Then a file of ten times the blocks, read
-in processes of their own: how much memory a block takes, whole and as a stream, with progress and cancel.
+Beside it `cncstepper trace`, which prints the same calls, as a process of its own. Then a file of ten times the blocks,
+read in processes of their own: how much memory a block takes, whole and as a stream, with progress and cancel.
 `python bench/bench_interpreter.py` prints the lines of docs/benchmarks.md.
 """
 
