@@ -21,6 +21,7 @@ from CNCStepper.control.protocol.grbl.settings import expected_settings
 from CNCStepper.errors import JobError
 from CNCStepper.gcode.interpreter.functions.coordinate_offsets import HOMES
 from CNCStepper.gcode.interpreter.interpret import interpret
+from CNCStepper.gcode.syntax.words import code_pattern
 from CNCStepper.gcode.wire.backlash_compensation import backlash_of
 from CNCStepper.gcode.wire.wire_text import WireText
 from CNCStepper.job.proof_inputs import Given
@@ -34,7 +35,6 @@ from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.machine.wiring import seen_by_sender
 from CNCStepper.motion.interpolation.dda_stream import dda_stream
-from CNCStepper.motion.planner.backlash_moves import motor_moves
 from CNCStepper.motion.planner.buffers import TICKS_PER_S
 from CNCStepper.motion.planner.plan import begun
 from CNCStepper.motion.signals.peak_rate import PeakRate
@@ -189,7 +189,7 @@ def _play_in(content: Mapping[str, Any]) -> Backlash | None:
     told = content["wire"].get("play")
     play = _PLAY.validate_python(told) if told is not None else None
     if play and {len(play.backlash_mm), len(play.true_sense), len(play.steps_per_mm)} != {len(ZERO3)}:
-        raise ValueError("play is told of three axes")
+        raise ValueError("backlash has three values, one for each axis")
     return play
 
 
@@ -198,7 +198,7 @@ def _part_of(certificate: Certificate, read: Callable[[Mapping[str, Any]], Read]
     try:
         return read(certificate.content)
     except (AttributeError, KeyError, TypeError, ValueError) as error:
-        what = "the certificate holds what no proof has"
+        what = "the certificate has an entry that no proof has"
         raise JobError("certificate-bad", what, value=str(error)[:60], advice=CHECK_AGAIN) from error
 
 
@@ -245,8 +245,7 @@ def peak_rate(job: SendJob) -> float:
         return 0.0
     text = "".join(f"{line}\n" for line in job.lines)
     path = interpret(text, start_from(job.retrace["start"]), job.dialect, job.file)
-    motors = motor_moves(require_straight_axes(path, job.file), Backlash.of(machine))
-    rate, way = PeakRate(), begun(motors)
+    rate, way = PeakRate(), begun(require_straight_axes(path, job.file))
     stream = pulse_stream(way, machine) if machine.interpolation == "planner" else dda_stream(way, machine)
     for _ in Timeline(replace(stream, chunks=_counted(stream, rate)), machine.signals):
         pass
@@ -276,7 +275,7 @@ def _places(start: Start, lines: Sequence[str]) -> dict[str, tuple[float, ...]]:
         name: tuple(start.parameters[first + axis] * start.machine_unit_mm for axis in range(len(ZERO3)))
         for name, first in HOMES.items()
         if all(first + axis in start.parameters for axis in range(len(ZERO3)))
-        and any(re.search(rf"{name}(?![.\d])", line) for line in lines)
+        and any(re.search(code_pattern("G", name[1:]), line) for line in lines)
     }
 
 

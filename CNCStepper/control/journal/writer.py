@@ -226,6 +226,10 @@ class Journal:
         """Take the controller's buffer sizes from its messages."""
         self._capacity.on_message(received)
 
+    def note_made(self, lines: int) -> None:
+        """Note that the controller has made the job's first `lines` lines."""
+        self._finished = max(self._finished, lines)
+
     def keep(self, sent: int, acknowledged: int, is_idle: bool) -> list[str]:
         """Write due records, and return warnings for the operator. is_idle: acknowledged lines are cut."""
         told = self._collected()
@@ -274,7 +278,7 @@ class Journal:
         except OSError as error:
             told.append(
                 Text(
-                    "the journal could not be ended ({error}): it will tell of a killed job",
+                    "the journal could not be closed ({error}): the job will be listed as killed",
                     error=error.strerror or error,
                 )
             )

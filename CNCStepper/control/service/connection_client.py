@@ -43,6 +43,7 @@ from CNCStepper.control.session.status import Outcome, SenderStatus, error_from_
 from CNCStepper.control.session.unreachable import closed, garbled, silent, unreadable
 from CNCStepper.control.transport.controller_link import has_no_controller
 from CNCStepper.errors import CNCStepperError, LinkError, MachineRefusal, Text
+from CNCStepper.machine.controller_family import BAUD
 
 
 def check_no_job(port: str, folder: Path | None = None) -> None:
@@ -76,7 +77,7 @@ def port_held_by_job(file: Path, port: str, status: SenderStatus) -> MachineRefu
             phase=status.phase,
         ),
         advice=Text(
-            "go on with it or stop it where it was started, or with: cncstepper back --session {file}", file=file.stem
+            "resume or stop it where it was started, or with: cncstepper back --session {file}", file=file.stem
         ),
     )
 
@@ -191,7 +192,7 @@ class ConnectionClient:
     def launch(
         cls,
         port: str,
-        baud: int = 115_200,
+        baud: int = BAUD,
         folder: Path | None = None,
         machine: str = "",
         keep_s: float | None = None,
@@ -354,7 +355,7 @@ class ConnectionClient:
         if self.session_file and is_alive(self.session_file):
             self._end(silent(self.session_file))
         else:
-            self._end(LinkError("desk-start", "the desk's process does not come up", advice="see " + self._log()))
+            self._end(LinkError("desk-start", "the connection service does not start", advice="see " + self._log()))
 
     def _take_launch(self, launched: Future[Launched]) -> None:
         self._launched = None

@@ -27,6 +27,9 @@ class ActiveJournal(Protocol):
     def on_message(self, received: list[Received]) -> None:
         """Take the controller's buffer sizes from its messages."""
 
+    def note_made(self, lines: int) -> None:
+        """Note that the controller has made the job's first `lines` lines."""
+
     def keep(self, sent: int, acknowledged: int, is_idle: bool) -> list[str]:
         """Write due records, and return warnings for the operator. is_idle: acknowledged lines are cut."""
 
@@ -55,7 +58,7 @@ def check_not_held(journal: ActiveJournal, sent: int) -> None:
         raise JobError(
             "journal-unwritable",
             "the journal of the job cannot be written",
-            advice="make room on its disk, and resume when it is said to be written again",
+            advice="free space on its disk, and resume when the journal is written again",
         )
 
 
@@ -75,6 +78,9 @@ class NoJournal:
         """Do nothing."""
 
     def on_message(self, received: list[Received]) -> None:
+        """Do nothing."""
+
+    def note_made(self, lines: int) -> None:
         """Do nothing."""
 
     def keep(self, sent: int, acknowledged: int, is_idle: bool) -> list[str]:
@@ -122,6 +128,11 @@ class LegJournal:
     def on_message(self, received: list[Received]) -> None:
         """Take the controller's buffer sizes from its messages."""
         self.program.on_message(received)
+
+    def note_made(self, lines: int) -> None:
+        """Note that the controller has made the leg's first `lines` lines."""
+        if self._lines_before is not None:
+            self.program.note_made(max(0, self._lines_before + lines))
 
     def keep(self, sent: int, acknowledged: int, is_idle: bool) -> list[str]:
         """Write due records of the program, and return warnings for the operator."""

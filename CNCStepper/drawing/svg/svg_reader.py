@@ -47,7 +47,7 @@ NOT_DRAWN = {
 }  # fmt: skip
 ESCAPED = re.compile(r"_x([0-9A-Fa-f]{2,4})_")  # what Illustrator makes of blanks and signs in names
 SVG_WARNINGS = {
-    "clip": "{count} clip paths and masks are not applied: what they hide is read too",
+    "clip": "{count} clip paths and masks are not applied: the parts that they hide are read too",
     "dash": "{count} dashed strokes are read as whole lines",
     "font": "{count} texts are set in another font or style than the file names: {names}",
     "path": "{count} paths are damaged and read up to the damage",

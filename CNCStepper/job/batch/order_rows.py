@@ -54,8 +54,8 @@ def read_rows(path: Path) -> list[OrderRow]:
         advice = "save it as CSV in UTF-8"
         raise JobError("order-encoding", "the order is no UTF-8 text", advice=advice, place=place) from error
     except csv.Error as error:
-        what = Text("the order is no CSV: {error}", error=error)
-        raise JobError("order-csv", what, advice="save it as CSV", place=place) from error
+        broken = Text("the order is no CSV: {error}", error=error)
+        raise JobError("order-csv", broken, advice="save it as CSV", place=place) from error
     if not 1 <= len(rows) <= MOST_ROWS:
         what, limit = "the order has no rows, or too many", f"1 to {MOST_ROWS}"
         raise JobError("order-rows", what, value=f"{len(rows)}", limit=limit, advice="split the order", place=place)

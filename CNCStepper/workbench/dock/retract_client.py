@@ -22,12 +22,12 @@ COMMANDS = ("tell_place", "retrace")  # of the process; it is told itself why th
 
 
 class RetractRun:
-    """The retract of one job at a time; say: adds a sentence to the messages. changed: the view is out of date."""
+    """The retract of one job at a time; say: adds a message. changed: the view is out of date."""
 
     def __init__(self, parent: Any, link: Link, say: Callable[[str, str], None], changed: Callable[[], None]):
         self.flow = RetractFlow()
         self._link, self._say, self._changed = link, say, changed
-        lost = CNCStepperError("back-lost", "the process that finds the way back has ended", advice="try again")
+        lost = CNCStepperError("back-lost", "the process that calculates the retract has ended", advice="try again")
         self._questions = RequestQueue(WORKER, lost, parent=parent)
         self._questions.answered.connect(self._answered)
         self._questions.failed.connect(self._failed)

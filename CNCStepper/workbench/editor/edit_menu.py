@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The menu of what can be done to a whole program: asked for its numbers, shown as a difference, then applied."""
+"""The menu of edits of a whole program: a dialog for the values, then the difference, then the edit."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ VERBS = (
     Verb("rotate", later("Rotate…"), (Field("angle_deg", later("Degrees, counter-clockwise"), 90.0),)),
     Verb("mirror", later("Mirror…"), (
         Field("axis", later("Axis whose sign changes"), "x", ("x", "y")),
-        Field("at_mm", later("Where the mirror stands, mm"), 0.0),
+        Field("at_mm", later("Place of the mirror, mm"), 0.0),
     )),
     Verb("feeds", later("Feeds by a factor…"), (Field("factor", later("Feeds times"), 1.0),)),
     Verb("units", later("Convert units…"), (Field("units", later("Units"), "mm", ("mm", "inch")),)),
@@ -194,7 +194,7 @@ def agreed(dialog: Any) -> bool:
 
 
 class _Colours(QtGui.QSyntaxHighlighter):
-    """Colours what goes and what comes."""
+    """Colours removed and added lines."""
 
     def __init__(self, document: Any, lightness: int):
         super().__init__(document)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""CNCStepper_Face: the top of the stock, or of what a drawing encloses, made flat."""
+"""CNCStepper_Face: faces the top of the stock, or the area that a drawing encloses."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class Face(Operation):
     NO_DRAWING = later("the whole stock")
     PROPERTIES = (
         *OPERATION,
-        *drawn(later("Region"), later("Closed lines round what is faced; without it the whole stock")),
+        *drawn(later("Region"), later("Closed lines around the area to face; without them the whole stock")),
         *properties_of(FaceParameters),
         *PASSES,
     )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""CNCStepper_Tool: a cutter and what it may do, linked by the operations that use it."""
+"""CNCStepper_Tool: a cutter with its limits, linked by the operations that use it."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ class Tool(Feature):
                  later("The speed straight down; 0: that of the job's material"), 200.0),
         Property("spindle_rpm", "SpindleSpeed", FLOAT, CUTTING, later("Spindle"),
                  later("Spindle turns a minute; 0: those of the job's material"), 10000.0),
-        Property("made_of", "MadeOf", ENUMERATION, CUTTING, later("Made of"), later("What the cutter is made of"),
+        Property("made_of", "MadeOf", ENUMERATION, CUTTING, later("Made of"), later("Material of the cutter"),
                  "carbide", choices=("carbide", "hss")),
         Property("corner_radius_mm", "CornerRadius", DISTANCE, FORM, later("Corner radius"),
                  later("Of a bull nose; 0: not given"), 0.0),
@@ -71,10 +71,10 @@ class Tool(Feature):
         Property("length_mm", "Length", DISTANCE, LIMITS, later("Free length"),
                  later("From the tip to the holder; 0: not given"), 0.0),
         Property("length_offset_mm", "LengthOffset", DISTANCE, LIMITS, later("Length offset"),
-                 later("What the controller adds to Z, where the machine takes lengths from a table; 0: not given"),
+                 later("Length that the controller adds to Z, if the machine uses a table of lengths; 0: not given"),
                  0.0),
         Property("holder_diameter_mm", "HolderDiameter", DISTANCE, LIMITS, later("Holder diameter"),
-                 later("The diameter of what holds the tool; 0: not given"), 0.0),
+                 later("The diameter of the tool holder; 0: not given"), 0.0),
         Property("ramp_max_deg", "RampMax", ANGLE, LIMITS, later("Steepest ramp"),
                  later("For a mill that does not cut over its centre; 0: 10°"), 0.0),
         Property("flutes", "Flutes", INTEGER, LIMITS, later("Flutes"), later("How many teeth; 0: not given"), 0),

@@ -53,7 +53,7 @@ def words_of_drawing(pair: Pair) -> str:
 
 
 class _Taking(Field):
-    """What both fields share: buttons that take the selection, and why what was selected is not used."""
+    """The base of both fields: buttons that use the selection, and the reason when it is refused."""
 
     def add_buttons(self, buttons: tuple[tuple[str, str, str], ...]) -> None:
         """Add buttons, each by its name, text and tooltip, and the note below them."""
@@ -156,9 +156,9 @@ class DrawingsField(_Taking):
                 (
                     "take",
                     tr("Take selected"),
-                    tr("Follow what is selected, and nothing else"),
+                    tr("Follow only the selected lines"),
                 ),
-                ("add", tr("Add selection"), tr("Follow what is selected as well")),
+                ("add", tr("Add selection"), tr("Also follow the selected lines")),
             )
         )
         return [drawings]

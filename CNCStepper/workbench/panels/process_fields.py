@@ -115,7 +115,7 @@ class ChartFileField(FileField):
 
 
 class ProcessField(ChoiceField):
-    """The processes; those that the machine cannot do are seen, but not chosen, and say why."""
+    """The processes; those that the machine lacks are disabled and show the reason."""
 
     def refresh(self) -> None:
         """Show the job's process, and which others its machine can do."""
@@ -270,7 +270,7 @@ class ChartValueField(NumberField):
 
 
 class ChartNote(QtGui.QWidget):
-    """Says which values are the chart's, or why it gives none."""
+    """Shows which values are the chart's, or why it has none."""
 
     def __init__(self, job: Any, parent: Any):
         super().__init__(parent)
@@ -279,7 +279,7 @@ class ChartNote(QtGui.QWidget):
         column = QtGui.QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         self.hint = note_label(f"{NAME}_chart_hint", CHART_COLOUR, self)
-        self.hint.setText(tr("Grey values are from the chart; what you type wins"))
+        self.hint.setText(tr("Grey values are from the chart; typed values replace them"))
         for label in (self.note, self.hint):
             column.addWidget(label)
         self.refresh()

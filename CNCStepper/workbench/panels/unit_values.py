@@ -31,7 +31,7 @@ PLAIN_UNITS = {"_rpm": "rpm", "_s": "s", "_percent": "%", "amperes": "A"}  # Fre
 
 @dataclass(frozen=True)
 class Measure:
-    """What a field measures.
+    """The quantity of a field.
 
     unit: as it is shown. factor: from it to the unit of the property's key. quantity: the name of FreeCAD's unit, ""
     for plain numbers. per_freecad: from FreeCAD's own unit to the key's.
@@ -132,7 +132,7 @@ def _converted(quantity: Any, measure: Measure, text: str) -> float:
     if quantity.Unit == FreeCAD.Units.Unit():
         return float(quantity.Value) * measure.factor
     if not measure.quantity:
-        raise Refused(later("This takes a number without a unit, not '{0}'"), shortened(text))
+        raise Refused(later("This needs a number without a unit, not '{0}'"), shortened(text))
     if quantity.Unit != getattr(FreeCAD.Units, measure.quantity):
         raise Refused(later("'{0}' is no value in {1}"), shortened(text), measure.unit)
     return float(quantity.Value) * measure.per_freecad

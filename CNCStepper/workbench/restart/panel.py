@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What stands in the restart's task panel: the place, what the restart would do there, and what its proof has found."""
+"""The task panel of a restart: the place, the steps of the restart, and the findings of its proof."""
 
 from __future__ import annotations
 
@@ -164,7 +164,7 @@ class RestartPanel(QtGui.QWidget):
 
     def _lock(self, why_not: str) -> None:
         self._send.setEnabled(not why_not)
-        self._send.setToolTip(why_not or tr("Goes on in the controller's panel: connect, work zero, start."))
+        self._send.setToolTip(why_not or tr("Next, in the controller's panel: connect, work zero, start."))
 
     def _place(self) -> Any:
         self.line = _spin("line", 1, 1)
@@ -210,8 +210,8 @@ class RestartPanel(QtGui.QWidget):
 
 def _advice() -> str:
     return tr(
-        "Choose a line, an entry of the list, or click a cut in the 3D view. All before it counts as cut: if unsure, "
-        "choose an earlier one."
+        "Choose a line, an entry of the list, or click a cut in the 3D view. Everything before it counts as cut; if"
+        " unsure, choose an earlier one."
     )
 
 

@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 
 
 class SimulationTask(ViewTask):
-    """What FreeCAD's task panel is given; `form` is its widget. An edit of the program is shown, or told, at once."""
+    """The object for FreeCAD's task panel; `form` is its widget. An edit of the program is shown at once."""
 
     def __init__(self, job: Any, restart: Callable[[Any, int], object]):
         self.form = SimulationPanel(job.Label)
@@ -223,7 +223,7 @@ class SimulationTask(ViewTask):
 
     def _changed(self) -> None:
         if self._result is not None:
-            self.form.say(tr("The program has changed since: what is shown is the one before."), again=True)
+            self.form.say(tr("The program has changed since: the view shows the earlier one."), again=True)
 
     def _deleted(self) -> None:
         QtCore.QTimer.singleShot(0, messages.guarded(self.reject))

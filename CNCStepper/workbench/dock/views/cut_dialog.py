@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Asks how a G-code file is cut: process, material, thickness and consumable of the cut chart, whose feed it shows.
 
-A program without F takes that feed. Where there is no job yet the size of the sheet is asked too.
+A program without F takes that feed. Without a job it also asks for the size of the sheet.
 """
 
 from __future__ import annotations
@@ -134,7 +134,7 @@ class CutDialog(QtGui.QDialog):
 def _feed_words(row: CutData) -> str:
     """Return in words which feed and kerf the row gives."""
     whose = ", ".join(words_of(name) for name in (row.material, row.consumable) if name)
-    told = tr("A program without F takes {0} mm/min ({1}; kerf {2} mm).")
+    told = tr("A program without F runs at {0} mm/min ({1}; kerf {2} mm).")
     return told.format(_number(row.feed_mm_min), whose, _number(row.kerf_mm))
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the word under the cursor means, in a sentence. It knows no Qt."""
+"""The meaning of the word under the cursor, in one sentence. It knows no Qt."""
 
 from __future__ import annotations
 
@@ -27,13 +27,13 @@ CODES = {
     "G33": later("moves in step with the spindle"),
     "G38.2": later("probes until it touches, an alarm where it does not"),
     "G38.3": later("probes until it touches"),
-    "G38.4": later("probes away until it lets go, an alarm where it does not"),
-    "G38.5": later("probes away until it lets go"),
+    "G38.4": later("probes away until the contact opens; otherwise an alarm"),
+    "G38.5": later("probes away until the contact opens"),
     "G40": later("no cutter compensation"),
     "G41": later("the cutter runs left of the path"),
     "G42": later("the cutter runs right of the path"),
-    "G43": later("takes the tool's length into account"),
-    "G43.1": later("takes a given tool length into account"),
+    "G43": later("applies the tool's length"),
+    "G43.1": later("applies a given tool length"),
     "G49": later("no tool length"),
     "G53": later("this line is in machine coordinates"),
     "G61": later("follows the path exactly"),
@@ -49,16 +49,16 @@ CODES = {
     "G90.1": later("arc centres are absolute"),
     "G91.1": later("arc centres are seen from the arc's begin"),
     "G92": later("names the present place"),
-    "G92.1": later("takes G92 back"),
-    "G93": later("F is one over the minutes that a move takes"),
+    "G92.1": later("cancels G92"),
+    "G93": later("F is the inverse of a move's time in minutes"),
     "G94": later("F is the feed per minute"),
     "G95": later("F is the feed per turn of the spindle"),
     "G96": later("S is the speed at the surface"),
     "G97": later("S is turns per minute"),
     "G98": later("canned cycles return to where they began"),
     "G99": later("canned cycles return to R"),
-    "M0": later("pauses until it is told to go on"),
-    "M1": later("pauses where the operator wants it"),
+    "M0": later("pauses until cycle start"),
+    "M1": later("pauses if optional stop is on"),
     "M2": later("end of the program"),
     "M3": later("spindle on, clockwise"),
     "M4": later("spindle on, counter-clockwise"),
