@@ -11055,7 +11055,7 @@
         </message>
         <message>
             <source>a text runs along a line or an arc: give one of them</source>
-            <translation type="unfinished"></translation>
+            <translation>um texto segue uma reta ou um arco: informe um deles</translation>
         </message>
         <message>
             <source>a tolerance must be above 0</source>

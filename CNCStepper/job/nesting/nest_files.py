@@ -35,7 +35,6 @@ SHEET = Attributes(layer="SHEET")
 SLIVER_MM = 5.0  # half the width below which a remnant is scrap
 LEAST_REMNANT = 0.02  # of the sheet's area
 CHORD_MM = 0.05
-SETTLED_MM = 1e-6
 
 
 def density_of(order: Order, layout: Layout) -> float:
@@ -134,5 +133,4 @@ def remnants(order: Order, layout: Layout, number: int) -> list[Polygon]:
 
 def _settled(piece: Polygon) -> Polygon:
     """Return a remnant of few corners, the same ones whatever corner the calculation began with."""
-    begun = shapely.normalize(shapely.set_precision(piece, SETTLED_MM))
-    return shapely.normalize(begun.simplify(CHORD_MM))
+    return shapely.normalize(piece).simplify(CHORD_MM)
