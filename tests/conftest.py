@@ -25,7 +25,16 @@ pytest.register_assert_rewrite("helpers")
 ROOT = Path(__file__).parents[1]
 GOLDEN = Path(__file__).parent / "golden"
 PICTURES = GOLDEN / "pictures"
-FIRST = ("unit/job/test_make_certificate.py", "unit/geometry/test_offset.py")  # compile what others call, a worker each
+# With a cold cache these compile what the others call: in turn one for each of two workers, the geometry for the one,
+# the planner and the simulation for the other, so that none compiles what the other one is compiling.
+FIRST = (
+    "unit/geometry/test_offset.py",
+    "unit/motion/planner/test_plan.py",
+    "unit/geometry/fitting/test_point_fit.py",
+    "unit/simulation/removal/test_removal_three_ways.py",
+    "unit/job/test_make_certificate.py",
+    "unit/motion/signals/test_pulse_player.py",
+)
 PIXEL_DIFFERS = 32  # of 255, in any colour
 PIXELS_DIFFER = 0.001  # share of all pixels
 
@@ -39,7 +48,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Let two files be first: with a cold cache all workers would compile the same kernels at the same time."""
+    """Let these files be first: with a cold cache all workers would compile the same kernels at the same time."""
     places = {Path(__file__).parent / name: place for place, name in enumerate(FIRST)}
     items.sort(key=lambda item: places.get(item.path, len(places)))
 
