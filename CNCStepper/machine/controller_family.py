@@ -26,6 +26,7 @@ FAMILIES: dict[str, Family] = {
 }
 OWN: tuple[Family, ...] = ("parport", "board", "lathe")  # a process on this computer is their controller
 PULSES: tuple[Family, ...] = ("parport", "board")  # of these, those whose single pulses it makes
+BAUD = 115_200  # of a serial link to a controller of grbl's family, where nobody chooses another rate
 WIRE_LANGUAGE = "grbl"  # of lines to a CNCStepper controller that makes pulses
 LANGUAGES = {"usb-board": WIRE_LANGUAGE}  # of programs, where the controller's name is that of no dialect
 
