@@ -4,6 +4,18 @@
     <context>
         <name>App::Property</name>
         <message>
+            <source>A TrueType or OpenType file, instead of the font</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A factor of the font's own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A font of the system, or a single-line font for engraving</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A laser's S word for marks; 0: a twentieth of its power</source>
             <translation type="unfinished"></translation>
         </message>
@@ -52,7 +64,39 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Above</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Active</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Added between letters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Align</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Alignment</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>All, the outline, or the holes in it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>All, the outlines of letters, or the holes in them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Along</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Along a line or arc</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -72,6 +116,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Arc Centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arc Radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arc Start</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arc Sweep</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Arcs By</source>
             <translation type="unfinished"></translation>
         </message>
@@ -81,6 +141,10 @@
         </message>
         <message>
             <source>Arcs Radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arcs and lines this close to the drawn points, instead of the tolerance; 0: straight lines</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -108,6 +172,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Below this grey, 1 to 255, it is dark; 0: found from the picture</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Between neighbouring helices at most; 0: 0.4 of the tool's diameter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -132,11 +200,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Blur</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Bridges that hold the part until it is broken out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>By Colour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>By colour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Chains</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -176,6 +260,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Close</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Close gaps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Closed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -197,6 +289,10 @@
         </message>
         <message>
             <source>Containers of the clamps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Contours</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -292,6 +388,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Curve Count</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Curves</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -356,6 +460,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Dimensions</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Direction</source>
             <translation type="unfinished"></translation>
         </message>
@@ -365,6 +473,22 @@
         </message>
         <message>
             <source>Dogbones</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Double</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Doubles</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drawing, solid or picture</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -397,6 +521,10 @@
         </message>
         <message>
             <source>End angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Ends that are nearer than this are moved together</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -444,6 +572,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Faults</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Feed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -469,6 +601,10 @@
         </message>
         <message>
             <source>File</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>File State</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -508,6 +644,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Font</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Font file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>For a mill that does not cut over its centre; 0: 10°</source>
             <translation type="unfinished"></translation>
         </message>
@@ -517,6 +661,10 @@
         </message>
         <message>
             <source>Free length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -564,6 +712,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Gaps up to this are closed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Good Side</source>
             <translation type="unfinished"></translation>
         </message>
@@ -597,6 +749,10 @@
         </message>
         <message>
             <source>Height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Height of</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -656,6 +812,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How far above it the letters stand</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far an arc turns, or how far a line leans away from the contour</source>
             <translation type="unfinished"></translation>
         </message>
@@ -688,7 +848,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How far letters lean to the right</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far lines and arcs may leave other curves</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far lines and arcs may leave the letters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far lines and arcs may leave the pixels; 0: half a pixel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far one turn of the helix falls</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far the arc goes; below 0 clockwise, with the letters outside</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -724,6 +904,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How it was read last</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How long a spot has power</source>
             <translation type="unfinished"></translation>
         </message>
@@ -733,6 +917,10 @@
         </message>
         <message>
             <source>How many corners and narrow places the tool does not reach into</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many gaps, doubles, crossings and other faults were found</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -781,6 +969,10 @@
         </message>
         <message>
             <source>How many teeth; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many there are</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -872,7 +1064,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Invert</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Its name in job files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Join</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Join ends</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Join only lines of one colour</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -889,6 +1101,14 @@
         </message>
         <message>
             <source>Kerf Used</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Kerning</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Kind</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1000,7 +1220,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Light areas</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Line Begin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Line End</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1008,7 +1240,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Line Spacing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Line length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Line spacing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1016,7 +1256,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Lines nearer than this to another one are drawn twice</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Lines of many points become fewer lines and arcs within this; 0: they stay</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Lines that are marked with low power or lightly scribed before anything is cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Lines up to this long are left out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1116,6 +1368,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Mend</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Message</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1152,7 +1408,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Objects</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of a bull nose; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of its curves</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1160,11 +1424,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Of the arc</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of the bores; 0: that of each circle of the drawing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Of the capitals, or of the em</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of the corners seen from above; 0: as round as the tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the font, such as Bold; empty: the regular one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1232,6 +1508,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Pairs of letters stand as near as the font says</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Parts</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1257,6 +1541,10 @@
         </message>
         <message>
             <source>Peck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Picture</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1289,6 +1577,10 @@
         </message>
         <message>
             <source>Pitch</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pixels an inch; 0: as the file says</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1460,6 +1752,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Radius in pixels of a blur that takes out noise</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Radius out</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1488,11 +1784,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Rectangle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Region</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Repair</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Repair what is wrong, as far as these values allow</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Report</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1548,7 +1860,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Section</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Setting</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Shape</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Shape Kind</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1569,6 +1893,10 @@
         </message>
         <message>
             <source>Size</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Slant</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1608,11 +1936,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Smaller areas, in mm², are left out; 0: four pixels</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Smooth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Solids that hold the work down, which the tool must not touch</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Spacing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Speck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Specks</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1632,6 +1976,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Split</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Spot</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1648,7 +1996,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Start</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Start angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>State</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1712,6 +2068,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Sweep</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Tabs</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1744,6 +2104,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Text</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The G-code file that it is, which has nothing to do with the operations of its job</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1761,6 +2125,10 @@
         </message>
         <message>
             <source>The clamps seen from above, at the height of their tops</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The colour in the file</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1812,6 +2180,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The drawing that the objects follow</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The edge of the sheet at which the wire enters</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1848,6 +2220,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The groups around it in the file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The height of the rapids between holes: G98 or G99</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1868,6 +2244,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The layer in the file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The length of all cuts</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1877,6 +2257,10 @@
         </message>
         <message>
             <source>The length of the cutting edges; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The length of the file's unit; 0: as the file says, or as its program usually means it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1893,6 +2277,10 @@
         </message>
         <message>
             <source>The minor diameter that is cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The name in the file</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1913,6 +2301,10 @@
         </message>
         <message>
             <source>The other end of the diagonal, before the rectangle is rotated</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The outline seen from above, or the faces or the section at a height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2068,6 +2460,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The width of the picture; 0: as its resolution says</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The wire stays this close to every drawn point; 0 keeps every point that bends the line</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2076,11 +2472,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Threshold</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Through</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Time of the tool at rest with power; 0: from the cut chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tiny</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2101,6 +2505,10 @@
         </message>
         <message>
             <source>Tip diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>To</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2132,7 +2540,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Trace Tolerance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Trace what is light instead of what is dark</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Turns</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Unit</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2148,7 +2568,43 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>What becomes one object</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What is written; several lines are set below each other</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What the height is measured of</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What the letters stand on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What was found in it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What was read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Where rapids travel across the work</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the arc begins; counter-clockwise from X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the line begins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the line ends</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2160,11 +2616,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Where the text stands about its zero, or on its line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Whether a laser's power follows its speed (M4)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Whether a slit through the part leads the wire into a closed hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether all of its chains are closed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2177,6 +2641,14 @@
         </message>
         <message>
             <source>Whether the depth is that of the point or of the full diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether the file fills it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether the file is as it was read</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2213,6 +2685,10 @@
         </message>
         <message>
             <source>Work zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Z of the faces or of the section</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2283,11 +2759,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A TrueType or OpenType file, instead of the font</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A bar above and a stem below, the zero in the middle of the bar's upper edge; three holes.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A bore about the zero with a keyway above (DIN 6885: bore and key's depth over all).</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A chart's file…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A circle about the zero.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A controller is connected already.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A cross of two bars about the zero.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2299,7 +2795,47 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A disc about the zero less another one beside it, like a moon.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A disc about the zero with round notches in its rim and a bore.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A disc about the zero, cut off straight above.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A drop: a disc about the zero and a point above.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A factor of the font's own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A file is checked with a job's machine, stock, tools and clamps; no operation is needed.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A flange of two bolts along X: a disc about the zero with an ear on each side.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A font of the system, or a single-line font for engraving</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A heart of two half circles over a rounded tip, the zero in its notch.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A hole to hang a part on a screw: a circle about the zero for its head, a slot above for its shank.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A hook to hang things on: a plate with two holes above, the hook's round inside about the zero.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2316,6 +2852,10 @@
         </message>
         <message>
             <source>A job is being cut: wait for its end, or stop it.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A label about the zero: round corners, cut off on the left, with a hole for a string.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2347,6 +2887,30 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A parallelogram, its left lower corner at the zero.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A piece of a ring about the zero, from X counter-clockwise.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A plate about the zero for a stepper motor of NEMA size 8, 11, 14, 17, 23 or 34.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A plate about the zero with an eye and a hole at each of three corners.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A plate to hang a load: a base below, an eye about the zero above.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A polygon of equal sides about the zero, one side below; the size is across the flats.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A profile's file…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2355,11 +2919,47 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A rectangle about the zero with its corners cut off at 45°.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A rectangle about the zero, its corners sharp or round.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A rectangular plate about the zero with a hole near each corner.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A right-angled stiffening plate, its right angle at the zero, cut off there to clear a weld.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A ring, or a washer, about the zero.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A round flange about the zero with a bore and a circle of bolt holes.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A round hole with flat sides above and below, about the zero.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A round hole with one flat side above, for shafts with a flat; about the circle's middle.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A serial port, or an address as socket://192.168.0.7:23</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>A share of the machine's greatest power; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A shield, the zero in the middle of its upper edge: straight sides, round below.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2387,7 +2987,39 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A slice of a disc about the zero, from X counter-clockwise.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A slot in the edge of a plate for a bolt's head: open below, the zero at its mouth's middle.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A slot with round ends along an arc about the zero, from X counter-clockwise.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A square plate about the zero with a bore and a hole near each corner.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A star about the zero, one point above.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A straight slot with round ends along X, about the zero; the length is over all.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A tool of this shape has none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A trapezoid, the zero in the middle of its base.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A triangle with two equal sides, the zero in the middle of its base.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2399,7 +3031,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A wheel about the zero with saw teeth and a bore.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>About the first corner, counter-clockwise</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Above</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2408,6 +3048,14 @@
         </message>
         <message>
             <source>Acceleration in steps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Across the flat</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Across the flats</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2443,11 +3091,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Added between letters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>After {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Alarm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Alignment</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2467,7 +3123,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>All, the outline, or the holes in it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>All, the outlines of letters, or the holes in them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Allow jogging: spindle or beam off; Resume returns to the cut on a safe path.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Along</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2483,7 +3151,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Along a line or arc</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Also follow the selected lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>An angle of two legs, its outer corner at the zero, a hole near the end of each leg.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>An arrow along X, its tip at the zero.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2511,7 +3191,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Arc slot</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Arc tolerance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arcs and lines this close to the drawn points, instead of the tolerance; 0: straight lines</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2524,6 +3212,10 @@
         </message>
         <message>
             <source>Arcs within a tolerance, or the published points</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arrow</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2587,6 +3279,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Base</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Before {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2604,6 +3300,10 @@
         </message>
         <message>
             <source>Below thickness times</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Below this grey, 1 to 255, it is dark; 0: found from the picture</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2631,7 +3331,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Blur</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Bore</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Bore; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Boring</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Brackets</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2640,6 +3356,10 @@
         </message>
         <message>
             <source>Busy</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>By colour</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2664,6 +3384,14 @@
         </message>
         <message>
             <source>Certain</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Chamfer along each side</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Chamfered rectangle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2727,6 +3455,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Choose another file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Choose one here</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2748,6 +3480,10 @@
         </message>
         <message>
             <source>Close</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Close gaps</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2835,7 +3571,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Contour that crosses itself</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Contour {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Contours</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Contours that cross</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2907,7 +3655,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Crescent</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cross</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Current</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Curves</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2943,6 +3703,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Cut off at the right angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Cutting</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2956,6 +3720,10 @@
         </message>
         <message>
             <source>Cycle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>D-hole</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3011,6 +3779,46 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Diameter cut away</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Diameter of its middle line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Diameter of the bolt circle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Diameter of the disc</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Diameter of the holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Diameter of the inner corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Diameter of the notches</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Diameter of the points</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Diameter through the holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Dimensions</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Direction</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3039,6 +3847,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Distance of both</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Distance of the holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Does</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3052,6 +3868,14 @@
         </message>
         <message>
             <source>Door</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Double D-hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Doubles</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3071,7 +3895,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drawing, solid or picture</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Drawings</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drawings ({0})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drawn twice</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3084,6 +3924,10 @@
         </message>
         <message>
             <source>Drive the length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drop</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3159,6 +4003,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Ends joined</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Ends of the legs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Ends that are nearer than this are moved together</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Engagement</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3203,6 +4059,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Eye</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Eye plate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Eyes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>F is the feed per minute</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3224,6 +4092,14 @@
         </message>
         <message>
             <source>Failed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Family</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Faults</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3299,7 +4175,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>First eye</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>First hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>First hole at</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3316,6 +4200,14 @@
         </message>
         <message>
             <source>Fitting arcs…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Flange</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Flanges and plates</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3336,6 +4228,14 @@
         </message>
         <message>
             <source>Follow the drawing that is selected in the tree or in the 3D view</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Font</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Font file</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3384,6 +4284,10 @@
         </message>
         <message>
             <source>FreeCAD's Python lacks {0}. Some files cannot be read without.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3443,7 +4347,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>From the base to the eye's middle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From the bore's bottom to the keyway's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From the circle's middle to the slot's end</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From the edges to the holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>From the middle of the circle to the holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From the middle to the point</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3507,6 +4431,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Gap</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Gap closed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Gaps up to this are closed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Gear ratio</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3563,6 +4499,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Gusset</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>H-profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>HDPE plastic</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3583,11 +4527,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Heart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Height above the top of the stock; lines: where the tool's tip goes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Height below the notch</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Height of</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Height of the head</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Height of the plate above the middle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Height of the teeth</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3627,6 +4595,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Hole for the head</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Holes</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3647,6 +4623,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Holes; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Home</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3664,6 +4644,10 @@
         </message>
         <message>
             <source>Homing works only while the machine is idle or in alarm.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Hook</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3692,6 +4676,10 @@
         </message>
         <message>
             <source>How far a pierce stays from parts and cut edges; 0: that of the cut chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far above it the letters stand</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3727,6 +4715,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How far letters lean to the right</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far lines and arcs may leave other curves</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far lines and arcs may leave the letters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far lines and arcs may leave the pixels; 0: half a pixel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far one click goes along the cut.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3736,6 +4740,10 @@
         </message>
         <message>
             <source>How far one turn of the helix falls</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far the arc goes; below 0 clockwise, with the letters outside</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3787,6 +4795,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How it was read last</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How long a spot has power</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3796,6 +4808,10 @@
         </message>
         <message>
             <source>How many corners and narrow places the tool does not reach into</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many gaps, doubles, crossings and other faults were found</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3844,6 +4860,10 @@
         </message>
         <message>
             <source>How many teeth; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many there are</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3931,6 +4951,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Import drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Import tools</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3967,11 +4991,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Inner diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Inputs</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Inputs that are on: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Inside of the hook</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3984,6 +5016,10 @@
         </message>
         <message>
             <source>Is the work zero set on the stock, and is the path free?</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Isosceles triangle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4000,6 +5036,10 @@
         </message>
         <message>
             <source>Its language and its link: grbl, grblhal, fluidnc, linuxcnc, thesis-a …</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Its name in job files</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4024,6 +5064,14 @@
         </message>
         <message>
             <source>Jogging works only while the machine is idle.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Join ends</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Join only lines of one colour</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4055,7 +5103,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Kerning</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Keyhole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Keyway bore</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Killed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Kind</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>L-bracket</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4131,6 +5199,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Length of the head</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Length of the neck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Length offset</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4159,7 +5235,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Lever</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Lift before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Light areas</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4179,6 +5263,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Line spacing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Line {0}, {1}: {2}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4195,11 +5283,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Lines nearer than this to another one are drawn twice</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Lines of many points become fewer lines and arcs within this; 0: they stay</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Lines that are marked with low power or lightly scribed before anything is cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Lines up to this long are left out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Load {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Locking wheel</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4299,6 +5403,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Margin around the motor</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Marking feed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4324,6 +5432,10 @@
         </message>
         <message>
             <source>Measured</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Mend</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4391,6 +5503,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Mounting plate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Move</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4424,6 +5540,14 @@
         </message>
         <message>
             <source>Move…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>NEMA motor plate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>NEMA size</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4507,6 +5631,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Notches</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Note</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4539,7 +5667,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Objects</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of a bull nose; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of its curves</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4547,7 +5683,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Of the arc</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of the bores; 0: that of each circle of the drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the capitals, or of the em</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4556,6 +5700,10 @@
         </message>
         <message>
             <source>Of the driver, in a full step</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the font, such as Bold; empty: the regular one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4619,6 +5767,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Open contour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Open or make a document first</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4655,6 +5807,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Outer diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Outlines of the clamps</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4672,6 +5828,10 @@
         </message>
         <message>
             <source>Outside corners that turn by more get a loop</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Oval flange</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4711,11 +5871,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Pairs of letters stand as near as the font says</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Parallel port</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Parallelogram</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Parts and signs</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4751,6 +5923,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Picture</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Pierce delay</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4780,6 +5956,10 @@
         </message>
         <message>
             <source>Pitch</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pixels an inch; 0: as the file says</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4828,6 +6008,10 @@
         </message>
         <message>
             <source>Points of the pull-out curve, rpm and Nm: 0 1.2; 300 1.0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Polygons</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4991,6 +6175,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Radius in pixels of a blur that takes out noise</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Radius of the inner corner</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Radius of the inner corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Radius out</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5031,7 +6227,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Ratchet wheel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Reached</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Read the file again; operations keep their contours</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Reading the drawing: {0} %</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Reading the drawing…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5067,6 +6283,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Regular polygon</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Relays</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5087,6 +6307,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Reload</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Reload {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Remaining</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5103,11 +6331,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Repair</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Repair what is wrong, as far as the values under Repair allow</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Repair what is wrong, as far as these values allow</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Replace</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Replace with</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Report</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5179,11 +6423,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Ring</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Ring sector</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Rotate…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Rotation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Round shapes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5251,7 +6507,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Second eye</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Second hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Seconds at the bottom</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Sector</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Segment</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5315,11 +6587,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Setting</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Shape</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Shape of the raw material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Shapes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5332,6 +6612,10 @@
         </message>
         <message>
             <source>Sheet, Y</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Shield</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5363,7 +6647,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Sides</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Signals and pins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Simplified</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5383,6 +6675,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Slant</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Slot</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Slots and holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Slower than published</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5392,6 +6696,14 @@
         </message>
         <message>
             <source>Small holes at a feed of their own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Smaller areas, in mm², are left out; 0: four pixels</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Smooth</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5408,6 +6720,10 @@
         </message>
         <message>
             <source>Spacing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Specks</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5443,7 +6759,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Square flange</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Squareness</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Star</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5460,6 +6784,10 @@
         </message>
         <message>
             <source>Starting</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>State</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5535,6 +6863,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Style</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Sweep</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Switch it on or off.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5551,7 +6887,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>T-bracket</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>T-slot</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Tabs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tag</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5587,7 +6935,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Taken out, drawn twice</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Taken out, tiny</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Taper</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Teeth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Text</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5628,6 +6992,10 @@
         </message>
         <message>
             <source>The clamps seen from above, at the height of their tops</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The colour in the file</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5707,6 +7075,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The drawing that the objects follow</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The edge of the sheet at which the wire enters</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5755,6 +7127,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The groups around it in the file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The height of the rapids between holes: G98 or G99</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5795,6 +7171,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The layer in the file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The length of all cuts</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5804,6 +7184,10 @@
         </message>
         <message>
             <source>The length of the cutting edges; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The length of the file's unit; 0: as the file says, or as its program usually means it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5899,6 +7283,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The name in the file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The nominal diameter; 0: that of each circle of the drawing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5916,6 +7304,10 @@
         </message>
         <message>
             <source>The other end of the diagonal, before the rectangle is rotated</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The outline seen from above, or the faces or the section at a height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6016,6 +7408,10 @@
         </message>
         <message>
             <source>The retract along the cut is being checked…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The section of a beam, about the zero.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6167,6 +7563,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The width of the picture; 0: as its resolution says</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The wire stays this close to every drawn point; 0 keeps every point that bends the line</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6195,6 +7595,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Thickness of the flanges</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Thickness of the web</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>This is cut by: {0}. The job's process is: {1}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6208,6 +7616,10 @@
         </message>
         <message>
             <source>Thread</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Threshold</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6231,6 +7643,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Tiny</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tiny contour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Tip</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6240,6 +7660,10 @@
         </message>
         <message>
             <source>Tip diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>To</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6307,11 +7731,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Top</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Torch off before</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Torque at speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Trace what is light instead of what is dark</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Trapezoid</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6339,6 +7775,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Triangular plate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Turns</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6351,11 +7791,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Twice from the middle to a side</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Two eyes and the bar that joins them along X; the first eye's hole is at the zero.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Two flanges that an offset web joins, its left lower corner at the zero; a hole in each flange.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Two legs up from a base, the zero in the middle of the base's lower edge; a hole in each leg.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Type a line: $$, $#, G0 X10</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>U-bracket</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Unfinished job…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Unit</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6411,11 +7875,47 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>What becomes one object</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>What is one step: a line of the program, a move, or a pulse of the motors</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>What is written; several lines are set below each other</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What the height is measured of</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What the letters stand on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What was found in it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What was read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Where rapids travel across the work</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the arc begins; counter-clockwise from X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the line begins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the line ends</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6427,11 +7927,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Where the text stands about its zero, or on its line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Whether a laser's power follows its speed (M4)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Whether a slit through the part leads the wire into a closed hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether all of its chains are closed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6444,6 +7952,14 @@
         </message>
         <message>
             <source>Whether the depth is that of the point or of the full diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether the file fills it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether the file is as it was read</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6468,6 +7984,46 @@
         </message>
         <message>
             <source>Width</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width of each flange</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width of the bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width of the bars</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width of the ears</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width of the head</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width of the key</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width of the legs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width of the mouth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width of the shaft</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width of the slot</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6535,11 +8091,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Z of the faces or of the section</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Z times</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Z, steps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Z-bracket</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6576,6 +8140,10 @@
         </message>
         <message>
             <source>ae, recalculated to whole passes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>all</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6687,11 +8255,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>at a height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>at the lower end</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>at the upper end</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>automatic</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6728,6 +8304,14 @@
         </message>
         <message>
             <source>bull nose</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>by contour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>by layer</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6987,6 +8571,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>how often, or which</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7068,6 +8656,10 @@
         </message>
         <message>
             <source>make room in the folder for temporary files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>middle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7220,6 +8812,14 @@
         </message>
         <message>
             <source>our planner</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>outline</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>outlines</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7475,11 +9075,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the capitals</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the cutter runs left of the path</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the cutter runs right of the path</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the em (font size)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7591,6 +9199,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} (single lines)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} = 0</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7624,6 +9236,10 @@
         </message>
         <message>
             <source>{0} has nothing to cut: add an operation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} is as its file again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7667,6 +9283,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} on layer '{1}' at X {2} Y {3}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} on layer '{1}' was left out: {2}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} readings: mean {1:.4f} mm, standard deviation {2:.4f} mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7703,6 +9327,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} × {1} mm, layers: {2}, open contours: {3}, the file's unit: {4} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0}, cut until {1}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7723,6 +9351,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0}: its file has changed; Reload in the tree takes it anew</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0}: its file is not there any more; what was read stays</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0}: {1}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7732,6 +9368,10 @@
         </message>
         <message>
             <source>{0}× speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>… and {0} more</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9998,6 +11638,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>bring it back, or choose another file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>bring it to Idle first</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10070,7 +11714,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>check cable and power; home the machine or set its zero again before its next move</source>
+            <source>check cable and power, then move the tool to the work zero and set it there before its next move</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10914,7 +12558,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>find the cause, switch the lathe off and on, and set its zero by hand: its position is lost</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>find the cause, then home the machine: its position is lost</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>find the cause, then move the tool to the work zero and set it there: its position is lost</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11378,10 +13030,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>home the machine before its next move</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>home the machine or set its zero again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11426,10 +13074,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>import importlib.util, sys; sys.exit(importlib.util.find_spec({0}) is None)</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>in absolute mode the control drives an axis without a word to 0</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11458,15 +13102,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>install it: python -m pip install platformdirs</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>install it: python -m pip install pyserial</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>install it: python -m pip install spyrrow</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>install it: python -m pip install {package}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12298,6 +13938,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>make one object of each layer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>make resolution_mm larger</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12530,6 +14174,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>move the tool to the work zero and set it there before its next move</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>move the work zero {word} the {name} axis or make the program smaller</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12623,6 +14271,10 @@
         </message>
         <message>
             <source>name the machine (--machine)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>name the machine profile of the table that is wired to it (controller = "thesis-a")</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13282,7 +14934,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>platformdirs is not installed</source>
+            <source>please report it, with the drawing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13362,6 +15014,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>pulses, relays and trials of a rate: `cncstepper machine-test` does them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>put in tool {tool:g}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13379,10 +15035,6 @@
         </message>
         <message>
             <source>put the card in, then mount it with $FM</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>pyserial is not installed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13503,6 +15155,10 @@
         </message>
         <message>
             <source>release_line goes with line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>reload it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13903,6 +15559,10 @@
         </message>
         <message>
             <source>shorten the start-up line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>simplify it, or divide it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14882,6 +16542,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the drawing failed by a fault of ours: {kind}: {fault}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the drawing has no closed outline</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14915,6 +16579,14 @@
         </message>
         <message>
             <source>the drawing reaches beyond the stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the drawing takes more memory than there is</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the drawing would become too many objects</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15111,6 +16783,14 @@
         </message>
         <message>
             <source>the file needs a strip_height above 0 and a list of items</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the file of the drawing has changed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the file of the drawing is not there any more</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15958,6 +17638,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the process that reads drawings has ended</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the process that reads the last job has ended</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16175,6 +17859,10 @@
         </message>
         <message>
             <source>the reading</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the reading of the drawing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17314,6 +19002,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>try it again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>turn the program instead</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17415,6 +19107,10 @@
         </message>
         <message>
             <source>unlock it in the settings, or use another work system</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>unlock it with $X</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18870,6 +20566,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{name} is a parallel port, on which there is no controller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{name} is between G5.2 and G5.3</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19011,6 +20711,10 @@
         </message>
         <message>
             <source>{owner} sets the zero from where the tool stands after moves of the path</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{package} is not installed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19384,6 +21088,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_ImportDrawing</name>
+        <message>
+            <source>Brings in SVG, DXF, STEP, STL, pictures, points or G-code, linked to the file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Import drawing…</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_ImportTools</name>
         <message>
             <source>Adds the tools of FreeCAD's library or of a tool table</source>
@@ -19494,6 +21209,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_Shapes</name>
+        <message>
+            <source>Adds a shape by its dimensions: holes, slots, flanges, brackets</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Shapes…</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_SheetCut</name>
         <message>
             <source>Cuts parts out of sheet by torch, laser, jet, knife or point</source>
@@ -19512,6 +21238,17 @@
         </message>
         <message>
             <source>Checks the program of the job and shows what it cuts</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Text</name>
+        <message>
+            <source>Adds a text in any font, or in single lines for engraving</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Text</source>
             <translation type="unfinished"></translation>
         </message>
     </context>

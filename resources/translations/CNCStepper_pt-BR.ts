@@ -4,6 +4,18 @@
     <context>
         <name>App::Property</name>
         <message>
+            <source>A TrueType or OpenType file, instead of the font</source>
+            <translation>Um arquivo TrueType ou OpenType, em vez da fonte</translation>
+        </message>
+        <message>
+            <source>A factor of the font's own</source>
+            <translation>Um fator da entrelinha da própria fonte</translation>
+        </message>
+        <message>
+            <source>A font of the system, or a single-line font for engraving</source>
+            <translation>Uma fonte do sistema, ou uma fonte de linha única para gravar</translation>
+        </message>
+        <message>
             <source>A laser's S word for marks; 0: a twentieth of its power</source>
             <translation>A palavra S do laser para marcas; 0: um vigésimo da potência</translation>
         </message>
@@ -52,8 +64,40 @@
             <translation>Em torno do primeiro canto, no sentido anti-horário</translation>
         </message>
         <message>
+            <source>Above</source>
+            <translation>Acima</translation>
+        </message>
+        <message>
             <source>Active</source>
             <translation>Ativa</translation>
+        </message>
+        <message>
+            <source>Added between letters</source>
+            <translation>Acrescentado entre as letras</translation>
+        </message>
+        <message>
+            <source>Align</source>
+            <translation>Alinhamento</translation>
+        </message>
+        <message>
+            <source>Alignment</source>
+            <translation>Alinhamento</translation>
+        </message>
+        <message>
+            <source>All, the outline, or the holes in it</source>
+            <translation>Todas, o contorno, ou os furos nele</translation>
+        </message>
+        <message>
+            <source>All, the outlines of letters, or the holes in them</source>
+            <translation>Todas, os contornos das letras, ou os furos nelas</translation>
+        </message>
+        <message>
+            <source>Along</source>
+            <translation>Ao longo de</translation>
+        </message>
+        <message>
+            <source>Along a line or arc</source>
+            <translation>Ao longo de uma linha ou arco</translation>
         </message>
         <message>
             <source>Amperes</source>
@@ -72,6 +116,22 @@
             <translation>Ângulo saída</translation>
         </message>
         <message>
+            <source>Arc Centre</source>
+            <translation>Centro do arco</translation>
+        </message>
+        <message>
+            <source>Arc Radius</source>
+            <translation>Raio do arco</translation>
+        </message>
+        <message>
+            <source>Arc Start</source>
+            <translation>Início do arco</translation>
+        </message>
+        <message>
+            <source>Arc Sweep</source>
+            <translation>Abertura do arco</translation>
+        </message>
+        <message>
             <source>Arcs By</source>
             <translation>Regra dos arcos</translation>
         </message>
@@ -82,6 +142,10 @@
         <message>
             <source>Arcs Radius</source>
             <translation>Raio dos arcos</translation>
+        </message>
+        <message>
+            <source>Arcs and lines this close to the drawn points, instead of the tolerance; 0: straight lines</source>
+            <translation>Arcos e linhas a esta distância dos pontos desenhados, em vez da tolerância; 0: linhas retas</translation>
         </message>
         <message>
             <source>Arcs below</source>
@@ -108,6 +172,10 @@
             <translation>Abaixo de × espessura</translation>
         </message>
         <message>
+            <source>Below this grey, 1 to 255, it is dark; 0: found from the picture</source>
+            <translation>Abaixo deste cinza, 1 a 255, é escuro; 0: achado na imagem</translation>
+        </message>
+        <message>
             <source>Between neighbouring helices at most; 0: 0.4 of the tool's diameter</source>
             <translation>Entre hélices vizinhas no máximo; 0: 0,4 do diâmetro da ferramenta</translation>
         </message>
@@ -132,12 +200,28 @@
             <translation>Recuo da lâmina</translation>
         </message>
         <message>
+            <source>Blur</source>
+            <translation>Desfoque</translation>
+        </message>
+        <message>
             <source>Bridges that hold the part until it is broken out</source>
             <translation>Pontes que seguram a peça até ela ser destacada</translation>
         </message>
         <message>
+            <source>By Colour</source>
+            <translation>Por cor</translation>
+        </message>
+        <message>
+            <source>By colour</source>
+            <translation>Por cor</translation>
+        </message>
+        <message>
             <source>Centre</source>
             <translation>Centro</translation>
+        </message>
+        <message>
+            <source>Chains</source>
+            <translation>Contornos</translation>
         </message>
         <message>
             <source>Changes of the job's own program since then</source>
@@ -176,6 +260,14 @@
             <translation>Altura de segurança</translation>
         </message>
         <message>
+            <source>Close</source>
+            <translation>Fechar</translation>
+        </message>
+        <message>
+            <source>Close gaps</source>
+            <translation>Fechar vãos</translation>
+        </message>
+        <message>
             <source>Closed</source>
             <translation>Fechada</translation>
         </message>
@@ -198,6 +290,10 @@
         <message>
             <source>Containers of the clamps</source>
             <translation>Recipientes dos grampos</translation>
+        </message>
+        <message>
+            <source>Contours</source>
+            <translation>Contornos</translation>
         </message>
         <message>
             <source>Coolant</source>
@@ -292,6 +388,14 @@
             <translation>Corrente</translation>
         </message>
         <message>
+            <source>Curve Count</source>
+            <translation>Número de curvas</translation>
+        </message>
+        <message>
+            <source>Curves</source>
+            <translation>Curvas</translation>
+        </message>
+        <message>
             <source>Cut</source>
             <translation>Corte</translation>
         </message>
@@ -356,6 +460,10 @@
             <translation>Diâmetro</translation>
         </message>
         <message>
+            <source>Dimensions</source>
+            <translation>Dimensões</translation>
+        </message>
+        <message>
             <source>Direction</source>
             <translation>Sentido</translation>
         </message>
@@ -366,6 +474,22 @@
         <message>
             <source>Dogbones</source>
             <translation>Alívio de cantos</translation>
+        </message>
+        <message>
+            <source>Double</source>
+            <translation>Duplicada</translation>
+        </message>
+        <message>
+            <source>Doubles</source>
+            <translation>Duplicadas</translation>
+        </message>
+        <message>
+            <source>Drawing</source>
+            <translation>Desenho</translation>
+        </message>
+        <message>
+            <source>Drawing, solid or picture</source>
+            <translation>Desenho, sólido ou imagem</translation>
         </message>
         <message>
             <source>Drawings</source>
@@ -398,6 +522,10 @@
         <message>
             <source>End angle</source>
             <translation>Ângulo final</translation>
+        </message>
+        <message>
+            <source>Ends that are nearer than this are moved together</source>
+            <translation>Pontas mais próximas que isto são unidas</translation>
         </message>
         <message>
             <source>Engagement</source>
@@ -444,6 +572,10 @@
             <translation>Quanto a ferramenta desce a mais para sair por baixo</translation>
         </message>
         <message>
+            <source>Faults</source>
+            <translation>Falhas</translation>
+        </message>
+        <message>
             <source>Feed</source>
             <translation>Avanço</translation>
         </message>
@@ -470,6 +602,10 @@
         <message>
             <source>File</source>
             <translation>Arquivo</translation>
+        </message>
+        <message>
+            <source>File State</source>
+            <translation>Estado do arquivo</translation>
         </message>
         <message>
             <source>Finish</source>
@@ -508,6 +644,14 @@
             <translation>Dentes</translation>
         </message>
         <message>
+            <source>Font</source>
+            <translation>Fonte</translation>
+        </message>
+        <message>
+            <source>Font file</source>
+            <translation>Arquivo da fonte</translation>
+        </message>
+        <message>
             <source>For a mill that does not cut over its centre; 0: 10°</source>
             <translation>Para uma fresa sem corte no centro; 0: 10°</translation>
         </message>
@@ -518,6 +662,10 @@
         <message>
             <source>Free length</source>
             <translation>Comprimento livre</translation>
+        </message>
+        <message>
+            <source>From</source>
+            <translation>De</translation>
         </message>
         <message>
             <source>From Chart</source>
@@ -564,6 +712,10 @@
             <translation>Da ponta ao porta-ferramenta; 0: não informado</translation>
         </message>
         <message>
+            <source>Gaps up to this are closed</source>
+            <translation>Vãos até isto são fechados</translation>
+        </message>
+        <message>
             <source>Good Side</source>
             <translation>Lado bom</translation>
         </message>
@@ -598,6 +750,10 @@
         <message>
             <source>Height</source>
             <translation>Altura</translation>
+        </message>
+        <message>
+            <source>Height of</source>
+            <translation>Altura de</translation>
         </message>
         <message>
             <source>Heights</source>
@@ -656,6 +812,10 @@
             <translation>Quanto a perfuração se afasta de peças e bordas cortadas; 0: o da tabela de corte</translation>
         </message>
         <message>
+            <source>How far above it the letters stand</source>
+            <translation>A que distância acima dela ficam as letras</translation>
+        </message>
+        <message>
             <source>How far an arc turns, or how far a line leans away from the contour</source>
             <translation>Quanto um arco gira, ou quanto uma linha se afasta do contorno</translation>
         </message>
@@ -688,8 +848,28 @@
             <translation>A que distância da borda do bloco os cortes devem ficar; 0: a borda não importa</translation>
         </message>
         <message>
+            <source>How far letters lean to the right</source>
+            <translation>Quanto as letras se inclinam para a direita</translation>
+        </message>
+        <message>
+            <source>How far lines and arcs may leave other curves</source>
+            <translation>Quanto linhas e arcos podem se afastar de outras curvas</translation>
+        </message>
+        <message>
+            <source>How far lines and arcs may leave the letters</source>
+            <translation>Quanto linhas e arcos podem se afastar das letras</translation>
+        </message>
+        <message>
+            <source>How far lines and arcs may leave the pixels; 0: half a pixel</source>
+            <translation>Quanto linhas e arcos podem se afastar dos pixels; 0: meio pixel</translation>
+        </message>
+        <message>
             <source>How far one turn of the helix falls</source>
             <translation>Quanto desce uma volta da hélice</translation>
+        </message>
+        <message>
+            <source>How far the arc goes; below 0 clockwise, with the letters outside</source>
+            <translation>Até onde vai o arco; abaixo de 0 no sentido horário, com as letras por fora</translation>
         </message>
         <message>
             <source>How far the cut may be off the drawing</source>
@@ -724,6 +904,10 @@
             <translation>Como se corta; a máquina precisa ser capaz disso</translation>
         </message>
         <message>
+            <source>How it was read last</source>
+            <translation>Como foi lido por último</translation>
+        </message>
+        <message>
             <source>How long a spot has power</source>
             <translation>Quanto tempo um ponto tem potência</translation>
         </message>
@@ -734,6 +918,10 @@
         <message>
             <source>How many corners and narrow places the tool does not reach into</source>
             <translation>Em quantos cantos e lugares estreitos a ferramenta não entra</translation>
+        </message>
+        <message>
+            <source>How many gaps, doubles, crossings and other faults were found</source>
+            <translation>Quantos vãos, duplicadas, cruzamentos e outras falhas foram achados</translation>
         </message>
         <message>
             <source>How many holes</source>
@@ -782,6 +970,10 @@
         <message>
             <source>How many teeth; 0: not given</source>
             <translation>Quantos dentes; 0: não informado</translation>
+        </message>
+        <message>
+            <source>How many there are</source>
+            <translation>Quantos há</translation>
         </message>
         <message>
             <source>How many there are: one, or one a tool in turn</source>
@@ -872,8 +1064,28 @@
             <translation>Em passes inteiros</translation>
         </message>
         <message>
+            <source>Invert</source>
+            <translation>Inverter</translation>
+        </message>
+        <message>
+            <source>Its name in job files</source>
+            <translation>Seu nome nos arquivos de trabalho</translation>
+        </message>
+        <message>
             <source>Job</source>
             <translation>Trabalho</translation>
+        </message>
+        <message>
+            <source>Join</source>
+            <translation>Unir</translation>
+        </message>
+        <message>
+            <source>Join ends</source>
+            <translation>Unir pontas</translation>
+        </message>
+        <message>
+            <source>Join only lines of one colour</source>
+            <translation>Unir só linhas da mesma cor</translation>
         </message>
         <message>
             <source>Joints that hold the part until it is broken out</source>
@@ -890,6 +1102,14 @@
         <message>
             <source>Kerf Used</source>
             <translation>Largura de corte usada</translation>
+        </message>
+        <message>
+            <source>Kerning</source>
+            <translation>Kerning</translation>
+        </message>
+        <message>
+            <source>Kind</source>
+            <translation>Tipo</translation>
         </message>
         <message>
             <source>Last hole</source>
@@ -1000,24 +1220,56 @@
             <translation>Níveis</translation>
         </message>
         <message>
+            <source>Light areas</source>
+            <translation>Áreas claras</translation>
+        </message>
+        <message>
             <source>Line</source>
             <translation>Linha</translation>
+        </message>
+        <message>
+            <source>Line Begin</source>
+            <translation>Início da linha</translation>
+        </message>
+        <message>
+            <source>Line End</source>
+            <translation>Fim da linha</translation>
         </message>
         <message>
             <source>Line Length</source>
             <translation>Comprimento das linhas</translation>
         </message>
         <message>
+            <source>Line Spacing</source>
+            <translation>Entrelinha</translation>
+        </message>
+        <message>
             <source>Line length</source>
             <translation>Comprimento das linhas</translation>
+        </message>
+        <message>
+            <source>Line spacing</source>
+            <translation>Entrelinha</translation>
         </message>
         <message>
             <source>Lines</source>
             <translation>Linhas</translation>
         </message>
         <message>
+            <source>Lines nearer than this to another one are drawn twice</source>
+            <translation>Linhas mais próximas de outra que isto estão desenhadas duas vezes</translation>
+        </message>
+        <message>
+            <source>Lines of many points become fewer lines and arcs within this; 0: they stay</source>
+            <translation>Linhas de muitos pontos viram menos linhas e arcos dentro disto; 0: ficam</translation>
+        </message>
+        <message>
             <source>Lines that are marked with low power or lightly scribed before anything is cut</source>
             <translation>Linhas marcadas com pouca potência ou levemente riscadas antes de qualquer corte</translation>
+        </message>
+        <message>
+            <source>Lines up to this long are left out</source>
+            <translation>Linhas até este comprimento são deixadas de fora</translation>
         </message>
         <message>
             <source>Loop radius</source>
@@ -1116,6 +1368,10 @@
             <translation>O que a ferramenta redonda deixa nas pontas do eixo maior</translation>
         </message>
         <message>
+            <source>Mend</source>
+            <translation>Reparar</translation>
+        </message>
+        <message>
             <source>Message</source>
             <translation>Mensagem</translation>
         </message>
@@ -1152,20 +1408,40 @@
             <translation>Número</translation>
         </message>
         <message>
+            <source>Objects</source>
+            <translation>Objetos</translation>
+        </message>
+        <message>
             <source>Of a bull nose; 0: not given</source>
             <translation>De uma fresa toroidal; 0: não informado</translation>
+        </message>
+        <message>
+            <source>Of its curves</source>
+            <translation>De suas curvas</translation>
         </message>
         <message>
             <source>Of one wall that a jet or wire leaves, against the vertical; 0: none</source>
             <translation>De uma parede deixada pelo jato ou fio, em relação à vertical; 0: nenhuma</translation>
         </message>
         <message>
+            <source>Of the arc</source>
+            <translation>Do arco</translation>
+        </message>
+        <message>
             <source>Of the bores; 0: that of each circle of the drawing</source>
             <translation>Dos furos; 0: o de cada círculo do desenho</translation>
         </message>
         <message>
+            <source>Of the capitals, or of the em</source>
+            <translation>Das maiúsculas, ou do corpo da fonte</translation>
+        </message>
+        <message>
             <source>Of the corners seen from above; 0: as round as the tool</source>
             <translation>Dos cantos vistos de cima; 0: tão redondos quanto a ferramenta</translation>
+        </message>
+        <message>
+            <source>Of the font, such as Bold; empty: the regular one</source>
+            <translation>Da fonte, como Bold; vazio: o normal</translation>
         </message>
         <message>
             <source>Of the grid about its first hole</source>
@@ -1232,6 +1508,14 @@
             <translation>Passagem da borda</translation>
         </message>
         <message>
+            <source>Pairs of letters stand as near as the font says</source>
+            <translation>Pares de letras ficam tão próximos quanto a fonte diz</translation>
+        </message>
+        <message>
+            <source>Part</source>
+            <translation>Parte</translation>
+        </message>
+        <message>
             <source>Parts</source>
             <translation>Peças</translation>
         </message>
@@ -1258,6 +1542,10 @@
         <message>
             <source>Peck</source>
             <translation>Bicada</translation>
+        </message>
+        <message>
+            <source>Picture</source>
+            <translation>Imagem</translation>
         </message>
         <message>
             <source>Pierce</source>
@@ -1290,6 +1578,10 @@
         <message>
             <source>Pitch</source>
             <translation>Passo</translation>
+        </message>
+        <message>
+            <source>Pixels an inch; 0: as the file says</source>
+            <translation>Pixels por polegada; 0: como o arquivo diz</translation>
         </message>
         <message>
             <source>Place Centre</source>
@@ -1460,6 +1752,10 @@
             <translation>Raio entrada</translation>
         </message>
         <message>
+            <source>Radius in pixels of a blur that takes out noise</source>
+            <translation>Raio em pixels de um desfoque que tira o ruído</translation>
+        </message>
+        <message>
             <source>Radius out</source>
             <translation>Raio saída</translation>
         </message>
@@ -1488,12 +1784,28 @@
             <translation>Comprimento da rampa</translation>
         </message>
         <message>
+            <source>Read</source>
+            <translation>Lido</translation>
+        </message>
+        <message>
             <source>Rectangle</source>
             <translation>Retângulo</translation>
         </message>
         <message>
             <source>Region</source>
             <translation>Região</translation>
+        </message>
+        <message>
+            <source>Repair</source>
+            <translation>Reparo</translation>
+        </message>
+        <message>
+            <source>Repair what is wrong, as far as these values allow</source>
+            <translation>Repara o que está errado, até onde estes valores permitem</translation>
+        </message>
+        <message>
+            <source>Report</source>
+            <translation>Relatório</translation>
         </message>
         <message>
             <source>Resolution</source>
@@ -1548,8 +1860,20 @@
             <translation>Segundos no fundo</translation>
         </message>
         <message>
+            <source>Section</source>
+            <translation>Seção</translation>
+        </message>
+        <message>
+            <source>Setting</source>
+            <translation>Composição</translation>
+        </message>
+        <message>
             <source>Shape</source>
             <translation>Forma</translation>
+        </message>
+        <message>
+            <source>Shape Kind</source>
+            <translation>Tipo de forma</translation>
         </message>
         <message>
             <source>Shape of the raw material</source>
@@ -1570,6 +1894,10 @@
         <message>
             <source>Size</source>
             <translation>Tamanho</translation>
+        </message>
+        <message>
+            <source>Slant</source>
+            <translation>Inclinação</translation>
         </message>
         <message>
             <source>Small Holes By</source>
@@ -1608,12 +1936,28 @@
             <translation>Furos pequenos com avanço próprio</translation>
         </message>
         <message>
+            <source>Smaller areas, in mm², are left out; 0: four pixels</source>
+            <translation>Áreas menores, em mm², são deixadas de fora; 0: quatro pixels</translation>
+        </message>
+        <message>
+            <source>Smooth</source>
+            <translation>Suavizar</translation>
+        </message>
+        <message>
             <source>Solids that hold the work down, which the tool must not touch</source>
             <translation>Sólidos que prendem a peça e em que a ferramenta não pode tocar</translation>
         </message>
         <message>
             <source>Spacing</source>
             <translation>Espaçamento</translation>
+        </message>
+        <message>
+            <source>Speck</source>
+            <translation>Mancha</translation>
+        </message>
+        <message>
+            <source>Specks</source>
+            <translation>Manchas</translation>
         </message>
         <message>
             <source>Spindle</source>
@@ -1632,6 +1976,10 @@
             <translation>Rotações do spindle por minuto; 0: as do material do trabalho</translation>
         </message>
         <message>
+            <source>Split</source>
+            <translation>Divisão</translation>
+        </message>
+        <message>
             <source>Spot</source>
             <translation>Ponto</translation>
         </message>
@@ -1648,8 +1996,16 @@
             <translation>Tempo do ponto</translation>
         </message>
         <message>
+            <source>Start</source>
+            <translation>Iniciar</translation>
+        </message>
+        <message>
             <source>Start angle</source>
             <translation>Ângulo inicial</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>Estado</translation>
         </message>
         <message>
             <source>Steepest ramp</source>
@@ -1712,6 +2068,10 @@
             <translation>Estilo</translation>
         </message>
         <message>
+            <source>Sweep</source>
+            <translation>Abertura</translation>
+        </message>
+        <message>
             <source>Tabs</source>
             <translation>Pontes</translation>
         </message>
@@ -1744,6 +2104,10 @@
             <translation>Conicidade</translation>
         </message>
         <message>
+            <source>Text</source>
+            <translation>Texto</translation>
+        </message>
+        <message>
             <source>The G-code file that it is, which has nothing to do with the operations of its job</source>
             <translation>O arquivo de G-code que ele é, sem relação com as operações do seu trabalho</translation>
         </message>
@@ -1762,6 +2126,10 @@
         <message>
             <source>The clamps seen from above, at the height of their tops</source>
             <translation>Os grampos vistos de cima, na altura dos seus topos</translation>
+        </message>
+        <message>
+            <source>The colour in the file</source>
+            <translation>A cor no arquivo</translation>
         </message>
         <message>
             <source>The corner where the grid begins, from the work zero</source>
@@ -1812,6 +2180,10 @@
             <translation>O desenho que ela seguia, se foi excluído</translation>
         </message>
         <message>
+            <source>The drawing that the objects follow</source>
+            <translation>O desenho que os objetos seguem</translation>
+        </message>
+        <message>
             <source>The edge of the sheet at which the wire enters</source>
             <translation>A borda da chapa por onde o fio entra</translation>
         </message>
@@ -1848,6 +2220,10 @@
             <translation>A forma da fresa</translation>
         </message>
         <message>
+            <source>The groups around it in the file</source>
+            <translation>Os grupos em volta dele no arquivo</translation>
+        </message>
+        <message>
             <source>The height of the rapids between holes: G98 or G99</source>
             <translation>A altura dos rápidos entre furos: G98 ou G99</translation>
         </message>
@@ -1868,6 +2244,10 @@
             <translation>O último passe em profundidade, ap_acab; 0: nenhum</translation>
         </message>
         <message>
+            <source>The layer in the file</source>
+            <translation>A camada no arquivo</translation>
+        </message>
+        <message>
             <source>The length of all cuts</source>
             <translation>O comprimento de todos os cortes</translation>
         </message>
@@ -1878,6 +2258,10 @@
         <message>
             <source>The length of the cutting edges; 0: not given</source>
             <translation>O comprimento das arestas de corte; 0: não informado</translation>
+        </message>
+        <message>
+            <source>The length of the file's unit; 0: as the file says, or as its program usually means it</source>
+            <translation>O comprimento da unidade do arquivo; 0: como o arquivo diz, ou como seu programa costuma querer dizer</translation>
         </message>
         <message>
             <source>The length of the lead's line</source>
@@ -1894,6 +2278,10 @@
         <message>
             <source>The minor diameter that is cut</source>
             <translation>O diâmetro menor que é cortado</translation>
+        </message>
+        <message>
+            <source>The name in the file</source>
+            <translation>O nome no arquivo</translation>
         </message>
         <message>
             <source>The nominal diameter; 0: that of each circle of the drawing</source>
@@ -1914,6 +2302,10 @@
         <message>
             <source>The other end of the diagonal, before the rectangle is rotated</source>
             <translation>A outra ponta da diagonal, antes de o retângulo ser girado</translation>
+        </message>
+        <message>
+            <source>The outline seen from above, or the faces or the section at a height</source>
+            <translation>O contorno visto de cima, ou as faces ou a seção a uma altura</translation>
         </message>
         <message>
             <source>The parts and bodies that the clamps move with</source>
@@ -2068,6 +2460,10 @@
             <translation>A largura do corte; 0: a da tabela de corte ou da ferramenta</translation>
         </message>
         <message>
+            <source>The width of the picture; 0: as its resolution says</source>
+            <translation>A largura da imagem; 0: como sua resolução diz</translation>
+        </message>
+        <message>
             <source>The wire stays this close to every drawn point; 0 keeps every point that bends the line</source>
             <translation>O arame fica a no máximo esta distância de cada ponto desenhado; 0 mantém todos os pontos que curvam a linha</translation>
         </message>
@@ -2076,12 +2472,20 @@
             <translation>O sistema de coordenadas da peça</translation>
         </message>
         <message>
+            <source>Threshold</source>
+            <translation>Limiar</translation>
+        </message>
+        <message>
             <source>Through</source>
             <translation>Além</translation>
         </message>
         <message>
             <source>Time of the tool at rest with power; 0: from the cut chart</source>
             <translation>Quanto tempo a ferramenta fica parada com potência; 0: o da tabela de corte</translation>
+        </message>
+        <message>
+            <source>Tiny</source>
+            <translation>Minúscula</translation>
         </message>
         <message>
             <source>Tip</source>
@@ -2102,6 +2506,10 @@
         <message>
             <source>Tip diameter</source>
             <translation>Diâmetro da ponta</translation>
+        </message>
+        <message>
+            <source>To</source>
+            <translation>Até</translation>
         </message>
         <message>
             <source>Tolerance</source>
@@ -2132,8 +2540,20 @@
             <translation>Desliga antes</translation>
         </message>
         <message>
+            <source>Trace Tolerance</source>
+            <translation>Tolerância do traçado</translation>
+        </message>
+        <message>
+            <source>Trace what is light instead of what is dark</source>
+            <translation>Traça o que é claro em vez do que é escuro</translation>
+        </message>
+        <message>
             <source>Turns</source>
             <translation>Voltas</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>Unidade</translation>
         </message>
         <message>
             <source>Units</source>
@@ -2148,8 +2568,44 @@
             <translation>Avanço na parede</translation>
         </message>
         <message>
+            <source>What becomes one object</source>
+            <translation>O que vira um objeto</translation>
+        </message>
+        <message>
+            <source>What is written; several lines are set below each other</source>
+            <translation>O que se escreve; várias linhas ficam uma abaixo da outra</translation>
+        </message>
+        <message>
+            <source>What the height is measured of</source>
+            <translation>De que se mede a altura</translation>
+        </message>
+        <message>
+            <source>What the letters stand on</source>
+            <translation>Sobre o que as letras ficam</translation>
+        </message>
+        <message>
+            <source>What was found in it</source>
+            <translation>O que foi achado nele</translation>
+        </message>
+        <message>
+            <source>What was read</source>
+            <translation>O que foi lido</translation>
+        </message>
+        <message>
             <source>Where rapids travel across the work</source>
             <translation>Altura dos movimentos rápidos sobre a peça</translation>
+        </message>
+        <message>
+            <source>Where the arc begins; counter-clockwise from X</source>
+            <translation>Onde o arco começa; anti-horário a partir de X</translation>
+        </message>
+        <message>
+            <source>Where the line begins</source>
+            <translation>Onde a linha começa</translation>
+        </message>
+        <message>
+            <source>Where the line ends</source>
+            <translation>Onde a linha termina</translation>
         </message>
         <message>
             <source>Where the row begins, from the work zero</source>
@@ -2160,12 +2616,20 @@
             <translation>Onde a fileira termina</translation>
         </message>
         <message>
+            <source>Where the text stands about its zero, or on its line</source>
+            <translation>Onde o texto fica em torno de seu zero, ou em sua linha</translation>
+        </message>
+        <message>
             <source>Whether a laser's power follows its speed (M4)</source>
             <translation>Se a potência do laser acompanha a velocidade (M4)</translation>
         </message>
         <message>
             <source>Whether a slit through the part leads the wire into a closed hole</source>
             <translation>Se uma fenda através da peça leva o fio a um furo fechado</translation>
+        </message>
+        <message>
+            <source>Whether all of its chains are closed</source>
+            <translation>Se todos os seus contornos são fechados</translation>
         </message>
         <message>
             <source>Whether form, kerf and feeds are those of the job's cut chart</source>
@@ -2178,6 +2642,14 @@
         <message>
             <source>Whether the depth is that of the point or of the full diameter</source>
             <translation>Se a profundidade é a da ponta ou a do diâmetro pleno</translation>
+        </message>
+        <message>
+            <source>Whether the file fills it</source>
+            <translation>Se o arquivo o preenche</translation>
+        </message>
+        <message>
+            <source>Whether the file is as it was read</source>
+            <translation>Se o arquivo está como foi lido</translation>
         </message>
         <message>
             <source>Whether the last point joins the first</source>
@@ -2214,6 +2686,10 @@
         <message>
             <source>Work zero</source>
             <translation>Zero-peça</translation>
+        </message>
+        <message>
+            <source>Z of the faces or of the section</source>
+            <translation>Z das faces ou da seção</translation>
         </message>
         <message>
             <source>Zero's place</source>
@@ -2283,12 +2759,32 @@
             <translation>lâmina de 60°</translation>
         </message>
         <message>
+            <source>A TrueType or OpenType file, instead of the font</source>
+            <translation>Um arquivo TrueType ou OpenType, em vez da fonte</translation>
+        </message>
+        <message>
+            <source>A bar above and a stem below, the zero in the middle of the bar's upper edge; three holes.</source>
+            <translation>Uma barra em cima e uma haste embaixo, o zero no meio da borda superior da barra; três furos.</translation>
+        </message>
+        <message>
+            <source>A bore about the zero with a keyway above (DIN 6885: bore and key's depth over all).</source>
+            <translation>Um furo em torno do zero com rasgo de chaveta em cima (DIN 6885: furo e profundidade total da chaveta).</translation>
+        </message>
+        <message>
             <source>A chart's file…</source>
             <translation>Um arquivo de tabela…</translation>
         </message>
         <message>
+            <source>A circle about the zero.</source>
+            <translation>Um círculo em torno do zero.</translation>
+        </message>
+        <message>
             <source>A controller is connected already.</source>
             <translation>Um controlador já está conectado.</translation>
+        </message>
+        <message>
+            <source>A cross of two bars about the zero.</source>
+            <translation>Uma cruz de duas barras em torno do zero.</translation>
         </message>
         <message>
             <source>A cut chart</source>
@@ -2299,8 +2795,48 @@
             <translation>Um desenho apagado está marcado: desmarque-o para continuar sem ele</translation>
         </message>
         <message>
+            <source>A disc about the zero less another one beside it, like a moon.</source>
+            <translation>Um disco em torno do zero menos outro ao lado, como uma lua.</translation>
+        </message>
+        <message>
+            <source>A disc about the zero with round notches in its rim and a bore.</source>
+            <translation>Um disco em torno do zero com entalhes redondos na borda e um furo.</translation>
+        </message>
+        <message>
+            <source>A disc about the zero, cut off straight above.</source>
+            <translation>Um disco em torno do zero, cortado reto em cima.</translation>
+        </message>
+        <message>
+            <source>A drop: a disc about the zero and a point above.</source>
+            <translation>Uma gota: um disco em torno do zero e uma ponta em cima.</translation>
+        </message>
+        <message>
+            <source>A factor of the font's own</source>
+            <translation>Um fator da entrelinha da própria fonte</translation>
+        </message>
+        <message>
             <source>A file is checked with a job's machine, stock, tools and clamps; no operation is needed.</source>
             <translation>Um arquivo é verificado com a máquina, o bloco, as ferramentas e os grampos de um trabalho; nenhuma operação é necessária.</translation>
+        </message>
+        <message>
+            <source>A flange of two bolts along X: a disc about the zero with an ear on each side.</source>
+            <translation>Um flange de dois parafusos ao longo de X: um disco em torno do zero com uma orelha de cada lado.</translation>
+        </message>
+        <message>
+            <source>A font of the system, or a single-line font for engraving</source>
+            <translation>Uma fonte do sistema, ou uma fonte de linha única para gravar</translation>
+        </message>
+        <message>
+            <source>A heart of two half circles over a rounded tip, the zero in its notch.</source>
+            <translation>Um coração de dois semicírculos sobre uma ponta, o zero no entalhe.</translation>
+        </message>
+        <message>
+            <source>A hole to hang a part on a screw: a circle about the zero for its head, a slot above for its shank.</source>
+            <translation>Um furo para pendurar a peça em um parafuso: um círculo em torno do zero para a cabeça, um rasgo em cima para o corpo.</translation>
+        </message>
+        <message>
+            <source>A hook to hang things on: a plate with two holes above, the hook's round inside about the zero.</source>
+            <translation>Um gancho para pendurar coisas: uma chapa com dois furos em cima, o interior do gancho em torno do zero.</translation>
         </message>
         <message>
             <source>A job is being cut</source>
@@ -2317,6 +2853,10 @@
         <message>
             <source>A job is being cut: wait for its end, or stop it.</source>
             <translation>Um trabalho está sendo cortado: espere o fim ou pare-o.</translation>
+        </message>
+        <message>
+            <source>A label about the zero: round corners, cut off on the left, with a hole for a string.</source>
+            <translation>Uma etiqueta em torno do zero: cantos redondos, cortada à esquerda, com um furo para o cordão.</translation>
         </message>
         <message>
             <source>A laser's S word for marks; 0: a twentieth of its power</source>
@@ -2347,6 +2887,30 @@
             <translation>Perfil de uma máquina</translation>
         </message>
         <message>
+            <source>A parallelogram, its left lower corner at the zero.</source>
+            <translation>Um paralelogramo, o canto inferior esquerdo no zero.</translation>
+        </message>
+        <message>
+            <source>A piece of a ring about the zero, from X counter-clockwise.</source>
+            <translation>Um pedaço de anel em torno do zero, a partir de X no sentido anti-horário.</translation>
+        </message>
+        <message>
+            <source>A plate about the zero for a stepper motor of NEMA size 8, 11, 14, 17, 23 or 34.</source>
+            <translation>Uma chapa em torno do zero para um motor de passo de tamanho NEMA 8, 11, 14, 17, 23 ou 34.</translation>
+        </message>
+        <message>
+            <source>A plate about the zero with an eye and a hole at each of three corners.</source>
+            <translation>Uma chapa em torno do zero com um olhal e um furo em cada um de três cantos.</translation>
+        </message>
+        <message>
+            <source>A plate to hang a load: a base below, an eye about the zero above.</source>
+            <translation>Uma chapa para pendurar uma carga: uma base embaixo, um olhal em torno do zero em cima.</translation>
+        </message>
+        <message>
+            <source>A polygon of equal sides about the zero, one side below; the size is across the flats.</source>
+            <translation>Um polígono de lados iguais em torno do zero, um lado embaixo; o tamanho é entre faces.</translation>
+        </message>
+        <message>
             <source>A profile's file…</source>
             <translation>Arquivo de perfil…</translation>
         </message>
@@ -2355,12 +2919,48 @@
             <translation>Um programa sem F usa {0} mm/min ({1}; largura de corte {2} mm).</translation>
         </message>
         <message>
+            <source>A rectangle about the zero with its corners cut off at 45°.</source>
+            <translation>Um retângulo em torno do zero com os cantos cortados a 45°.</translation>
+        </message>
+        <message>
+            <source>A rectangle about the zero, its corners sharp or round.</source>
+            <translation>Um retângulo em torno do zero, de cantos vivos ou redondos.</translation>
+        </message>
+        <message>
+            <source>A rectangular plate about the zero with a hole near each corner.</source>
+            <translation>Uma chapa retangular em torno do zero com um furo perto de cada canto.</translation>
+        </message>
+        <message>
+            <source>A right-angled stiffening plate, its right angle at the zero, cut off there to clear a weld.</source>
+            <translation>Uma chapa de reforço em ângulo reto, o ângulo reto no zero, cortada ali para dar lugar à solda.</translation>
+        </message>
+        <message>
+            <source>A ring, or a washer, about the zero.</source>
+            <translation>Um anel, ou uma arruela, em torno do zero.</translation>
+        </message>
+        <message>
+            <source>A round flange about the zero with a bore and a circle of bolt holes.</source>
+            <translation>Um flange redondo em torno do zero com um furo central e um círculo de furos de parafusos.</translation>
+        </message>
+        <message>
+            <source>A round hole with flat sides above and below, about the zero.</source>
+            <translation>Um furo redondo com faces planas em cima e embaixo, em torno do zero.</translation>
+        </message>
+        <message>
+            <source>A round hole with one flat side above, for shafts with a flat; about the circle's middle.</source>
+            <translation>Um furo redondo com uma face plana em cima, para eixos com face plana; em torno do centro do círculo.</translation>
+        </message>
+        <message>
             <source>A serial port, or an address as socket://192.168.0.7:23</source>
             <translation>Uma porta serial, ou um endereço como socket://192.168.0.7:23</translation>
         </message>
         <message>
             <source>A share of the machine's greatest power; 0: that of the chart</source>
             <translation>Uma parte da potência máxima da máquina; 0: a da tabela</translation>
+        </message>
+        <message>
+            <source>A shield, the zero in the middle of its upper edge: straight sides, round below.</source>
+            <translation>Um escudo, o zero no meio da borda superior: lados retos, redondo embaixo.</translation>
         </message>
         <message>
             <source>A shipped profile's name, or a profile's file</source>
@@ -2387,8 +2987,40 @@
             <translation>Um esboço, fios ou faces: linhas fechadas, as de dentro são ilhas</translation>
         </message>
         <message>
+            <source>A slice of a disc about the zero, from X counter-clockwise.</source>
+            <translation>Uma fatia de disco em torno do zero, a partir de X no sentido anti-horário.</translation>
+        </message>
+        <message>
+            <source>A slot in the edge of a plate for a bolt's head: open below, the zero at its mouth's middle.</source>
+            <translation>Um rasgo na borda de uma chapa para a cabeça de um parafuso: aberto embaixo, o zero no meio da boca.</translation>
+        </message>
+        <message>
+            <source>A slot with round ends along an arc about the zero, from X counter-clockwise.</source>
+            <translation>Um rasgo de pontas redondas ao longo de um arco em torno do zero, a partir de X no sentido anti-horário.</translation>
+        </message>
+        <message>
+            <source>A square plate about the zero with a bore and a hole near each corner.</source>
+            <translation>Uma chapa quadrada em torno do zero com um furo central e um furo perto de cada canto.</translation>
+        </message>
+        <message>
+            <source>A star about the zero, one point above.</source>
+            <translation>Uma estrela em torno do zero, uma ponta em cima.</translation>
+        </message>
+        <message>
+            <source>A straight slot with round ends along X, about the zero; the length is over all.</source>
+            <translation>Um rasgo reto de pontas redondas ao longo de X, em torno do zero; o comprimento é o total.</translation>
+        </message>
+        <message>
             <source>A tool of this shape has none</source>
             <translation>Uma ferramenta desta forma não tem este valor</translation>
+        </message>
+        <message>
+            <source>A trapezoid, the zero in the middle of its base.</source>
+            <translation>Um trapézio, o zero no meio da base.</translation>
+        </message>
+        <message>
+            <source>A triangle with two equal sides, the zero in the middle of its base.</source>
+            <translation>Um triângulo de dois lados iguais, o zero no meio da base.</translation>
         </message>
         <message>
             <source>A turn, as they are counted</source>
@@ -2399,8 +3031,16 @@
             <translation>Falta um valor aqui</translation>
         </message>
         <message>
+            <source>A wheel about the zero with saw teeth and a bore.</source>
+            <translation>Uma roda em torno do zero com dentes de serra e um furo.</translation>
+        </message>
+        <message>
             <source>About the first corner, counter-clockwise</source>
             <translation>Em torno do primeiro canto, no sentido anti-horário</translation>
+        </message>
+        <message>
+            <source>Above</source>
+            <translation>Acima</translation>
         </message>
         <message>
             <source>Acceleration</source>
@@ -2409,6 +3049,14 @@
         <message>
             <source>Acceleration in steps</source>
             <translation>Aceleração em passos</translation>
+        </message>
+        <message>
+            <source>Across the flat</source>
+            <translation>Até a face plana</translation>
+        </message>
+        <message>
+            <source>Across the flats</source>
+            <translation>Entre faces planas</translation>
         </message>
         <message>
             <source>Active</source>
@@ -2443,12 +3091,20 @@
             <translation>Adicionar</translation>
         </message>
         <message>
+            <source>Added between letters</source>
+            <translation>Acrescentado entre as letras</translation>
+        </message>
+        <message>
             <source>After {0}</source>
             <translation>Depois de {0}</translation>
         </message>
         <message>
             <source>Alarm</source>
             <translation>Alarme</translation>
+        </message>
+        <message>
+            <source>Alignment</source>
+            <translation>Alinhamento</translation>
         </message>
         <message>
             <source>All</source>
@@ -2467,8 +3123,20 @@
             <translation>Todas as linhas foram enviadas; os últimos movimentos estão sendo usinados.</translation>
         </message>
         <message>
+            <source>All, the outline, or the holes in it</source>
+            <translation>Todas, o contorno, ou os furos nele</translation>
+        </message>
+        <message>
+            <source>All, the outlines of letters, or the holes in them</source>
+            <translation>Todas, os contornos das letras, ou os furos nelas</translation>
+        </message>
+        <message>
             <source>Allow jogging: spindle or beam off; Resume returns to the cut on a safe path.</source>
             <translation>Permite mover a máquina manualmente: spindle ou feixe desligado; Retomar volta ao corte por um caminho seguro.</translation>
+        </message>
+        <message>
+            <source>Along</source>
+            <translation>Ao longo de</translation>
         </message>
         <message>
             <source>Along X, mm</source>
@@ -2483,8 +3151,20 @@
             <translation>Ao longo de Z, mm</translation>
         </message>
         <message>
+            <source>Along a line or arc</source>
+            <translation>Ao longo de uma linha ou arco</translation>
+        </message>
+        <message>
             <source>Also follow the selected lines</source>
             <translation>Seguir também o que está selecionado</translation>
+        </message>
+        <message>
+            <source>An angle of two legs, its outer corner at the zero, a hole near the end of each leg.</source>
+            <translation>Uma cantoneira de duas abas, o canto externo no zero, um furo perto da ponta de cada aba.</translation>
+        </message>
+        <message>
+            <source>An arrow along X, its tip at the zero.</source>
+            <translation>Uma seta ao longo de X, a ponta no zero.</translation>
         </message>
         <message>
             <source>An expression gives this value; change it in the property editor</source>
@@ -2511,8 +3191,16 @@
             <translation>Aplicar</translation>
         </message>
         <message>
+            <source>Arc slot</source>
+            <translation>Rasgo em arco</translation>
+        </message>
+        <message>
             <source>Arc tolerance</source>
             <translation>Tolerância de arco</translation>
+        </message>
+        <message>
+            <source>Arcs and lines this close to the drawn points, instead of the tolerance; 0: straight lines</source>
+            <translation>Arcos e linhas a esta distância dos pontos desenhados, em vez da tolerância; 0: linhas retas</translation>
         </message>
         <message>
             <source>Arcs below</source>
@@ -2525,6 +3213,10 @@
         <message>
             <source>Arcs within a tolerance, or the published points</source>
             <translation>Arcos dentro de uma tolerância, ou os pontos publicados</translation>
+        </message>
+        <message>
+            <source>Arrow</source>
+            <translation>Seta</translation>
         </message>
         <message>
             <source>As a multiple of the thickness; 0: none by thickness</source>
@@ -2587,6 +3279,10 @@
             <translation>O que o eixo perde em uma inversão, como diz o perfil; os movimentos enviados compensam</translation>
         </message>
         <message>
+            <source>Base</source>
+            <translation>Base</translation>
+        </message>
+        <message>
             <source>Before {0}</source>
             <translation>Antes de {0}</translation>
         </message>
@@ -2605,6 +3301,10 @@
         <message>
             <source>Below thickness times</source>
             <translation>Abaixo de × espessura</translation>
+        </message>
+        <message>
+            <source>Below this grey, 1 to 255, it is dark; 0: found from the picture</source>
+            <translation>Abaixo deste cinza, 1 a 255, é escuro; 0: achado na imagem</translation>
         </message>
         <message>
             <source>Belt's pitch</source>
@@ -2631,8 +3331,24 @@
             <translation>Recuo da lâmina</translation>
         </message>
         <message>
+            <source>Blur</source>
+            <translation>Desfoque</translation>
+        </message>
+        <message>
+            <source>Bore</source>
+            <translation>Mandrilar</translation>
+        </message>
+        <message>
+            <source>Bore; 0: none</source>
+            <translation>Furo central; 0: nenhum</translation>
+        </message>
+        <message>
             <source>Boring</source>
             <translation>Mandrilamento</translation>
+        </message>
+        <message>
+            <source>Brackets</source>
+            <translation>Suportes</translation>
         </message>
         <message>
             <source>Bridges that hold the part until it is broken out</source>
@@ -2641,6 +3357,10 @@
         <message>
             <source>Busy</source>
             <translation>Ocupado</translation>
+        </message>
+        <message>
+            <source>By colour</source>
+            <translation>Por cor</translation>
         </message>
         <message>
             <source>By which share the lathe may be slower than its published step times</source>
@@ -2665,6 +3385,14 @@
         <message>
             <source>Certain</source>
             <translation>Certo</translation>
+        </message>
+        <message>
+            <source>Chamfer along each side</source>
+            <translation>Chanfro ao longo de cada lado</translation>
+        </message>
+        <message>
+            <source>Chamfered rectangle</source>
+            <translation>Retângulo chanfrado</translation>
         </message>
         <message>
             <source>Change</source>
@@ -2727,6 +3455,10 @@
             <translation>Escolha acima onde usinar e conecte.</translation>
         </message>
         <message>
+            <source>Choose another file</source>
+            <translation>Escolher outro arquivo</translation>
+        </message>
+        <message>
             <source>Choose one here</source>
             <translation>Escolha aqui</translation>
         </message>
@@ -2749,6 +3481,10 @@
         <message>
             <source>Close</source>
             <translation>Fechar</translation>
+        </message>
+        <message>
+            <source>Close gaps</source>
+            <translation>Fechar vãos</translation>
         </message>
         <message>
             <source>Close the open task panel first</source>
@@ -2835,8 +3571,20 @@
             <translation>Contorno</translation>
         </message>
         <message>
+            <source>Contour that crosses itself</source>
+            <translation>Contorno que cruza a si mesmo</translation>
+        </message>
+        <message>
             <source>Contour {0}</source>
             <translation>Contorno {0}</translation>
+        </message>
+        <message>
+            <source>Contours</source>
+            <translation>Contornos</translation>
+        </message>
+        <message>
+            <source>Contours that cross</source>
+            <translation>Contornos que se cruzam</translation>
         </message>
         <message>
             <source>Controller</source>
@@ -2907,8 +3655,20 @@
             <translation>Quantidade</translation>
         </message>
         <message>
+            <source>Crescent</source>
+            <translation>Meia-lua</translation>
+        </message>
+        <message>
+            <source>Cross</source>
+            <translation>Cruz</translation>
+        </message>
+        <message>
             <source>Current</source>
             <translation>Corrente</translation>
+        </message>
+        <message>
+            <source>Curves</source>
+            <translation>Curvas</translation>
         </message>
         <message>
             <source>Cut</source>
@@ -2943,6 +3703,10 @@
             <translation>Comprimento do corte</translation>
         </message>
         <message>
+            <source>Cut off at the right angle</source>
+            <translation>Corte no ângulo reto</translation>
+        </message>
+        <message>
             <source>Cutting</source>
             <translation>Corte</translation>
         </message>
@@ -2957,6 +3721,10 @@
         <message>
             <source>Cycle</source>
             <translation>Ciclo</translation>
+        </message>
+        <message>
+            <source>D-hole</source>
+            <translation>Furo em D</translation>
         </message>
         <message>
             <source>Damaged</source>
@@ -3011,6 +3779,46 @@
             <translation>Diâmetro e altura</translation>
         </message>
         <message>
+            <source>Diameter cut away</source>
+            <translation>Diâmetro retirado</translation>
+        </message>
+        <message>
+            <source>Diameter of its middle line</source>
+            <translation>Diâmetro da linha média</translation>
+        </message>
+        <message>
+            <source>Diameter of the bolt circle</source>
+            <translation>Diâmetro do círculo de furos</translation>
+        </message>
+        <message>
+            <source>Diameter of the disc</source>
+            <translation>Diâmetro do disco</translation>
+        </message>
+        <message>
+            <source>Diameter of the holes</source>
+            <translation>Diâmetro dos furos</translation>
+        </message>
+        <message>
+            <source>Diameter of the inner corners</source>
+            <translation>Diâmetro dos cantos internos</translation>
+        </message>
+        <message>
+            <source>Diameter of the notches</source>
+            <translation>Diâmetro dos entalhes</translation>
+        </message>
+        <message>
+            <source>Diameter of the points</source>
+            <translation>Diâmetro das pontas</translation>
+        </message>
+        <message>
+            <source>Diameter through the holes</source>
+            <translation>Diâmetro pelos furos</translation>
+        </message>
+        <message>
+            <source>Dimensions</source>
+            <translation>Dimensões</translation>
+        </message>
+        <message>
             <source>Direction</source>
             <translation>Sentido</translation>
         </message>
@@ -3039,6 +3847,14 @@
             <translation>Distância</translation>
         </message>
         <message>
+            <source>Distance of both</source>
+            <translation>Distância entre os dois</translation>
+        </message>
+        <message>
+            <source>Distance of the holes</source>
+            <translation>Distância entre os furos</translation>
+        </message>
+        <message>
             <source>Does</source>
             <translation>Faz</translation>
         </message>
@@ -3053,6 +3869,14 @@
         <message>
             <source>Door</source>
             <translation>Porta</translation>
+        </message>
+        <message>
+            <source>Double D-hole</source>
+            <translation>Furo em duplo D</translation>
+        </message>
+        <message>
+            <source>Doubles</source>
+            <translation>Duplicadas</translation>
         </message>
         <message>
             <source>Drag a point to move it, the line to add one; Delete takes the point under the pointer. Esc: done.</source>
@@ -3071,8 +3895,24 @@
             <translation>Desenhe uma linha: pressione o botão esquerdo, mova, solte. Shift: reta. Esc: encerrar o desenho.</translation>
         </message>
         <message>
+            <source>Drawing</source>
+            <translation>Desenho</translation>
+        </message>
+        <message>
+            <source>Drawing, solid or picture</source>
+            <translation>Desenho, sólido ou imagem</translation>
+        </message>
+        <message>
             <source>Drawings</source>
             <translation>Desenhos</translation>
+        </message>
+        <message>
+            <source>Drawings ({0})</source>
+            <translation>Desenhos ({0})</translation>
+        </message>
+        <message>
+            <source>Drawn twice</source>
+            <translation>Desenhado duas vezes</translation>
         </message>
         <message>
             <source>Drilling</source>
@@ -3085,6 +3925,10 @@
         <message>
             <source>Drive the length</source>
             <translation>Percorrer o comprimento</translation>
+        </message>
+        <message>
+            <source>Drop</source>
+            <translation>Gota</translation>
         </message>
         <message>
             <source>Duplicate operations</source>
@@ -3159,6 +4003,18 @@
             <translation>Ângulo final</translation>
         </message>
         <message>
+            <source>Ends joined</source>
+            <translation>Pontas unidas</translation>
+        </message>
+        <message>
+            <source>Ends of the legs</source>
+            <translation>Pontas das abas</translation>
+        </message>
+        <message>
+            <source>Ends that are nearer than this are moved together</source>
+            <translation>Pontas mais próximas que isto são unidas</translation>
+        </message>
+        <message>
             <source>Engagement</source>
             <translation>Engajamento</translation>
         </message>
@@ -3203,6 +4059,18 @@
             <translation>Quanto a ferramenta desce a mais para sair por baixo</translation>
         </message>
         <message>
+            <source>Eye</source>
+            <translation>Olhal</translation>
+        </message>
+        <message>
+            <source>Eye plate</source>
+            <translation>Chapa com olhal</translation>
+        </message>
+        <message>
+            <source>Eyes</source>
+            <translation>Olhais</translation>
+        </message>
+        <message>
             <source>F is the feed per minute</source>
             <translation>F é o avanço por minuto</translation>
         </message>
@@ -3225,6 +4093,14 @@
         <message>
             <source>Failed</source>
             <translation>Falhou</translation>
+        </message>
+        <message>
+            <source>Family</source>
+            <translation>Família</translation>
+        </message>
+        <message>
+            <source>Faults</source>
+            <translation>Falhas</translation>
         </message>
         <message>
             <source>Feed</source>
@@ -3299,8 +4175,16 @@
             <translation>Primeiro canto</translation>
         </message>
         <message>
+            <source>First eye</source>
+            <translation>Primeiro olhal</translation>
+        </message>
+        <message>
             <source>First hole</source>
             <translation>Primeiro furo</translation>
+        </message>
+        <message>
+            <source>First hole at</source>
+            <translation>Primeiro furo em</translation>
         </message>
         <message>
             <source>First number</source>
@@ -3317,6 +4201,14 @@
         <message>
             <source>Fitting arcs…</source>
             <translation>Ajustando arcos…</translation>
+        </message>
+        <message>
+            <source>Flange</source>
+            <translation>Flange</translation>
+        </message>
+        <message>
+            <source>Flanges and plates</source>
+            <translation>Flanges e chapas</translation>
         </message>
         <message>
             <source>Flood</source>
@@ -3337,6 +4229,14 @@
         <message>
             <source>Follow the drawing that is selected in the tree or in the 3D view</source>
             <translation>Seguir o desenho selecionado na árvore ou na vista 3D</translation>
+        </message>
+        <message>
+            <source>Font</source>
+            <translation>Fonte</translation>
+        </message>
+        <message>
+            <source>Font file</source>
+            <translation>Arquivo da fonte</translation>
         </message>
         <message>
             <source>For a board that receives bytes: 0 to 3, or unused for a motor without an axis</source>
@@ -3385,6 +4285,10 @@
         <message>
             <source>FreeCAD's Python lacks {0}. Some files cannot be read without.</source>
             <translation>Falta {0} ao Python do FreeCAD. Sem isso alguns arquivos não podem ser lidos.</translation>
+        </message>
+        <message>
+            <source>From</source>
+            <translation>De</translation>
         </message>
         <message>
             <source>From X to the ellipse's first axis</source>
@@ -3443,8 +4347,28 @@
             <translation>De uma volta da rosca à seguinte</translation>
         </message>
         <message>
+            <source>From the base to the eye's middle</source>
+            <translation>Da base ao centro do olhal</translation>
+        </message>
+        <message>
+            <source>From the bore's bottom to the keyway's</source>
+            <translation>Do fundo do furo ao fundo do rasgo</translation>
+        </message>
+        <message>
+            <source>From the circle's middle to the slot's end</source>
+            <translation>Do centro do círculo à ponta do rasgo</translation>
+        </message>
+        <message>
+            <source>From the edges to the holes</source>
+            <translation>Das bordas aos furos</translation>
+        </message>
+        <message>
             <source>From the middle of the circle to the holes</source>
             <translation>Do meio do círculo até os furos</translation>
+        </message>
+        <message>
+            <source>From the middle to the point</source>
+            <translation>Do centro à ponta</translation>
         </message>
         <message>
             <source>From the operation {0}</source>
@@ -3507,6 +4431,18 @@
             <translation>G99 recuo</translation>
         </message>
         <message>
+            <source>Gap</source>
+            <translation>Vão</translation>
+        </message>
+        <message>
+            <source>Gap closed</source>
+            <translation>Vão fechado</translation>
+        </message>
+        <message>
+            <source>Gaps up to this are closed</source>
+            <translation>Vãos até isto são fechados</translation>
+        </message>
+        <message>
             <source>Gear ratio</source>
             <translation>Redução</translation>
         </message>
@@ -3563,6 +4499,14 @@
             <translation>Valores em cinza são da tabela; o que você digita prevalece</translation>
         </message>
         <message>
+            <source>Gusset</source>
+            <translation>Esquadro de reforço</translation>
+        </message>
+        <message>
+            <source>H-profile</source>
+            <translation>Perfil H</translation>
+        </message>
+        <message>
             <source>HDPE plastic</source>
             <translation>plástico PEAD</translation>
         </message>
@@ -3583,12 +4527,36 @@
             <translation>Sentido da rosca</translation>
         </message>
         <message>
+            <source>Heart</source>
+            <translation>Coração</translation>
+        </message>
+        <message>
             <source>Height</source>
             <translation>Altura</translation>
         </message>
         <message>
             <source>Height above the top of the stock; lines: where the tool's tip goes</source>
             <translation>Altura acima do topo do bloco; linhas: por onde passa a ponta da ferramenta</translation>
+        </message>
+        <message>
+            <source>Height below the notch</source>
+            <translation>Altura abaixo do entalhe</translation>
+        </message>
+        <message>
+            <source>Height of</source>
+            <translation>Altura de</translation>
+        </message>
+        <message>
+            <source>Height of the head</source>
+            <translation>Altura da cabeça</translation>
+        </message>
+        <message>
+            <source>Height of the plate above the middle</source>
+            <translation>Altura da chapa acima do centro</translation>
+        </message>
+        <message>
+            <source>Height of the teeth</source>
+            <translation>Altura dos dentes</translation>
         </message>
         <message>
             <source>Heights</source>
@@ -3627,6 +4595,14 @@
             <translation>Pausando…</translation>
         </message>
         <message>
+            <source>Hole</source>
+            <translation>Furo</translation>
+        </message>
+        <message>
+            <source>Hole for the head</source>
+            <translation>Furo para a cabeça</translation>
+        </message>
+        <message>
             <source>Holes</source>
             <translation>Furos</translation>
         </message>
@@ -3647,6 +4623,10 @@
             <translation>Furos de contorno mais curto são cortados devagar; 0: nenhum pelo comprimento</translation>
         </message>
         <message>
+            <source>Holes; 0: none</source>
+            <translation>Furos; 0: nenhum</translation>
+        </message>
+        <message>
             <source>Home</source>
             <translation>Referenciar</translation>
         </message>
@@ -3665,6 +4645,10 @@
         <message>
             <source>Homing works only while the machine is idle or in alarm.</source>
             <translation>Só é possível referenciar com a máquina pronta ou em alarme.</translation>
+        </message>
+        <message>
+            <source>Hook</source>
+            <translation>Gancho</translation>
         </message>
         <message>
             <source>Hot wire</source>
@@ -3693,6 +4677,10 @@
         <message>
             <source>How far a pierce stays from parts and cut edges; 0: that of the cut chart</source>
             <translation>Quanto a perfuração se afasta de peças e bordas cortadas; 0: o da tabela de corte</translation>
+        </message>
+        <message>
+            <source>How far above it the letters stand</source>
+            <translation>A que distância acima dela ficam as letras</translation>
         </message>
         <message>
             <source>How far an arc turns, or how far a line leans away from the contour</source>
@@ -3727,6 +4715,22 @@
             <translation>A que distância da borda do bloco os cortes devem ficar; 0: a borda não importa</translation>
         </message>
         <message>
+            <source>How far letters lean to the right</source>
+            <translation>Quanto as letras se inclinam para a direita</translation>
+        </message>
+        <message>
+            <source>How far lines and arcs may leave other curves</source>
+            <translation>Quanto linhas e arcos podem se afastar de outras curvas</translation>
+        </message>
+        <message>
+            <source>How far lines and arcs may leave the letters</source>
+            <translation>Quanto linhas e arcos podem se afastar das letras</translation>
+        </message>
+        <message>
+            <source>How far lines and arcs may leave the pixels; 0: half a pixel</source>
+            <translation>Quanto linhas e arcos podem se afastar dos pixels; 0: meio pixel</translation>
+        </message>
+        <message>
             <source>How far one click goes along the cut.</source>
             <translation>Quanto um clique avança ao longo do corte.</translation>
         </message>
@@ -3737,6 +4741,10 @@
         <message>
             <source>How far one turn of the helix falls</source>
             <translation>Quanto desce uma volta da hélice</translation>
+        </message>
+        <message>
+            <source>How far the arc goes; below 0 clockwise, with the letters outside</source>
+            <translation>Até onde vai o arco; abaixo de 0 no sentido horário, com as letras por fora</translation>
         </message>
         <message>
             <source>How far the axis goes</source>
@@ -3787,6 +4795,10 @@
             <translation>Como se corta; a máquina precisa ser capaz disso</translation>
         </message>
         <message>
+            <source>How it was read last</source>
+            <translation>Como foi lido por último</translation>
+        </message>
+        <message>
             <source>How long a spot has power</source>
             <translation>Quanto tempo um ponto tem potência</translation>
         </message>
@@ -3797,6 +4809,10 @@
         <message>
             <source>How many corners and narrow places the tool does not reach into</source>
             <translation>Em quantos cantos e lugares estreitos a ferramenta não entra</translation>
+        </message>
+        <message>
+            <source>How many gaps, doubles, crossings and other faults were found</source>
+            <translation>Quantos vãos, duplicadas, cruzamentos e outras falhas foram achados</translation>
         </message>
         <message>
             <source>How many holes</source>
@@ -3845,6 +4861,10 @@
         <message>
             <source>How many teeth; 0: not given</source>
             <translation>Quantos dentes; 0: não informado</translation>
+        </message>
+        <message>
+            <source>How many there are</source>
+            <translation>Quantos há</translation>
         </message>
         <message>
             <source>How many there are: one, or one a tool in turn</source>
@@ -3931,6 +4951,10 @@
             <translation>Pronta</translation>
         </message>
         <message>
+            <source>Import drawing</source>
+            <translation>Importar desenho</translation>
+        </message>
+        <message>
             <source>Import tools</source>
             <translation>Importar ferramentas</translation>
         </message>
@@ -3967,12 +4991,20 @@
             <translation>Inércia</translation>
         </message>
         <message>
+            <source>Inner diameter</source>
+            <translation>Diâmetro interno</translation>
+        </message>
+        <message>
             <source>Inputs</source>
             <translation>Entradas</translation>
         </message>
         <message>
             <source>Inputs that are on: {0}</source>
             <translation>Entradas ligadas: {0}</translation>
+        </message>
+        <message>
+            <source>Inside of the hook</source>
+            <translation>Interior do gancho</translation>
         </message>
         <message>
             <source>Interpolation</source>
@@ -3985,6 +5017,10 @@
         <message>
             <source>Is the work zero set on the stock, and is the path free?</source>
             <translation>O zero-peça está definido no bloco e o caminho está livre?</translation>
+        </message>
+        <message>
+            <source>Isosceles triangle</source>
+            <translation>Triângulo isósceles</translation>
         </message>
         <message>
             <source>It is cut first already</source>
@@ -4001,6 +5037,10 @@
         <message>
             <source>Its language and its link: grbl, grblhal, fluidnc, linuxcnc, thesis-a …</source>
             <translation>Sua linguagem e sua ligação: grbl, grblhal, fluidnc, linuxcnc, thesis-a …</translation>
+        </message>
+        <message>
+            <source>Its name in job files</source>
+            <translation>Seu nome nos arquivos de trabalho</translation>
         </message>
         <message>
             <source>Jerk</source>
@@ -4025,6 +5065,14 @@
         <message>
             <source>Jogging works only while the machine is idle.</source>
             <translation>O movimento manual só funciona com a máquina pronta.</translation>
+        </message>
+        <message>
+            <source>Join ends</source>
+            <translation>Unir pontas</translation>
+        </message>
+        <message>
+            <source>Join only lines of one colour</source>
+            <translation>Unir só linhas da mesma cor</translation>
         </message>
         <message>
             <source>Joints that hold the part until it is broken out</source>
@@ -4055,8 +5103,28 @@
             <translation>Largura do corte</translation>
         </message>
         <message>
+            <source>Kerning</source>
+            <translation>Kerning</translation>
+        </message>
+        <message>
+            <source>Keyhole</source>
+            <translation>Buraco de fechadura</translation>
+        </message>
+        <message>
+            <source>Keyway bore</source>
+            <translation>Furo com chaveta</translation>
+        </message>
+        <message>
             <source>Killed</source>
             <translation>Interrompido</translation>
+        </message>
+        <message>
+            <source>Kind</source>
+            <translation>Tipo</translation>
+        </message>
+        <message>
+            <source>L-bracket</source>
+            <translation>Suporte em L</translation>
         </message>
         <message>
             <source>Laser</source>
@@ -4131,6 +5199,14 @@
             <translation>Comprimento entrada</translation>
         </message>
         <message>
+            <source>Length of the head</source>
+            <translation>Comprimento da cabeça</translation>
+        </message>
+        <message>
+            <source>Length of the neck</source>
+            <translation>Comprimento do pescoço</translation>
+        </message>
+        <message>
             <source>Length offset</source>
             <translation>Correção de comprimento</translation>
         </message>
@@ -4159,8 +5235,16 @@
             <translation>Níveis</translation>
         </message>
         <message>
+            <source>Lever</source>
+            <translation>Alavanca</translation>
+        </message>
+        <message>
             <source>Lift before</source>
             <translation>Levantar antes</translation>
+        </message>
+        <message>
+            <source>Light areas</source>
+            <translation>Áreas claras</translation>
         </message>
         <message>
             <source>Line</source>
@@ -4179,6 +5263,10 @@
             <translation>Comprimento das linhas</translation>
         </message>
         <message>
+            <source>Line spacing</source>
+            <translation>Entrelinha</translation>
+        </message>
+        <message>
             <source>Line {0}, {1}: {2}</source>
             <translation>Linha {0}, {1}: {2}</translation>
         </message>
@@ -4195,12 +5283,28 @@
             <translation>Só se pode digitar linhas com a máquina parada ou em alarme.</translation>
         </message>
         <message>
+            <source>Lines nearer than this to another one are drawn twice</source>
+            <translation>Linhas mais próximas de outra que isto estão desenhadas duas vezes</translation>
+        </message>
+        <message>
+            <source>Lines of many points become fewer lines and arcs within this; 0: they stay</source>
+            <translation>Linhas de muitos pontos viram menos linhas e arcos dentro disto; 0: ficam</translation>
+        </message>
+        <message>
             <source>Lines that are marked with low power or lightly scribed before anything is cut</source>
             <translation>Linhas marcadas com pouca potência ou levemente riscadas antes de qualquer corte</translation>
         </message>
         <message>
+            <source>Lines up to this long are left out</source>
+            <translation>Linhas até este comprimento são deixadas de fora</translation>
+        </message>
+        <message>
             <source>Load {0}</source>
             <translation>Carregar {0}</translation>
+        </message>
+        <message>
+            <source>Locking wheel</source>
+            <translation>Roda de trava</translation>
         </message>
         <message>
             <source>Look at the findings, then decide.</source>
@@ -4299,6 +5403,10 @@
             <translation>Margem</translation>
         </message>
         <message>
+            <source>Margin around the motor</source>
+            <translation>Margem em torno do motor</translation>
+        </message>
+        <message>
             <source>Marking feed</source>
             <translation>Avanço de marcação</translation>
         </message>
@@ -4325,6 +5433,10 @@
         <message>
             <source>Measured</source>
             <translation>Medido</translation>
+        </message>
+        <message>
+            <source>Mend</source>
+            <translation>Reparar</translation>
         </message>
         <message>
             <source>Message</source>
@@ -4391,6 +5503,10 @@
             <translation>Motores</translation>
         </message>
         <message>
+            <source>Mounting plate</source>
+            <translation>Chapa de montagem</translation>
+        </message>
+        <message>
             <source>Move</source>
             <translation>Movimento</translation>
         </message>
@@ -4425,6 +5541,14 @@
         <message>
             <source>Move…</source>
             <translation>Mover…</translation>
+        </message>
+        <message>
+            <source>NEMA motor plate</source>
+            <translation>Chapa para motor NEMA</translation>
+        </message>
+        <message>
+            <source>NEMA size</source>
+            <translation>Tamanho NEMA</translation>
         </message>
         <message>
             <source>Name</source>
@@ -4507,6 +5631,10 @@
             <translation>Não usado: {0}</translation>
         </message>
         <message>
+            <source>Notches</source>
+            <translation>Entalhes</translation>
+        </message>
+        <message>
             <source>Note</source>
             <translation>Observação</translation>
         </message>
@@ -4539,16 +5667,32 @@
             <translation>Numerar as linhas…</translation>
         </message>
         <message>
+            <source>Objects</source>
+            <translation>Objetos</translation>
+        </message>
+        <message>
             <source>Of a bull nose; 0: not given</source>
             <translation>De uma fresa toroidal; 0: não informado</translation>
+        </message>
+        <message>
+            <source>Of its curves</source>
+            <translation>De suas curvas</translation>
         </message>
         <message>
             <source>Of one wall that a jet or wire leaves, against the vertical; 0: none</source>
             <translation>De uma parede deixada pelo jato ou fio, em relação à vertical; 0: nenhuma</translation>
         </message>
         <message>
+            <source>Of the arc</source>
+            <translation>Do arco</translation>
+        </message>
+        <message>
             <source>Of the bores; 0: that of each circle of the drawing</source>
             <translation>Dos furos; 0: o de cada círculo do desenho</translation>
+        </message>
+        <message>
+            <source>Of the capitals, or of the em</source>
+            <translation>Das maiúsculas, ou do corpo da fonte</translation>
         </message>
         <message>
             <source>Of the corners seen from above; 0: as round as the tool</source>
@@ -4557,6 +5701,10 @@
         <message>
             <source>Of the driver, in a full step</source>
             <translation>Do driver, em um passo inteiro</translation>
+        </message>
+        <message>
+            <source>Of the font, such as Bold; empty: the regular one</source>
+            <translation>Da fonte, como Bold; vazio: o normal</translation>
         </message>
         <message>
             <source>Of the grid about its first hole</source>
@@ -4619,6 +5767,10 @@
             <translation>Abrir um arquivo G-code</translation>
         </message>
         <message>
+            <source>Open contour</source>
+            <translation>Contorno aberto</translation>
+        </message>
+        <message>
             <source>Open or make a document first</source>
             <translation>Abra ou crie antes um documento</translation>
         </message>
@@ -4655,6 +5807,10 @@
             <translation>Outra diagonal (0: nenhuma)</translation>
         </message>
         <message>
+            <source>Outer diameter</source>
+            <translation>Diâmetro externo</translation>
+        </message>
+        <message>
             <source>Outlines of the clamps</source>
             <translation>Contornos dos grampos</translation>
         </message>
@@ -4673,6 +5829,10 @@
         <message>
             <source>Outside corners that turn by more get a loop</source>
             <translation>Cantos externos que viram mais recebem um laço</translation>
+        </message>
+        <message>
+            <source>Oval flange</source>
+            <translation>Flange oval</translation>
         </message>
         <message>
             <source>Over-burn</source>
@@ -4711,12 +5871,24 @@
             <translation>PVC expandido</translation>
         </message>
         <message>
+            <source>Pairs of letters stand as near as the font says</source>
+            <translation>Pares de letras ficam tão próximos quanto a fonte diz</translation>
+        </message>
+        <message>
             <source>Parallel port</source>
             <translation>Porta paralela</translation>
         </message>
         <message>
+            <source>Parallelogram</source>
+            <translation>Paralelogramo</translation>
+        </message>
+        <message>
             <source>Parts</source>
             <translation>Peças</translation>
+        </message>
+        <message>
+            <source>Parts and signs</source>
+            <translation>Peças e placas</translation>
         </message>
         <message>
             <source>Passes</source>
@@ -4751,6 +5923,10 @@
             <translation>Bicada</translation>
         </message>
         <message>
+            <source>Picture</source>
+            <translation>Imagem</translation>
+        </message>
+        <message>
             <source>Pierce delay</source>
             <translation>Espera na perfuração</translation>
         </message>
@@ -4781,6 +5957,10 @@
         <message>
             <source>Pitch</source>
             <translation>Passo</translation>
+        </message>
+        <message>
+            <source>Pixels an inch; 0: as the file says</source>
+            <translation>Pixels por polegada; 0: como o arquivo diz</translation>
         </message>
         <message>
             <source>Place</source>
@@ -4829,6 +6009,10 @@
         <message>
             <source>Points of the pull-out curve, rpm and Nm: 0 1.2; 300 1.0</source>
             <translation>Pontos da curva de torque, rpm e Nm: 0 1.2; 300 1.0</translation>
+        </message>
+        <message>
+            <source>Polygons</source>
+            <translation>Polígonos</translation>
         </message>
         <message>
             <source>Port</source>
@@ -4991,6 +6175,18 @@
             <translation>Raio entrada</translation>
         </message>
         <message>
+            <source>Radius in pixels of a blur that takes out noise</source>
+            <translation>Raio em pixels de um desfoque que tira o ruído</translation>
+        </message>
+        <message>
+            <source>Radius of the inner corner</source>
+            <translation>Raio do canto interno</translation>
+        </message>
+        <message>
+            <source>Radius of the inner corners</source>
+            <translation>Raio dos cantos internos</translation>
+        </message>
+        <message>
             <source>Radius out</source>
             <translation>Raio saída</translation>
         </message>
@@ -5031,8 +6227,28 @@
             <translation>Rápidos</translation>
         </message>
         <message>
+            <source>Ratchet wheel</source>
+            <translation>Roda de catraca</translation>
+        </message>
+        <message>
             <source>Reached</source>
             <translation>Alcançado</translation>
+        </message>
+        <message>
+            <source>Read</source>
+            <translation>Lido</translation>
+        </message>
+        <message>
+            <source>Read the file again; operations keep their contours</source>
+            <translation>Lê o arquivo de novo; as operações mantêm seus contornos</translation>
+        </message>
+        <message>
+            <source>Reading the drawing: {0} %</source>
+            <translation>Lendo o desenho: {0} %</translation>
+        </message>
+        <message>
+            <source>Reading the drawing…</source>
+            <translation>Lendo o desenho…</translation>
         </message>
         <message>
             <source>Reading the job…</source>
@@ -5067,6 +6283,10 @@
             <translation>Região</translation>
         </message>
         <message>
+            <source>Regular polygon</source>
+            <translation>Polígono regular</translation>
+        </message>
+        <message>
             <source>Relays</source>
             <translation>Relés</translation>
         </message>
@@ -5087,6 +6307,14 @@
             <translation>Soltar: pronto. Soltar no início: fechar a linha. Shift: reta. Esc: desistir desta linha.</translation>
         </message>
         <message>
+            <source>Reload</source>
+            <translation>Recarregar</translation>
+        </message>
+        <message>
+            <source>Reload {0}</source>
+            <translation>Recarregar {0}</translation>
+        </message>
+        <message>
             <source>Remaining</source>
             <translation>Restante</translation>
         </message>
@@ -5103,12 +6331,28 @@
             <translation>Removido</translation>
         </message>
         <message>
+            <source>Repair</source>
+            <translation>Reparo</translation>
+        </message>
+        <message>
+            <source>Repair what is wrong, as far as the values under Repair allow</source>
+            <translation>Repara o que está errado, até onde os valores em Reparo permitem</translation>
+        </message>
+        <message>
+            <source>Repair what is wrong, as far as these values allow</source>
+            <translation>Repara o que está errado, até onde estes valores permitem</translation>
+        </message>
+        <message>
             <source>Replace</source>
             <translation>Substituir</translation>
         </message>
         <message>
             <source>Replace with</source>
             <translation>Substituir por</translation>
+        </message>
+        <message>
+            <source>Report</source>
+            <translation>Relatório</translation>
         </message>
         <message>
             <source>Resolution</source>
@@ -5179,12 +6423,24 @@
             <translation>Reverter</translation>
         </message>
         <message>
+            <source>Ring</source>
+            <translation>Anel</translation>
+        </message>
+        <message>
+            <source>Ring sector</source>
+            <translation>Setor de anel</translation>
+        </message>
+        <message>
             <source>Rotate…</source>
             <translation>Girar…</translation>
         </message>
         <message>
             <source>Rotation</source>
             <translation>Rotação</translation>
+        </message>
+        <message>
+            <source>Round shapes</source>
+            <translation>Formas redondas</translation>
         </message>
         <message>
             <source>Rows</source>
@@ -5251,8 +6507,24 @@
             <translation>Riscador</translation>
         </message>
         <message>
+            <source>Second eye</source>
+            <translation>Segundo olhal</translation>
+        </message>
+        <message>
+            <source>Second hole</source>
+            <translation>Segundo furo</translation>
+        </message>
+        <message>
             <source>Seconds at the bottom</source>
             <translation>Segundos no fundo</translation>
+        </message>
+        <message>
+            <source>Sector</source>
+            <translation>Setor</translation>
+        </message>
+        <message>
+            <source>Segment</source>
+            <translation>Segmento</translation>
         </message>
         <message>
             <source>Select a drawing in the tree or in the 3D view first</source>
@@ -5315,12 +6587,20 @@
             <translation>Enviado à frente no máximo</translation>
         </message>
         <message>
+            <source>Setting</source>
+            <translation>Composição</translation>
+        </message>
+        <message>
             <source>Shape</source>
             <translation>Forma</translation>
         </message>
         <message>
             <source>Shape of the raw material</source>
             <translation>Como é a matéria-prima</translation>
+        </message>
+        <message>
+            <source>Shapes</source>
+            <translation>Formas</translation>
         </message>
         <message>
             <source>Sheet cut</source>
@@ -5333,6 +6613,10 @@
         <message>
             <source>Sheet, Y</source>
             <translation>Chapa, Y</translation>
+        </message>
+        <message>
+            <source>Shield</source>
+            <translation>Escudo</translation>
         </message>
         <message>
             <source>Shorter than</source>
@@ -5363,8 +6647,16 @@
             <translation>Lado em Y</translation>
         </message>
         <message>
+            <source>Sides</source>
+            <translation>Lados</translation>
+        </message>
+        <message>
             <source>Signals and pins</source>
             <translation>Sinais e pinos</translation>
+        </message>
+        <message>
+            <source>Simplified</source>
+            <translation>Simplificado</translation>
         </message>
         <message>
             <source>Simplify</source>
@@ -5383,6 +6675,18 @@
             <translation>Tamanho do quadrado e do círculo</translation>
         </message>
         <message>
+            <source>Slant</source>
+            <translation>Inclinação</translation>
+        </message>
+        <message>
+            <source>Slot</source>
+            <translation>Rasgo</translation>
+        </message>
+        <message>
+            <source>Slots and holes</source>
+            <translation>Rasgos e furos</translation>
+        </message>
+        <message>
             <source>Slower than published</source>
             <translation>Mais lento que o publicado</translation>
         </message>
@@ -5393,6 +6697,14 @@
         <message>
             <source>Small holes at a feed of their own</source>
             <translation>Furos pequenos com avanço próprio</translation>
+        </message>
+        <message>
+            <source>Smaller areas, in mm², are left out; 0: four pixels</source>
+            <translation>Áreas menores, em mm², são deixadas de fora; 0: quatro pixels</translation>
+        </message>
+        <message>
+            <source>Smooth</source>
+            <translation>Suavizar</translation>
         </message>
         <message>
             <source>Solids that hold the work down, which the tool must not touch</source>
@@ -5409,6 +6721,10 @@
         <message>
             <source>Spacing</source>
             <translation>Espaçamento</translation>
+        </message>
+        <message>
+            <source>Specks</source>
+            <translation>Manchas</translation>
         </message>
         <message>
             <source>Speed</source>
@@ -5443,8 +6759,16 @@
             <translation>Quadrado</translation>
         </message>
         <message>
+            <source>Square flange</source>
+            <translation>Flange quadrado</translation>
+        </message>
+        <message>
             <source>Squareness</source>
             <translation>Esquadro</translation>
+        </message>
+        <message>
+            <source>Star</source>
+            <translation>Estrela</translation>
         </message>
         <message>
             <source>Start</source>
@@ -5461,6 +6785,10 @@
         <message>
             <source>Starting</source>
             <translation>Iniciando</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>Estado</translation>
         </message>
         <message>
             <source>Steepest ramp</source>
@@ -5535,6 +6863,14 @@
             <translation>Parando…</translation>
         </message>
         <message>
+            <source>Style</source>
+            <translation>Estilo</translation>
+        </message>
+        <message>
+            <source>Sweep</source>
+            <translation>Abertura</translation>
+        </message>
+        <message>
             <source>Switch it on or off.</source>
             <translation>Ligar ou desligar.</translation>
         </message>
@@ -5551,8 +6887,20 @@
             <translation>S{0} anti-horário</translation>
         </message>
         <message>
+            <source>T-bracket</source>
+            <translation>Suporte em T</translation>
+        </message>
+        <message>
+            <source>T-slot</source>
+            <translation>Rasgo em T</translation>
+        </message>
+        <message>
             <source>Tabs</source>
             <translation>Pontes</translation>
+        </message>
+        <message>
+            <source>Tag</source>
+            <translation>Etiqueta</translation>
         </message>
         <message>
             <source>Take into the program</source>
@@ -5587,8 +6935,24 @@
             <translation>Usa como grampos os sólidos selecionados</translation>
         </message>
         <message>
+            <source>Taken out, drawn twice</source>
+            <translation>Retirado, desenhado duas vezes</translation>
+        </message>
+        <message>
+            <source>Taken out, tiny</source>
+            <translation>Retirado, minúsculo</translation>
+        </message>
+        <message>
             <source>Taper</source>
             <translation>Conicidade</translation>
+        </message>
+        <message>
+            <source>Teeth</source>
+            <translation>Dentes</translation>
+        </message>
+        <message>
+            <source>Text</source>
+            <translation>Texto</translation>
         </message>
         <message>
             <source>The G-code file that it is, which has nothing to do with the operations of its job</source>
@@ -5629,6 +6993,10 @@
         <message>
             <source>The clamps seen from above, at the height of their tops</source>
             <translation>Os grampos vistos de cima, na altura dos seus topos</translation>
+        </message>
+        <message>
+            <source>The colour in the file</source>
+            <translation>A cor no arquivo</translation>
         </message>
         <message>
             <source>The connection is being made.</source>
@@ -5707,6 +7075,10 @@
             <translation>O desenho que ela seguia, se foi excluído</translation>
         </message>
         <message>
+            <source>The drawing that the objects follow</source>
+            <translation>O desenho que os objetos seguem</translation>
+        </message>
+        <message>
             <source>The edge of the sheet at which the wire enters</source>
             <translation>A borda da chapa por onde o fio entra</translation>
         </message>
@@ -5755,6 +7127,10 @@
             <translation>A forma da fresa</translation>
         </message>
         <message>
+            <source>The groups around it in the file</source>
+            <translation>Os grupos em volta dele no arquivo</translation>
+        </message>
+        <message>
             <source>The height of the rapids between holes: G98 or G99</source>
             <translation>A altura dos rápidos entre furos: G98 ou G99</translation>
         </message>
@@ -5795,6 +7171,10 @@
             <translation>O último passe em profundidade, ap_acab; 0: nenhum</translation>
         </message>
         <message>
+            <source>The layer in the file</source>
+            <translation>A camada no arquivo</translation>
+        </message>
+        <message>
             <source>The length of all cuts</source>
             <translation>O comprimento de todos os cortes</translation>
         </message>
@@ -5805,6 +7185,10 @@
         <message>
             <source>The length of the cutting edges; 0: not given</source>
             <translation>O comprimento das arestas de corte; 0: não informado</translation>
+        </message>
+        <message>
+            <source>The length of the file's unit; 0: as the file says, or as its program usually means it</source>
+            <translation>O comprimento da unidade do arquivo; 0: como o arquivo diz, ou como seu programa costuma querer dizer</translation>
         </message>
         <message>
             <source>The length of the lead's line</source>
@@ -5899,6 +7283,10 @@
             <translation>O diâmetro menor que é cortado</translation>
         </message>
         <message>
+            <source>The name in the file</source>
+            <translation>O nome no arquivo</translation>
+        </message>
+        <message>
             <source>The nominal diameter; 0: that of each circle of the drawing</source>
             <translation>O diâmetro nominal; 0: o de cada círculo do desenho</translation>
         </message>
@@ -5917,6 +7305,10 @@
         <message>
             <source>The other end of the diagonal, before the rectangle is rotated</source>
             <translation>A outra ponta da diagonal, antes de o retângulo ser girado</translation>
+        </message>
+        <message>
+            <source>The outline seen from above, or the faces or the section at a height</source>
+            <translation>O contorno visto de cima, ou as faces ou a seção a uma altura</translation>
         </message>
         <message>
             <source>The parts and bodies that the clamps move with</source>
@@ -6017,6 +7409,10 @@
         <message>
             <source>The retract along the cut is being checked…</source>
             <translation>O caminho ao longo do corte está sendo verificado…</translation>
+        </message>
+        <message>
+            <source>The section of a beam, about the zero.</source>
+            <translation>A seção de uma viga, em torno do zero.</translation>
         </message>
         <message>
             <source>The share of the feed there</source>
@@ -6167,6 +7563,10 @@
             <translation>A largura do corte; 0: a da tabela de corte ou da ferramenta</translation>
         </message>
         <message>
+            <source>The width of the picture; 0: as its resolution says</source>
+            <translation>A largura da imagem; 0: como sua resolução diz</translation>
+        </message>
+        <message>
             <source>The wire stays this close to every drawn point; 0 keeps every point that bends the line</source>
             <translation>O arame fica a no máximo esta distância de cada ponto desenhado; 0 mantém todos os pontos que curvam a linha</translation>
         </message>
@@ -6195,6 +7595,14 @@
             <translation>Espessura</translation>
         </message>
         <message>
+            <source>Thickness of the flanges</source>
+            <translation>Espessura das mesas</translation>
+        </message>
+        <message>
+            <source>Thickness of the web</source>
+            <translation>Espessura da alma</translation>
+        </message>
+        <message>
             <source>This is cut by: {0}. The job's process is: {1}</source>
             <translation>Isto se corta por: {0}. O processo do trabalho é: {1}</translation>
         </message>
@@ -6209,6 +7617,10 @@
         <message>
             <source>Thread</source>
             <translation>Rosquear</translation>
+        </message>
+        <message>
+            <source>Threshold</source>
+            <translation>Limiar</translation>
         </message>
         <message>
             <source>Time</source>
@@ -6231,6 +7643,14 @@
             <translation>Cronometrando os movimentos…</translation>
         </message>
         <message>
+            <source>Tiny</source>
+            <translation>Minúscula</translation>
+        </message>
+        <message>
+            <source>Tiny contour</source>
+            <translation>Contorno minúsculo</translation>
+        </message>
+        <message>
             <source>Tip</source>
             <translation>Ponta</translation>
         </message>
@@ -6241,6 +7661,10 @@
         <message>
             <source>Tip diameter</source>
             <translation>Diâmetro da ponta</translation>
+        </message>
+        <message>
+            <source>To</source>
+            <translation>Até</translation>
         </message>
         <message>
             <source>To install the missing packages, type in a terminal, with Python {0}, and start FreeCAD again:</source>
@@ -6307,12 +7731,24 @@
             <translation>Correia dentada</translation>
         </message>
         <message>
+            <source>Top</source>
+            <translation>Topo</translation>
+        </message>
+        <message>
             <source>Torch off before</source>
             <translation>Desliga antes</translation>
         </message>
         <message>
             <source>Torque at speed</source>
             <translation>Torque por rotação</translation>
+        </message>
+        <message>
+            <source>Trace what is light instead of what is dark</source>
+            <translation>Traça o que é claro em vez do que é escuro</translation>
+        </message>
+        <message>
+            <source>Trapezoid</source>
+            <translation>Trapézio</translation>
         </message>
         <message>
             <source>Travel</source>
@@ -6339,6 +7775,10 @@
             <translation>Curso até</translation>
         </message>
         <message>
+            <source>Triangular plate</source>
+            <translation>Chapa triangular</translation>
+        </message>
+        <message>
             <source>Turns</source>
             <translation>Voltas</translation>
         </message>
@@ -6351,12 +7791,36 @@
             <translation>Voltas do motor por volta do fuso ou da polia</translation>
         </message>
         <message>
+            <source>Twice from the middle to a side</source>
+            <translation>Duas vezes do centro a um lado</translation>
+        </message>
+        <message>
+            <source>Two eyes and the bar that joins them along X; the first eye's hole is at the zero.</source>
+            <translation>Dois olhais e a barra que os une ao longo de X; o furo do primeiro olhal está no zero.</translation>
+        </message>
+        <message>
+            <source>Two flanges that an offset web joins, its left lower corner at the zero; a hole in each flange.</source>
+            <translation>Duas abas unidas por uma alma deslocada, o canto inferior esquerdo no zero; um furo em cada aba.</translation>
+        </message>
+        <message>
+            <source>Two legs up from a base, the zero in the middle of the base's lower edge; a hole in each leg.</source>
+            <translation>Duas abas acima de uma base, o zero no meio da borda inferior da base; um furo em cada aba.</translation>
+        </message>
+        <message>
             <source>Type a line: $$, $#, G0 X10</source>
             <translation>Digite uma linha: $$, $#, G0 X10</translation>
         </message>
         <message>
+            <source>U-bracket</source>
+            <translation>Suporte em U</translation>
+        </message>
+        <message>
             <source>Unfinished job…</source>
             <translation>Trabalho inacabado…</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>Unidade</translation>
         </message>
         <message>
             <source>Units</source>
@@ -6411,12 +7875,48 @@
             <translation>Jato de água</translation>
         </message>
         <message>
+            <source>What becomes one object</source>
+            <translation>O que vira um objeto</translation>
+        </message>
+        <message>
             <source>What is one step: a line of the program, a move, or a pulse of the motors</source>
             <translation>O que é um passo: uma linha do programa, um movimento ou um pulso dos motores</translation>
         </message>
         <message>
+            <source>What is written; several lines are set below each other</source>
+            <translation>O que se escreve; várias linhas ficam uma abaixo da outra</translation>
+        </message>
+        <message>
+            <source>What the height is measured of</source>
+            <translation>De que se mede a altura</translation>
+        </message>
+        <message>
+            <source>What the letters stand on</source>
+            <translation>Sobre o que as letras ficam</translation>
+        </message>
+        <message>
+            <source>What was found in it</source>
+            <translation>O que foi achado nele</translation>
+        </message>
+        <message>
+            <source>What was read</source>
+            <translation>O que foi lido</translation>
+        </message>
+        <message>
             <source>Where rapids travel across the work</source>
             <translation>Altura dos movimentos rápidos sobre a peça</translation>
+        </message>
+        <message>
+            <source>Where the arc begins; counter-clockwise from X</source>
+            <translation>Onde o arco começa; anti-horário a partir de X</translation>
+        </message>
+        <message>
+            <source>Where the line begins</source>
+            <translation>Onde a linha começa</translation>
+        </message>
+        <message>
+            <source>Where the line ends</source>
+            <translation>Onde a linha termina</translation>
         </message>
         <message>
             <source>Where the row begins, from the work zero</source>
@@ -6427,12 +7927,20 @@
             <translation>Onde a fileira termina</translation>
         </message>
         <message>
+            <source>Where the text stands about its zero, or on its line</source>
+            <translation>Onde o texto fica em torno de seu zero, ou em sua linha</translation>
+        </message>
+        <message>
             <source>Whether a laser's power follows its speed (M4)</source>
             <translation>Se a potência do laser acompanha a velocidade (M4)</translation>
         </message>
         <message>
             <source>Whether a slit through the part leads the wire into a closed hole</source>
             <translation>Se uma fenda através da peça leva o fio a um furo fechado</translation>
+        </message>
+        <message>
+            <source>Whether all of its chains are closed</source>
+            <translation>Se todos os seus contornos são fechados</translation>
         </message>
         <message>
             <source>Whether form, kerf and feeds are those of the job's cut chart</source>
@@ -6445,6 +7953,14 @@
         <message>
             <source>Whether the depth is that of the point or of the full diameter</source>
             <translation>Se a profundidade é a da ponta ou a do diâmetro pleno</translation>
+        </message>
+        <message>
+            <source>Whether the file fills it</source>
+            <translation>Se o arquivo o preenche</translation>
+        </message>
+        <message>
+            <source>Whether the file is as it was read</source>
+            <translation>Se o arquivo está como foi lido</translation>
         </message>
         <message>
             <source>Whether the last point joins the first</source>
@@ -6469,6 +7985,46 @@
         <message>
             <source>Width</source>
             <translation>Largura</translation>
+        </message>
+        <message>
+            <source>Width of each flange</source>
+            <translation>Largura de cada aba</translation>
+        </message>
+        <message>
+            <source>Width of the bar</source>
+            <translation>Largura da barra</translation>
+        </message>
+        <message>
+            <source>Width of the bars</source>
+            <translation>Largura das barras</translation>
+        </message>
+        <message>
+            <source>Width of the ears</source>
+            <translation>Largura das orelhas</translation>
+        </message>
+        <message>
+            <source>Width of the head</source>
+            <translation>Largura da cabeça</translation>
+        </message>
+        <message>
+            <source>Width of the key</source>
+            <translation>Largura da chaveta</translation>
+        </message>
+        <message>
+            <source>Width of the legs</source>
+            <translation>Largura das abas</translation>
+        </message>
+        <message>
+            <source>Width of the mouth</source>
+            <translation>Largura da boca</translation>
+        </message>
+        <message>
+            <source>Width of the shaft</source>
+            <translation>Largura da haste</translation>
+        </message>
+        <message>
+            <source>Width of the slot</source>
+            <translation>Largura do rasgo</translation>
         </message>
         <message>
             <source>Wire cut</source>
@@ -6535,12 +8091,20 @@
             <translation>Y, passos</translation>
         </message>
         <message>
+            <source>Z of the faces or of the section</source>
+            <translation>Z das faces ou da seção</translation>
+        </message>
+        <message>
             <source>Z times</source>
             <translation>Z vezes</translation>
         </message>
         <message>
             <source>Z, steps</source>
             <translation>Z, passos</translation>
+        </message>
+        <message>
+            <source>Z-bracket</source>
+            <translation>Suporte em Z</translation>
         </message>
         <message>
             <source>Zero's place</source>
@@ -6577,6 +8141,10 @@
         <message>
             <source>ae, recalculated to whole passes</source>
             <translation>ae, recalculada para passes inteiros</translation>
+        </message>
+        <message>
+            <source>all</source>
+            <translation>todas</translation>
         </message>
         <message>
             <source>all stand out equally</source>
@@ -6687,12 +8255,20 @@
             <translation>como publicado na dissertação</translation>
         </message>
         <message>
+            <source>at a height</source>
+            <translation>a uma altura</translation>
+        </message>
+        <message>
             <source>at the lower end</source>
             <translation>no extremo inferior</translation>
         </message>
         <message>
             <source>at the upper end</source>
             <translation>no extremo superior</translation>
+        </message>
+        <message>
+            <source>automatic</source>
+            <translation>automático</translation>
         </message>
         <message>
             <source>back along the cut</source>
@@ -6729,6 +8305,14 @@
         <message>
             <source>bull nose</source>
             <translation>fresa toroidal</translation>
+        </message>
+        <message>
+            <source>by contour</source>
+            <translation>por contorno</translation>
+        </message>
+        <message>
+            <source>by layer</source>
+            <translation>por camada</translation>
         </message>
         <message>
             <source>by numbers</source>
@@ -6987,6 +8571,10 @@
             <translation>aço rápido</translation>
         </message>
         <message>
+            <source>holes</source>
+            <translation>furos</translation>
+        </message>
+        <message>
             <source>how often, or which</source>
             <translation>quantas vezes, ou qual</translation>
         </message>
@@ -7069,6 +8657,10 @@
         <message>
             <source>make room in the folder for temporary files</source>
             <translation>libere espaço na pasta de arquivos temporários</translation>
+        </message>
+        <message>
+            <source>middle</source>
+            <translation>meio</translation>
         </message>
         <message>
             <source>mild steel</source>
@@ -7221,6 +8813,14 @@
         <message>
             <source>our planner</source>
             <translation>nosso planejador</translation>
+        </message>
+        <message>
+            <source>outline</source>
+            <translation>contorno</translation>
+        </message>
+        <message>
+            <source>outlines</source>
+            <translation>contornos</translation>
         </message>
         <message>
             <source>output</source>
@@ -7475,12 +9075,20 @@
             <translation>tabela de tempos de passo</translation>
         </message>
         <message>
+            <source>the capitals</source>
+            <translation>as maiúsculas</translation>
+        </message>
+        <message>
             <source>the cutter runs left of the path</source>
             <translation>a fresa corre à esquerda da trajetória</translation>
         </message>
         <message>
             <source>the cutter runs right of the path</source>
             <translation>a fresa corre à direita da trajetória</translation>
+        </message>
+        <message>
+            <source>the em (font size)</source>
+            <translation>o corpo da fonte (em)</translation>
         </message>
         <message>
             <source>the machine's own</source>
@@ -7591,6 +9199,10 @@
             <translation>{0} (editado)</translation>
         </message>
         <message>
+            <source>{0} (single lines)</source>
+            <translation>{0} (linhas únicas)</translation>
+        </message>
+        <message>
             <source>{0} = 0</source>
             <translation>{0} = 0</translation>
         </message>
@@ -7625,6 +9237,10 @@
         <message>
             <source>{0} has nothing to cut: add an operation</source>
             <translation>{0} não tem o que usinar: adicione uma operação</translation>
+        </message>
+        <message>
+            <source>{0} is as its file again</source>
+            <translation>{0} está de novo como seu arquivo</translation>
         </message>
         <message>
             <source>{0} is cut with it; choose another tool there first</source>
@@ -7667,6 +9283,14 @@
             <translation>{0} de {1} linhas, linha {2} do arquivo, enviado até a linha {3}</translation>
         </message>
         <message>
+            <source>{0} on layer '{1}' at X {2} Y {3}</source>
+            <translation>{0} na camada '{1}' em X {2} Y {3}</translation>
+        </message>
+        <message>
+            <source>{0} on layer '{1}' was left out: {2}</source>
+            <translation>{0} na camada '{1}' foi deixado de fora: {2}</translation>
+        </message>
+        <message>
             <source>{0} readings: mean {1:.4f} mm, standard deviation {2:.4f} mm</source>
             <translation>{0} leituras: média {1:.4f} mm, desvio padrão {2:.4f} mm</translation>
         </message>
@@ -7703,6 +9327,10 @@
             <translation>{0} ×</translation>
         </message>
         <message>
+            <source>{0} × {1} mm, layers: {2}, open contours: {3}, the file's unit: {4} mm</source>
+            <translation>{0} × {1} mm, camadas: {2}, contornos abertos: {3}, unidade do arquivo: {4} mm</translation>
+        </message>
+        <message>
             <source>{0}, cut until {1}</source>
             <translation>{0}, cortada até {1}</translation>
         </message>
@@ -7723,6 +9351,14 @@
             <translation>{0}:</translation>
         </message>
         <message>
+            <source>{0}: its file has changed; Reload in the tree takes it anew</source>
+            <translation>{0}: seu arquivo mudou; Recarregar na árvore o lê de novo</translation>
+        </message>
+        <message>
+            <source>{0}: its file is not there any more; what was read stays</source>
+            <translation>{0}: seu arquivo não está mais lá; o que foi lido fica</translation>
+        </message>
+        <message>
             <source>{0}: {1}</source>
             <translation>{0}: {1}</translation>
         </message>
@@ -7733,6 +9369,10 @@
         <message>
             <source>{0}× speed</source>
             <translation>velocidade {0}×</translation>
+        </message>
+        <message>
+            <source>… and {0} more</source>
+            <translation>… e mais {0}</translation>
         </message>
         <message>
             <source>… and {0} more lines</source>
@@ -9998,6 +11638,10 @@
             <translation>divida a linha</translation>
         </message>
         <message>
+            <source>bring it back, or choose another file</source>
+            <translation>traga-o de volta, ou escolha outro arquivo</translation>
+        </message>
+        <message>
             <source>bring it to Idle first</source>
             <translation>deixe-a antes em Idle (pronta)</translation>
         </message>
@@ -10070,8 +11714,8 @@
             <translation>verifique o cabo e a taxa (baud)</translation>
         </message>
         <message>
-            <source>check cable and power; home the machine or set its zero again before its next move</source>
-            <translation>verifique o cabo e a alimentação; referencie a máquina ou defina o zero de novo antes do próximo movimento</translation>
+            <source>check cable and power, then move the tool to the work zero and set it there before its next move</source>
+            <translation>verifique cabo e alimentação; depois leve a ferramenta ao zero-peça e defina-o ali antes do próximo movimento</translation>
         </message>
         <message>
             <source>check cable and power; home the machine or set its zero again before the next cut</source>
@@ -10914,8 +12558,16 @@
             <translation>avanços em tempo inverso viraram avanços por minuto</translation>
         </message>
         <message>
+            <source>find the cause, switch the lathe off and on, and set its zero by hand: its position is lost</source>
+            <translation>encontre a causa, desligue e ligue o torno e defina o zero à mão: a posição se perdeu</translation>
+        </message>
+        <message>
             <source>find the cause, then home the machine: its position is lost</source>
             <translation>encontre a causa e referencie a máquina: a posição se perdeu</translation>
+        </message>
+        <message>
+            <source>find the cause, then move the tool to the work zero and set it there: its position is lost</source>
+            <translation>encontre a causa, depois leve a ferramenta ao zero-peça e defina-o ali: a posição se perdeu</translation>
         </message>
         <message>
             <source>finish operation:</source>
@@ -11378,10 +13030,6 @@
             <translation>referencie a máquina de novo</translation>
         </message>
         <message>
-            <source>home the machine before its next move</source>
-            <translation>referencie a máquina antes do próximo movimento</translation>
-        </message>
-        <message>
             <source>home the machine or set its zero again</source>
             <translation>referencie a máquina ou defina seu zero de novo</translation>
         </message>
@@ -11426,10 +13074,6 @@
             <translation>se estava cortando, a posição é desconhecida: olhe a máquina e depois veja {session_file}</translation>
         </message>
         <message>
-            <source>import importlib.util, sys; sys.exit(importlib.util.find_spec({0}) is None)</source>
-            <translation>import importlib.util, sys; sys.exit(importlib.util.find_spec({0}) is None)</translation>
-        </message>
-        <message>
             <source>in absolute mode the control drives an axis without a word to 0</source>
             <translation>no modo absoluto o comando leva para 0 um eixo sem palavra</translation>
         </message>
@@ -11458,16 +13102,12 @@
             <translation>instale-o para o Python que verifica (python -m pip install NOME)</translation>
         </message>
         <message>
-            <source>install it: python -m pip install platformdirs</source>
-            <translation>instale-o: python -m pip install platformdirs</translation>
-        </message>
-        <message>
-            <source>install it: python -m pip install pyserial</source>
-            <translation>instale-o: python -m pip install pyserial</translation>
-        </message>
-        <message>
             <source>install it: python -m pip install spyrrow</source>
             <translation>instale-o: python -m pip install spyrrow</translation>
+        </message>
+        <message>
+            <source>install it: python -m pip install {package}</source>
+            <translation>instale-o: python -m pip install {package}</translation>
         </message>
         <message>
             <source>install them in one (python -m pip install {packages}), or set {variable} to a Python that has them</source>
@@ -12298,6 +13938,10 @@
             <translation>aumente o lado dele</translation>
         </message>
         <message>
+            <source>make one object of each layer</source>
+            <translation>faça um objeto de cada camada</translation>
+        </message>
+        <message>
             <source>make resolution_mm larger</source>
             <translation>aumente resolution_mm</translation>
         </message>
@@ -12530,6 +14174,10 @@
             <translation>leve a ferramenta ao zero da peça e defina-o ali</translation>
         </message>
         <message>
+            <source>move the tool to the work zero and set it there before its next move</source>
+            <translation>leve a ferramenta ao zero-peça e defina-o ali antes do próximo movimento</translation>
+        </message>
+        <message>
             <source>move the work zero {word} the {name} axis or make the program smaller</source>
             <translation>mova o zero-peça ({word}) no eixo {name} ou diminua o programa</translation>
         </message>
@@ -12624,6 +14272,10 @@
         <message>
             <source>name the machine (--machine)</source>
             <translation>indique a máquina (--machine)</translation>
+        </message>
+        <message>
+            <source>name the machine profile of the table that is wired to it (controller = "thesis-a")</source>
+            <translation>indique o perfil da máquina ligada a ela (controller = "thesis-a")</translation>
         </message>
         <message>
             <source>name the material, or write a [[tool]]</source>
@@ -13282,8 +14934,8 @@
             <translation>os planos são uma opção da compilação: omita-a, os arcos ficam em XY</translation>
         </message>
         <message>
-            <source>platformdirs is not installed</source>
-            <translation>o platformdirs não está instalado</translation>
+            <source>please report it, with the drawing</source>
+            <translation>por favor relate isso, com o desenho</translation>
         </message>
         <message>
             <source>please report it, with the program</source>
@@ -13362,6 +15014,10 @@
             <translation>só se volta pelos pulsos em pausa, não no estado {state}</translation>
         </message>
         <message>
+            <source>pulses, relays and trials of a rate: `cncstepper machine-test` does them</source>
+            <translation>pulsos, relés e ensaios de uma taxa: `cncstepper machine-test` os faz</translation>
+        </message>
+        <message>
             <source>put in tool {tool:g}</source>
             <translation>coloque a ferramenta {tool:g}</translation>
         </message>
@@ -13380,10 +15036,6 @@
         <message>
             <source>put the card in, then mount it with $FM</source>
             <translation>coloque o cartão e monte-o com $FM</translation>
-        </message>
-        <message>
-            <source>pyserial is not installed</source>
-            <translation>o pyserial não está instalado</translation>
         </message>
         <message>
             <source>radii and resolution must be positive</source>
@@ -13504,6 +15156,10 @@
         <message>
             <source>release_line goes with line</source>
             <translation>release_line acompanha line</translation>
+        </message>
+        <message>
+            <source>reload it</source>
+            <translation>recarregue-o</translation>
         </message>
         <message>
             <source>remove it as {user}; until then the position is unknown again at each connection</source>
@@ -13904,6 +15560,10 @@
         <message>
             <source>shorten the start-up line</source>
             <translation>encurte a linha de partida</translation>
+        </message>
+        <message>
+            <source>simplify it, or divide it</source>
+            <translation>simplifique-o, ou divida-o</translation>
         </message>
         <message>
             <source>simplify the solid, or end the script's loop</source>
@@ -14882,6 +16542,10 @@
             <translation>o desenho declara entidades que representam mais do que um texto curto</translation>
         </message>
         <message>
+            <source>the drawing failed by a fault of ours: {kind}: {fault}</source>
+            <translation>o desenho falhou por uma falha nossa: {kind}: {fault}</translation>
+        </message>
+        <message>
             <source>the drawing has no closed outline</source>
             <translation>o desenho não tem nenhum contorno fechado</translation>
         </message>
@@ -14916,6 +16580,14 @@
         <message>
             <source>the drawing reaches beyond the stock</source>
             <translation>o desenho passa do material</translation>
+        </message>
+        <message>
+            <source>the drawing takes more memory than there is</source>
+            <translation>o desenho precisa de mais memória do que há</translation>
+        </message>
+        <message>
+            <source>the drawing would become too many objects</source>
+            <translation>o desenho viraria objetos demais</translation>
         </message>
         <message>
             <source>the drawing {file} has no chains for the shape '{name}': {words}</source>
@@ -15112,6 +16784,14 @@
         <message>
             <source>the file needs a strip_height above 0 and a list of items</source>
             <translation>o arquivo precisa de um strip_height maior que 0 e de uma lista de items</translation>
+        </message>
+        <message>
+            <source>the file of the drawing has changed</source>
+            <translation>o arquivo do desenho mudou</translation>
+        </message>
+        <message>
+            <source>the file of the drawing is not there any more</source>
+            <translation>o arquivo do desenho não está mais lá</translation>
         </message>
         <message>
             <source>the file system can only be read</source>
@@ -15958,6 +17638,10 @@
             <translation>o processo que verifica o programa terminou sem resposta</translation>
         </message>
         <message>
+            <source>the process that reads drawings has ended</source>
+            <translation>o processo que lê desenhos terminou</translation>
+        </message>
+        <message>
             <source>the process that reads the last job has ended</source>
             <translation>o processo que lê o último trabalho terminou</translation>
         </message>
@@ -16176,6 +17860,10 @@
         <message>
             <source>the reading</source>
             <translation>a leitura</translation>
+        </message>
+        <message>
+            <source>the reading of the drawing</source>
+            <translation>a leitura do desenho</translation>
         </message>
         <message>
             <source>the reading of the last job</source>
@@ -17314,6 +19002,10 @@
             <translation>tente de novo; se continuar assim, o programa talvez precise de mais memória do que há</translation>
         </message>
         <message>
+            <source>try it again</source>
+            <translation>tente de novo</translation>
+        </message>
+        <message>
             <source>turn the program instead</source>
             <translation>gire o programa em vez disso</translation>
         </message>
@@ -17416,6 +19108,10 @@
         <message>
             <source>unlock it in the settings, or use another work system</source>
             <translation>destrave-o nas configurações, ou use outro sistema de coordenadas</translation>
+        </message>
+        <message>
+            <source>unlock it with $X</source>
+            <translation>destrave-o com $X</translation>
         </message>
         <message>
             <source>until then nothing but homing, jogging and setting the zero is safe</source>
@@ -18870,6 +20566,10 @@
             <translation>{name} é uma porta paralela, e a máquina é uma placa</translation>
         </message>
         <message>
+            <source>{name} is a parallel port, on which there is no controller</source>
+            <translation>{name} é uma porta paralela, em que não há controlador</translation>
+        </message>
+        <message>
             <source>{name} is between G5.2 and G5.3</source>
             <translation>{name} está entre G5.2 e G5.3</translation>
         </message>
@@ -19012,6 +20712,10 @@
         <message>
             <source>{owner} sets the zero from where the tool stands after moves of the path</source>
             <translation>{owner} define o zero a partir de onde a ferramenta está depois de movimentos do percurso</translation>
+        </message>
+        <message>
+            <source>{package} is not installed</source>
+            <translation>{package} não está instalado</translation>
         </message>
         <message>
             <source>{path} cannot be read: {error}</source>
@@ -19384,6 +21088,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_ImportDrawing</name>
+        <message>
+            <source>Brings in SVG, DXF, STEP, STL, pictures, points or G-code, linked to the file</source>
+            <translation>Traz SVG, DXF, STEP, STL, imagens, pontos ou código G, ligados ao arquivo</translation>
+        </message>
+        <message>
+            <source>Import drawing…</source>
+            <translation>Importar desenho…</translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_ImportTools</name>
         <message>
             <source>Adds the tools of FreeCAD's library or of a tool table</source>
@@ -19494,6 +21209,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_Shapes</name>
+        <message>
+            <source>Adds a shape by its dimensions: holes, slots, flanges, brackets</source>
+            <translation>Insere uma forma por suas dimensões: furos, rasgos, flanges, suportes</translation>
+        </message>
+        <message>
+            <source>Shapes…</source>
+            <translation>Formas…</translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_SheetCut</name>
         <message>
             <source>Cuts parts out of sheet by torch, laser, jet, knife or point</source>
@@ -19513,6 +21239,17 @@
         <message>
             <source>Checks the program of the job and shows what it cuts</source>
             <translation>Verifica o programa do trabalho e mostra o que ele usina</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Text</name>
+        <message>
+            <source>Adds a text in any font, or in single lines for engraving</source>
+            <translation>Insere um texto em qualquer fonte, ou em linhas únicas para gravar</translation>
+        </message>
+        <message>
+            <source>Text</source>
+            <translation>Texto</translation>
         </message>
     </context>
     <context>

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What core, stock and machine refuse of values, as sentences beside the fields; the rules stay in the core."""
+"""Refusals of values by core, stock and machine, as sentences at the fields; the rules are in the core."""
 
 from __future__ import annotations
 
@@ -27,6 +27,11 @@ BY_CODE = {  # of errors that speak of several keys
     "chart-consumable": "consumable",
     "chart-feed": "feed_mm_min",
     "process-machine": "process",
+    "font-unknown": "font",
+    "font-style": "style",
+    "text-glyph": "text",
+    "text-script": "text",
+    "text-empty": "text",
 }
 NOT_BETWEEN = later("must be 0, or at least {0}")
 SENTENCES = {
@@ -47,6 +52,14 @@ def model_of_type(obj: Any) -> Any:
         from CNCStepper.job.model import Job
 
         return Job
+    if proxy_type(obj) == "CNCStepper_Drawing":
+        from CNCStepper.job.shape_forms.drawing_form import DrawingForm
+
+        return DrawingForm
+    if proxy_type(obj) == "CNCStepper_Text":
+        from CNCStepper.job.shape_forms.text_form import TextForm
+
+        return TextForm
     if not getattr(obj.Proxy, "CYCLE", ""):
         return None
     from CNCStepper.cycles.catalogue import cycle_class

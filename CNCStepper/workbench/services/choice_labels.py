@@ -81,6 +81,17 @@ WORDS = {
     "xps": later("XPS foam"),
     "fr4": later("FR4 (glass fibre)"),
     "carbon-fibre": later("carbon fibre"),
+    "cap": later("the capitals"),
+    "em": later("the em (font size)"),
+    "center": later("middle"),
+    "all": later("all"),
+    "outlines": later("outlines"),
+    "outline": later("outline"),
+    "section": later("at a height"),
+    "holes": later("holes"),
+    "automatic": later("automatic"),
+    "layer": later("by layer"),
+    "chain": later("by contour"),
 }
 
 
