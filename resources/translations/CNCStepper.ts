@@ -11714,7 +11714,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>check cable and power; home the machine or set its zero again before its next move</source>
+            <source>check cable and power, then move the tool to the work zero and set it there before its next move</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12558,7 +12558,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>find the cause, switch the lathe off and on, and set its zero by hand: its position is lost</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>find the cause, then home the machine: its position is lost</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>find the cause, then move the tool to the work zero and set it there: its position is lost</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13019,10 +13027,6 @@
         </message>
         <message>
             <source>home the machine again</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>home the machine before its next move</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14170,6 +14174,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>move the tool to the work zero and set it there before its next move</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>move the work zero {word} the {name} axis or make the program smaller</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14263,6 +14271,10 @@
         </message>
         <message>
             <source>name the machine (--machine)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>name the machine profile of the table that is wired to it (controller = "thesis-a")</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14999,6 +15011,10 @@
         </message>
         <message>
             <source>pulses can be retracted only in a hold, not in state {state}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>pulses, relays and trials of a rate: `cncstepper machine-test` does them</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19094,6 +19110,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>unlock it with $X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>until then nothing but homing, jogging and setting the zero is safe</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20543,6 +20563,10 @@
         </message>
         <message>
             <source>{name} is a parallel port, and the machine is a board</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} is a parallel port, on which there is no controller</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -11714,8 +11714,8 @@
             <translation>verifique o cabo e a taxa (baud)</translation>
         </message>
         <message>
-            <source>check cable and power; home the machine or set its zero again before its next move</source>
-            <translation>verifique o cabo e a alimentação; referencie a máquina ou defina o zero de novo antes do próximo movimento</translation>
+            <source>check cable and power, then move the tool to the work zero and set it there before its next move</source>
+            <translation>verifique cabo e alimentação; depois leve a ferramenta ao zero-peça e defina-o ali antes do próximo movimento</translation>
         </message>
         <message>
             <source>check cable and power; home the machine or set its zero again before the next cut</source>
@@ -12558,8 +12558,16 @@
             <translation>avanços em tempo inverso viraram avanços por minuto</translation>
         </message>
         <message>
+            <source>find the cause, switch the lathe off and on, and set its zero by hand: its position is lost</source>
+            <translation>encontre a causa, desligue e ligue o torno e defina o zero à mão: a posição se perdeu</translation>
+        </message>
+        <message>
             <source>find the cause, then home the machine: its position is lost</source>
             <translation>encontre a causa e referencie a máquina: a posição se perdeu</translation>
+        </message>
+        <message>
+            <source>find the cause, then move the tool to the work zero and set it there: its position is lost</source>
+            <translation>encontre a causa, depois leve a ferramenta ao zero-peça e defina-o ali: a posição se perdeu</translation>
         </message>
         <message>
             <source>finish operation:</source>
@@ -13020,10 +13028,6 @@
         <message>
             <source>home the machine again</source>
             <translation>referencie a máquina de novo</translation>
-        </message>
-        <message>
-            <source>home the machine before its next move</source>
-            <translation>referencie a máquina antes do próximo movimento</translation>
         </message>
         <message>
             <source>home the machine or set its zero again</source>
@@ -14170,6 +14174,10 @@
             <translation>leve a ferramenta ao zero da peça e defina-o ali</translation>
         </message>
         <message>
+            <source>move the tool to the work zero and set it there before its next move</source>
+            <translation>leve a ferramenta ao zero-peça e defina-o ali antes do próximo movimento</translation>
+        </message>
+        <message>
             <source>move the work zero {word} the {name} axis or make the program smaller</source>
             <translation>mova o zero-peça ({word}) no eixo {name} ou diminua o programa</translation>
         </message>
@@ -14264,6 +14272,10 @@
         <message>
             <source>name the machine (--machine)</source>
             <translation>indique a máquina (--machine)</translation>
+        </message>
+        <message>
+            <source>name the machine profile of the table that is wired to it (controller = "thesis-a")</source>
+            <translation>indique o perfil da máquina ligada a ela (controller = "thesis-a")</translation>
         </message>
         <message>
             <source>name the material, or write a [[tool]]</source>
@@ -15000,6 +15012,10 @@
         <message>
             <source>pulses can be retracted only in a hold, not in state {state}</source>
             <translation>só se volta pelos pulsos em pausa, não no estado {state}</translation>
+        </message>
+        <message>
+            <source>pulses, relays and trials of a rate: `cncstepper machine-test` does them</source>
+            <translation>pulsos, relés e ensaios de uma taxa: `cncstepper machine-test` os faz</translation>
         </message>
         <message>
             <source>put in tool {tool:g}</source>
@@ -19094,6 +19110,10 @@
             <translation>destrave-o nas configurações, ou use outro sistema de coordenadas</translation>
         </message>
         <message>
+            <source>unlock it with $X</source>
+            <translation>destrave-o com $X</translation>
+        </message>
+        <message>
             <source>until then nothing but homing, jogging and setting the zero is safe</source>
             <translation>até lá só é seguro referenciar, mover manualmente e definir o zero</translation>
         </message>
@@ -20544,6 +20564,10 @@
         <message>
             <source>{name} is a parallel port, and the machine is a board</source>
             <translation>{name} é uma porta paralela, e a máquina é uma placa</translation>
+        </message>
+        <message>
+            <source>{name} is a parallel port, on which there is no controller</source>
+            <translation>{name} é uma porta paralela, em que não há controlador</translation>
         </message>
         <message>
             <source>{name} is between G5.2 and G5.3</source>
