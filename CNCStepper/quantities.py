@@ -136,7 +136,7 @@ class Bounds:
     def refusal(self, value: Any, says: str, place: Place | None = None) -> JobError:
         """Return the error for a value that is not allowed; `says` is how its key or option is called."""
         is_number = isinstance(value, int | float) and not isinstance(value, bool)
-        what = Text("{says} is out of its bounds", says=says) if is_number else Text("{says} is no number", says=says)
+        what = Text("{says} is out of range", says=says) if is_number else Text("{says} is no number", says=says)
         said = with_unit(value, self.unit) if is_number else shown(value)
         return JobError("quantity", what, value=said, limit=self.words, advice=self.advice, place=place)
 

@@ -44,7 +44,8 @@ def passed(output: str) -> int:
 
 
 @pytest.mark.freecad
-@pytest.mark.parametrize("locale", [pytest.param("C.UTF-8", marks=pytest.mark.matrix), "pt_BR.UTF-8"])
+@pytest.mark.matrix
+@pytest.mark.parametrize("locale", ["C.UTF-8", "pt_BR.UTF-8"])
 def test_the_workbench_inside_freecad(locale: str, tmp_path: Path) -> None:
     environment = {"LC_ALL": locale} | ({} if locale.startswith("C.") else {"LOCPATH": str(LOCALES)})
     result = run_inside(tmp_path, **environment)

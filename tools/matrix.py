@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """`make matrix`: the tests inside FreeCAD 0.20.2, 1.0.0 and 1.1.3, without and with a window; run by .venv's Python.
 
-What is asked for on the command line (versions) is all that runs, a run a core at a time; what each says is printed
-when it has ended, and stays in build/matrix. It goes on to the end whatever fails. Tests in a window that failed beside
-another window are then run once more, alone, in a FreeCAD of their own: a fault is there again, a shared core is not.
-At last a table says what failed, and the exit status is 0 only when all of it passed. The system's FreeCAD is used
-where it is the version that is asked for, and runs too when it is none of them; the others are set up once for all
-checkouts of a user (freecad_root.sh).
+What is asked for on the command line (versions) is all that runs, three runs on two cores: each waits part of its time
+for machines, screens and answers. What each says is printed when it has ended, and stays in build/matrix. It goes on to
+the end whatever fails. Tests in a window that failed beside another window are then run once more, alone, in a FreeCAD
+of their own: a fault is there again, a shared core is not. At last a table says what failed, and the exit status is 0
+only when all of it passed. The system's FreeCAD is used where it is the version that is asked for, and runs too when it
+is none of them; the others are set up once for all checkouts of a user (freecad_root.sh).
 """
 
 from __future__ import annotations
@@ -27,14 +27,16 @@ from typing import IO
 
 ROOT = Path(__file__).resolve().parents[1]
 VERSIONS = ("0.20.2", "1.0.0", "1.1.3")  # from old to new: each opens the documents of those before it
-SET_UP, HEADLESS, TIMED, EMPTY_HOME = "set up", "headless", "timed", "empty home"
+SET_UP, DOCUMENTS, HEADLESS, TIMED, EMPTY_HOME = "set up", "documents", "headless", "timed", "empty home"
 KINDS = ("plain", "scaled", "portuguese", "bare", TIMED)
-NAMES = (HEADLESS, EMPTY_HOME, *KINDS)  # the table's columns
+NAMES = (DOCUMENTS, HEADLESS, EMPTY_HOME, *KINDS)  # the table's columns
+DOCUMENT_TESTS = str(ROOT / "tests" / "freecad" / "test_documents.py")
 SECONDS = {"plain": 450, HEADLESS: 120, "scaled": 100, EMPTY_HOME: 70, SET_UP: 60}  # about; the longest begin first
 OTHERS_S = 40
 AGAIN = ", alone"  # how what failed runs once more
 HEADLESS_LIMIT_S = 900
-LANES = max(1, min(4, os.cpu_count() or 1))  # runs at a time
+LANES = min(4, 3 * (os.cpu_count() or 1) // 2)  # runs at a time
+COMMA = {"LC_ALL": "pt_BR.UTF-8", "LOCPATH": str(ROOT / ".venv" / "locale")}  # which only this system has
 LOGS = ROOT / "build" / "matrix"
 Key = tuple[str, str]  # a version and what is run of it
 Act = Callable[[IO[str]], bool]  # takes the file for what it says
@@ -84,17 +86,17 @@ def with_system(at_system: str) -> list[str]:
 def follows(chosen: list[str]) -> dict[Key, tuple[Key, ...]]:
     """Return all runs, each with those that it waits for.
 
-    Headless is first: that compiles the kernels, which the windows then find. A FreeCAD that opens the documents of the
-    older ones waits for them.
+    Headless is first: that compiles the kernels, which the others then find. What opens the documents of an older
+    FreeCAD (DOCUMENTS, and TIMED in the window) waits for those.
     """
     found: dict[Key, tuple[Key, ...]] = {}
     for place, version in enumerate(chosen):
-        older = chosen[max(0, place - 1) : place]
         found[version, SET_UP] = ()
-        found[version, HEADLESS] = ((version, SET_UP), *((before, HEADLESS) for before in older))
-        found[version, EMPTY_HOME] = ((version, SET_UP),)
-        found |= {(version, kind): ((version, HEADLESS),) for kind in KINDS}
-        found[version, TIMED] += tuple((before, TIMED) for before in older)  # it makes and opens the documents
+        found |= {(version, name): ((version, SET_UP),) for name in (HEADLESS, EMPTY_HOME)}
+        found |= {(version, name): ((version, HEADLESS),) for name in (DOCUMENTS, *KINDS)}
+        for before in chosen[max(0, place - 1) : place]:
+            found[version, DOCUMENTS] += ((before, DOCUMENTS),)
+            found[version, TIMED] += ((before, TIMED),)
     return found
 
 
@@ -161,7 +163,9 @@ def all_acts(rows: dict[str, Row], at_system: str, folder: Path) -> dict[Key, Ac
         where = "host" if version == at_system else version
         older = list(rows)[: list(rows).index(version)]
         acts[version, SET_UP] = partial(set_up, rows[version], where)
-        acts[version, HEADLESS] = partial(headless, where, documents(folder / "headless", older))
+        given = documents(folder / "headless", older)
+        acts[version, DOCUMENTS] = partial(headless, where, {**given, "CNCSTEPPER_PYTEST": DOCUMENT_TESTS})
+        acts[version, HEADLESS] = partial(headless, where, {})
         acts[version, EMPTY_HOME] = partial(followed, where)
         acts |= {(version, kind): partial(window, where, kind, documents(folder / "window", older)) for kind in KINDS}
     return acts
@@ -217,9 +221,10 @@ def failed_tests(log: str) -> list[str]:
 
 
 def headless(where: str, environment: dict[str, str], log: IO[str]) -> bool:
-    """Run tests/freecad inside headless FreeCAD."""
+    """Run tests/freecad inside headless FreeCAD, in the system's under a locale with a decimal comma."""
+    locale = COMMA if where == "host" else {}
     with tempfile.TemporaryDirectory(dir="/tmp") as home:
-        command = freecadcmd(where, "tests/freecad/run.py", {"FREECAD_USER_HOME": home, **environment})
+        command = freecadcmd(where, "tests/freecad/run.py", {"FREECAD_USER_HOME": home, **locale, **environment})
         try:
             run = subprocess.run(command, cwd=ROOT, timeout=HEADLESS_LIMIT_S, stdout=log, stderr=log)
             return run.returncode == 0

@@ -62,11 +62,11 @@ NO_SENTENCES = {
     "path_commands.py",
     "message_translation.py",
 }  # labels in pictures; what puts these together
-DECLARATIONS = re.compile(r"/cycles/(.*_parameters|parameter)\.py$")  # their texts are those of properties
+DECLARATIONS = re.compile(r"/(cycles/(.*_parameters|parameter)|job/shape_forms/text_parameters)\.py$")
 MARKED = {"tr", "later", "QT_TRANSLATE_NOOP"}
 # lines of grbl, code, styles, names, pieces, and the calls of `gcode/interpreter/canonical_trace.py`
 NO_SENTENCE = re.compile(
-    r"^\[[A-Z]+:|^Grbl |[\n|\\]|\{ |px|: \{0\};|^User parameter|^\*\.|^\s|^, |\s$|^[A-Z][A-Z0-9_]+\("
+    r"^\[[A-Z]+:|^import |^Grbl |[\n|\\]|\{ |px|: \{0\};|^User parameter|^\*\.|^\s|^, |\s$|^[A-Z][A-Z0-9_]+\("
 )
 SHOWN_BY = {
     "setText", "setToolTip", "setWindowTitle", "setTitle", "setPlaceholderText", "setStatusTip", "setWhatsThis",
@@ -105,26 +105,41 @@ def texts() -> dict[Text, str]:
     """Return every text that a person sees, with the place where it stands first."""
     found: dict[Text, str] = {}
     for path in sources():
-        for text, line in texts_of(path.read_text("utf-8"), in_features=path.parent.name == "features"):
+        for text, line in texts_of(path.read_text("utf-8"), in_features="features" in path.parts):
             found.setdefault(text, f"{path.relative_to(ROOT).as_posix()}:{line}")
     for path in core_sources():
         for sentence, line in sentences_of(path.read_text("utf-8")):
             found.setdefault(Text(CORE, sentence), f"{path.relative_to(ROOT).as_posix()}:{line}")
     for text, cycle in declared_texts():
         found.setdefault(text, f"parameters of {cycle}")
+    for text, kind in library_texts():
+        found.setdefault(text, f"the shape {kind}")
     return found
 
 
 def declared_texts() -> Iterator[tuple[Text, str]]:
-    """Yield the texts of all properties of operations, and the name of the cycle."""
+    """Yield the texts of all properties that follow from declarations, and the type of the object."""
     sys.path.append(str(ROOT))
     from CNCStepper.workbench.features.catalogue import KINDS
+    from CNCStepper.workbench.features.drawings.text import Text as TextObject
 
-    for kind in KINDS:
+    for kind in (*KINDS, TextObject):
         for entry in kind.PROPERTIES:
             shown = {entry.group, entry.label, entry.text}
-            yield from ((Text(context, text), kind.CYCLE) for context in (OURS, PROPERTY) for text in sorted(shown))
-            yield Text(PROPERTY, spaced(entry.name)), kind.CYCLE
+            yield from ((Text(context, text), kind.Type) for context in (OURS, PROPERTY) for text in sorted(shown))
+            yield Text(PROPERTY, spaced(entry.name)), kind.Type
+
+
+def library_texts() -> Iterator[tuple[Text, str]]:
+    """Yield the texts of the library of basic shapes, and the name of the shape."""
+    sys.path.append(str(ROOT))
+    from CNCStepper.drawing.shape_library.shape_families import FAMILIES, shapes_of
+
+    for title in FAMILIES:
+        yield Text(OURS, title), title
+        for shape in shapes_of(title):
+            dimensions = [dimension.title for dimension in shape.dimensions.values()]
+            yield from ((Text(OURS, text), shape.kind) for text in (shape.title, shape.about, *dimensions))
 
 
 def sentences_of(source: str) -> Iterator[tuple[str, int]]:

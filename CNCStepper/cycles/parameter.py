@@ -117,7 +117,7 @@ PATTERN_ANGLE = Parameter(CUT, "Angle", "From X to the lines of the pattern", on
 FINISH_STEPDOWN = Parameter(FINISH, "Last stepdown", "The last pass in depth, ap_acab; 0: none", 0.2)
 FINISH_STEPOVER = Parameter(FINISH, "Last stepover", "The last pass at the wall, ae_acab; 0: none", 0.3)
 FINISH_FEED = Parameter(FINISH, "Wall feed", "The feed of the last pass at the wall; 0: the tool's own feed")
-STOCK_TO_LEAVE = Parameter(FINISH, "Stock to leave", "What stays at the wall, for another operation to take")
+STOCK_TO_LEAVE = Parameter(FINISH, "Stock to leave", "Stock to leave at the wall for another operation")
 TOLERANCE = Parameter(PATH, "Tolerance", "How far the wall may be off the drawing")
 ENTRY = Parameter(PATH, "Entry", "How the tool goes down", row=1)
 ENTRY_ANGLE = Parameter(

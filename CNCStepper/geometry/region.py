@@ -186,5 +186,5 @@ def _bounds(curves: Sequence[Curve], outlines: int) -> Bundle:
         "region-tangle",
         "outlines and islands lie too close to each other to be told apart",
         value=f"near {x:g}, {y:g}",
-        advice=Text("let them coincide, or keep them {small_mm:g} mm apart", small_mm=SMALL_MM[-1]),
+        advice=Text("make them coincide, or keep them {small_mm:g} mm apart", small_mm=SMALL_MM[-1]),
     )

@@ -23,7 +23,7 @@ class Unfitted(GeometryError):
     """Lines are not fitted yet; `question` is the request for them to the cut process."""
 
     def __init__(self, question: dict[str, Any]):
-        super().__init__("unfitted", "the lines are being fitted", advice="it goes on by itself")
+        super().__init__("unfitted", "the lines are being fitted", advice="it resumes without a person")
         self.question = question
 
 

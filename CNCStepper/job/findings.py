@@ -133,9 +133,7 @@ def _notes(job: Job, machine: Machine, file: str) -> Iterator[Finding]:
         )
     if machine.tool_length == "table":
         for tool in (tool for tool in job.tool if tool.length_offset_mm is None):
-            text = Text(
-                "the length offset of tool {tool_number} is not known, it is taken as 0", tool_number=tool.number
-            )
+            text = Text("the length offset of tool {tool_number} is unknown; 0 is assumed", tool_number=tool.number)
             yield Finding("info", "tool-length", Place(file), text, "give the tool its length_offset_mm")
 
 
@@ -164,4 +162,4 @@ def _warnings(places: Sequence[Place], answers: Sequence[Answer], stock: Stock) 
         if stock.outline.buffer(ON_EDGE_MM).covers(wanted_area(answer)):
             continue
         advice = "move the shape or the work zero, or take larger stock"
-        yield Finding("warning", "beside-stock", place, "part of the drawn shape lies beside the stock", advice)
+        yield Finding("warning", "beside-stock", place, "part of the drawn shape is beside the stock", advice)

@@ -61,7 +61,7 @@ def check_letters(letters: LetterFile, machine: Machine) -> None:
     Where it will stand is not known here: the whole way must fit into the travel. Raises MachineRefusal.
     """
     if not makes_pulses(machine):
-        what = Text("{machine} takes no pulse letters", machine=machine.name)
+        what = Text("{machine} accepts no pulse letters", machine=machine.name)
         advice = "send them to a machine whose pulses this computer makes"
         raise MachineRefusal("letters-machine", what, value=machine.controller, advice=advice)
     for number, name in enumerate(AXIS_NAMES):

@@ -21,6 +21,7 @@ from CNCStepper.control.protocol.grbl.settings import expected_settings
 from CNCStepper.errors import JobError
 from CNCStepper.gcode.interpreter.functions.coordinate_offsets import HOMES
 from CNCStepper.gcode.interpreter.interpret import interpret
+from CNCStepper.gcode.syntax.words import code_pattern
 from CNCStepper.gcode.wire.backlash_compensation import backlash_of
 from CNCStepper.gcode.wire.wire_text import WireText
 from CNCStepper.job.proof_inputs import Given
@@ -189,7 +190,7 @@ def _play_in(content: Mapping[str, Any]) -> Backlash | None:
     told = content["wire"].get("play")
     play = _PLAY.validate_python(told) if told is not None else None
     if play and {len(play.backlash_mm), len(play.true_sense), len(play.steps_per_mm)} != {len(ZERO3)}:
-        raise ValueError("play is told of three axes")
+        raise ValueError("backlash has three values, one for each axis")
     return play
 
 
@@ -198,7 +199,7 @@ def _part_of(certificate: Certificate, read: Callable[[Mapping[str, Any]], Read]
     try:
         return read(certificate.content)
     except (AttributeError, KeyError, TypeError, ValueError) as error:
-        what = "the certificate holds what no proof has"
+        what = "the certificate has an entry that no proof has"
         raise JobError("certificate-bad", what, value=str(error)[:60], advice=CHECK_AGAIN) from error
 
 
@@ -276,7 +277,7 @@ def _places(start: Start, lines: Sequence[str]) -> dict[str, tuple[float, ...]]:
         name: tuple(start.parameters[first + axis] * start.machine_unit_mm for axis in range(len(ZERO3)))
         for name, first in HOMES.items()
         if all(first + axis in start.parameters for axis in range(len(ZERO3)))
-        and any(re.search(rf"{name}(?![.\d])", line) for line in lines)
+        and any(re.search(code_pattern("G", name[1:]), line) for line in lines)
     }
 
 

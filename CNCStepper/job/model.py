@@ -393,7 +393,7 @@ def load_job(path: Path, share: Share = lambda share: None) -> tuple[Job, Machin
     """
     job = read_job(path, share)
     if not job.operation:
-        what, advice = "the job has no operation", "write what is to be cut as [[operation]]"
+        what, advice = "the job has no operation", "write the cuts as [[operation]]"
         raise JobError("operation-missing", what, advice=advice, place=Place(str(path)))
     with placed(Place(str(path))):
         return job, load_machine(_machine_name(job.machine, path.parent))

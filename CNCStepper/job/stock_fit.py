@@ -69,7 +69,7 @@ def region_outside_stock(parts: Iterable[np.ndarray], stock: Stock) -> Finding |
     if not len(points) or outside_mm.max() <= ON_EDGE_MM:
         return None
     text, advice = (
-        "part of the drawn shape lies beside the stock",
+        "part of the drawn shape is beside the stock",
         "move the shape or the work zero, or take larger stock",
     )
     return Finding("warning", "beside-stock", Place(""), text, advice, value=float(outside_mm.max()), unit="mm")
@@ -85,7 +85,7 @@ def _outermost(points: np.ndarray, stock: Stock) -> np.ndarray:
 @singledispatch
 def drawn(cycle: Any) -> list[np.ndarray]:
     """Return what an operation follows, as points float64[n, 2] of each line; nothing where the stock gives it."""
-    raise TypeError(Text("what {kind} follows is not known", kind=type(cycle).__name__))
+    raise TypeError(Text("the curve that {kind} follows is unknown", kind=type(cycle).__name__))
 
 
 @drawn.register(Pocket)

@@ -134,7 +134,7 @@ def _flute_remarks(tool: Tool) -> Iterator[Remark]:
     """Yield that the flutes are guessed, where the feed or the speed comes of them."""
     if not tool.flutes and not (tool.feed_mm_min and tool.spindle_rpm):
         text = Text(
-            "the {tool} tool does not say how many flutes it has; its feed is reckoned with {usual_flutes}",
+            "the {tool} tool has no number of flutes; its feed is calculated with {usual_flutes}",
             tool=tool.words,
             usual_flutes=USUAL_FLUTES,
         )

@@ -29,6 +29,7 @@ from CNCStepper.machine.cut_data import CutData
 from CNCStepper.quantities import MOST_ITEMS, Bounds
 from CNCStepper.safe_text import printable
 from CNCStepper.units import MM_PER_INCH, UNIT_MM
+from CNCStepper.word_pattern import DECIMAL
 
 MOST_BYTES, LONGEST_NUMBER = 4_000_000, 40
 LARGEST_NUMBER = 999_999  # from 1000000 QtPlasmaC numbers its temporary materials
@@ -52,7 +53,7 @@ MANDATORY = ("PIERCE_HEIGHT", "PIERCE_DELAY", "CUT_HEIGHT", "CUT_SPEED")
 HELD = {"process", "material", "thickness_mm", "consumable", "number", "name", *(key for key, _ in KEYS.values())}
 SECTION = re.compile(r"\[MATERIAL_NUMBER_(\d{1,12})\]")
 UNITS_LINE = re.compile(r"#\s*units:\s*(mm|inch)\b", re.IGNORECASE)
-NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d{1,3})?")
+NUMBER = re.compile(rf"{DECIMAL}(?:[eE][-+]?\d{{1,3}})?")
 THICKNESS = re.compile(
     r"(?<![\w.,/])(?:(?P<whole>\d{1,3})[ -](?=\d+/))?(?P<number>\d{1,4}/\d{1,4}|\d{1,5}(?:[.,]\d{1,4})?|[.]\d{1,4})"
     r"\s*(?P<unit>mm\b|inch\b|in\b|\"|ga(?:uge)?\b|gage\b)?",
@@ -129,7 +130,7 @@ def _new_number(number: int, seen: set[int], place: Place) -> int:
     if number in seen:
         raise JobError(
             "material-file",
-            "a material number stands twice",
+            "a material number is used twice",
             value=f"{number}",
             advice="give each material its own number",
             place=place,
@@ -165,7 +166,7 @@ def _take_word(line: str, words: dict[str, str], place: Place, inside: bool) -> 
     if key in words:
         raise JobError(
             "material-file",
-            Text("{key} stands twice in one material", key=key),
+            Text("{key} is twice in one material", key=key),
             advice="take one of them out",
             place=place,
         )
@@ -326,7 +327,7 @@ def _numbers(rows: Sequence[CutData], place: Place) -> list[int]:
     if twice:
         raise JobError(
             "material-file",
-            "a material number stands twice",
+            "a material number is used twice",
             value=f"{twice}",
             advice="give each row its own number",
             place=place,

@@ -31,6 +31,9 @@ from CNCStepper.workbench import packages
 from CNCStepper.workbench.document import program_file
 from CNCStepper.workbench.features.base import Feature, edit, require_parts
 from CNCStepper.workbench.features.catalogue import operation_class
+from CNCStepper.workbench.features.drawings.drawing import Drawing
+from CNCStepper.workbench.features.drawings.shape import Shape
+from CNCStepper.workbench.features.drawings.text import Text as TextObject
 from CNCStepper.workbench.features.freehand import Freehand
 from CNCStepper.workbench.features.job import Job
 from CNCStepper.workbench.features.preview import Preview
@@ -41,18 +44,23 @@ if TYPE_CHECKING:
     from CNCStepper.job.model import Job as Model
 
 __all__ = [
+    "add_drawing",
     "add_elliptical_pocket",
     "add_engrave",
     "add_freehand",
     "add_operation",
+    "add_shape",
+    "add_text",
     "add_tool",
     "chart_tool",
     "edit",
     "edit_program",
+    "import_drawing",
     "import_tools",
     "job_model",
     "new_job",
     "program_text",
+    "reload_drawing",
     "require_valid",
     "save_program",
 ]
@@ -162,11 +170,68 @@ def load_program(job: Any, path: str | Path) -> Any:
 
 
 def add_freehand(
-    document: Any, points_mm: Iterable[Sequence[float]], tolerance_mm: float = 0.0, closed: bool = False
+    document: Any,
+    points_mm: Iterable[Sequence[float]],
+    tolerance_mm: float = 0.0,
+    closed: bool = False,
+    smooth_mm: float = 0.0,
 ) -> Any:
     """Return a new CNCStepper_Freehand through points (X, Y or X, Y, Z) in drawing order."""
-    values = {"points_mm": list(points_mm), "tolerance_mm": tolerance_mm, "closed": closed}
+    values = {"points_mm": list(points_mm), "tolerance_mm": tolerance_mm, "smooth_mm": smooth_mm, "closed": closed}
     return _add(document, "Part::FeaturePython", Freehand, values)
+
+
+def add_drawing(document: Any, path: str | Path, **values: Any) -> Any:
+    """Return a new CNCStepper_Drawing of a file, an empty group until it is read; `values` by its keys."""
+    return _add(document, "App::DocumentObjectGroupPython", Drawing, {"file": str(Path(path).absolute()), **values})
+
+
+def import_drawing(document: Any, path: str | Path, **values: Any) -> Any:
+    """Return a new CNCStepper_Drawing with the objects that its file holds.
+
+    Raises JobError for a file that cannot be read or a bad value, and adds nothing.
+    """
+    packages.require()
+    from CNCStepper.workbench.document.drawing_files import read_now
+
+    obj = add_drawing(document, path, **values)
+    try:
+        read_now(obj)
+    except CNCStepperError:
+        document.removeObject(obj.Name)
+        raise
+    obj.Label = Path(path).stem
+    return obj
+
+
+def reload_drawing(obj: Any) -> None:
+    """Read the file of a CNCStepper_Drawing again; its objects keep their names. Raises JobError, changing nothing."""
+    packages.require()
+    from CNCStepper.workbench.document.drawing_files import read_now
+
+    read_now(obj)
+
+
+def add_shape(document: Any, kind: str, **values: Any) -> Any:
+    """Return a new CNCStepper_Shape of a kind of the library; `values` are dimensions by the keys of job files.
+
+    Raises JobError for an unknown kind or key and a bad value, and adds nothing.
+    """
+    packages.require()
+    obj = document.addObject("Part::FeaturePython", Shape.Type)
+    try:
+        Shape(obj).become(obj, kind)
+        edit(obj, **values)
+    except CNCStepperError:
+        document.removeObject(obj.Name)
+        raise
+    obj.Label = kind
+    return obj
+
+
+def add_text(document: Any, text: str, **values: Any) -> Any:
+    """Return a new CNCStepper_Text; `values` by the keys of a text in job files, and `along` with its line or arc."""
+    return _add(document, "Part::FeaturePython", TextObject, {"text": text, **values})
 
 
 def require_valid(job: Any) -> None:

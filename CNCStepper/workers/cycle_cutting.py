@@ -13,6 +13,8 @@ before. Each line on standard output is about the newest:
                                                                           the first operation of the job
     {"key": KEY, "answer": {"texts": [[name, text]], "paths": [text]}}    of a PART {"program": job, "machine": machine,
                                                                           "title": text}: paths are for FreeCAD's Path
+    {"key": KEY, "answer": {"curves": {...}}}                             of a PART {"text": form, "folder": path}:
+                                                                          columns, job/drawings/imported_drawing.py
     {"key": KEY, "answer": {"error": {...}}}                      of a part that is refused
     {"done": 3}                                                   when all parts are answered
 
@@ -25,6 +27,7 @@ import sys
 import time
 import traceback
 from contextlib import nullcontext
+from pathlib import Path
 from queue import Empty
 from typing import Any
 
@@ -98,7 +101,8 @@ class Answers:
         from CNCStepper.control.session.status import error_to_json
 
         try:
-            return self._fits(part) if "fit" in part else self._cut(part) if "cut" in part else self._programs(part)
+            work = {"fit": self._fits, "cut": self._cut, "text": self._text, "program": self._programs}
+            return next(work[key] for key in work if key in part)(part)
         except CNCStepperError as refusal:
             error = refusal
         except MemoryError:
@@ -117,6 +121,13 @@ class Answers:
 
         tell({"stage": "fit"})
         return answer_to(part)
+
+    def _text(self, part: dict[str, Any]) -> dict[str, Any]:
+        from CNCStepper.job.drawings.imported_drawing import packed_curves
+        from CNCStepper.job.shape_forms.text_form import TextForm
+
+        tell({"stage": "fit"})
+        return {"curves": packed_curves(TextForm.model_validate(part["text"]).curves(Path(part["folder"])))}
 
     def _cut(self, part: dict[str, Any]) -> dict[str, Any]:
         from CNCStepper.job.cut_transfer import setting_from

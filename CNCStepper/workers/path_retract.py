@@ -37,7 +37,7 @@ def main() -> int:
         while True:
             tell(answered(questions.get()))
 
-    return serve(answer, "back-fault", "the way back along the cut")
+    return serve(answer, "back-fault", "the retract along the cut")
 
 
 def answered(question: dict[str, Any]) -> dict[str, Any]:

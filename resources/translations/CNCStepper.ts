@@ -4,6 +4,18 @@
     <context>
         <name>App::Property</name>
         <message>
+            <source>A TrueType or OpenType file, instead of the font</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A factor of the font's own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A font of the system, or a single-line font for engraving</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A laser's S word for marks; 0: a twentieth of its power</source>
             <translation type="unfinished"></translation>
         </message>
@@ -52,7 +64,39 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Above</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Active</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Added between letters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Align</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Alignment</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>All, the outline, or the holes in it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>All, the outlines of letters, or the holes in them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Along</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Along a line or arc</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -72,6 +116,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Arc Centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arc Radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arc Start</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arc Sweep</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Arcs By</source>
             <translation type="unfinished"></translation>
         </message>
@@ -81,6 +141,10 @@
         </message>
         <message>
             <source>Arcs Radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arcs and lines this close to the drawn points, instead of the tolerance; 0: straight lines</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -100,7 +164,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>At smaller corners the wire neither pauses nor slows down</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Below thickness times</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Below this grey, 1 to 255, it is dark; 0: found from the picture</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -128,11 +200,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Blur</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Bridges that hold the part until it is broken out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>By Colour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>By colour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Chains</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Changes of the job's own program since then</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -168,11 +260,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Close</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Close gaps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Closed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Closed lines round what is faced; without it the whole stock</source>
+            <source>Closed lines around the area to face; without them the whole stock</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -189,6 +289,10 @@
         </message>
         <message>
             <source>Containers of the clamps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Contours</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -284,6 +388,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Curve Count</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Curves</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -348,6 +460,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Dimensions</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Direction</source>
             <translation type="unfinished"></translation>
         </message>
@@ -357,6 +473,22 @@
         </message>
         <message>
             <source>Dogbones</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Double</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Doubles</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drawing, solid or picture</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -389,6 +521,10 @@
         </message>
         <message>
             <source>End angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Ends that are nearer than this are moved together</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -428,6 +564,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Exit of the wire: back along its entry, or the shortest way to an edge</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Extra depth, so that the tool comes out below</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Faults</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Feed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -453,6 +601,10 @@
         </message>
         <message>
             <source>File</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>File State</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -492,6 +644,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Font</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Font file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>For a mill that does not cut over its centre; 0: 10°</source>
             <translation type="unfinished"></translation>
         </message>
@@ -501,6 +661,10 @@
         </message>
         <message>
             <source>Free length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -548,6 +712,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Gaps up to this are closed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Good Side</source>
             <translation type="unfinished"></translation>
         </message>
@@ -581,6 +749,10 @@
         </message>
         <message>
             <source>Height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Height of</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -640,6 +812,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How far above it the letters stand</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far an arc turns, or how far a line leans away from the contour</source>
             <translation type="unfinished"></translation>
         </message>
@@ -672,11 +848,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How far letters lean to the right</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far lines and arcs may leave other curves</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far lines and arcs may leave the letters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far lines and arcs may leave the pixels; 0: half a pixel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far one turn of the helix falls</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>How far the cut line may leave the drawn one, to be of fewer moves; 0: not at all</source>
+            <source>How far the arc goes; below 0 clockwise, with the letters outside</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -712,6 +904,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How it was read last</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How long a spot has power</source>
             <translation type="unfinished"></translation>
         </message>
@@ -720,15 +916,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>How long the tool stands with power; 0: that of the cut chart</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>How long the wire stands where the way turns back; less at blunter corners</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>How many corners and narrow places the tool does not reach into</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many gaps, doubles, crossings and other faults were found</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -780,15 +972,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How many there are</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How many there are: one, or one a tool in turn</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>How many turns the thread has</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>How much deeper the tool goes, to come out below</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -844,10 +1036,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>How the wire comes out at last: back the way it came, or on the shortest way to an edge</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>How wide a tab is at its top</source>
             <translation type="unfinished"></translation>
         </message>
@@ -876,7 +1064,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Invert</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Its name in job files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Join</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Join ends</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Join only lines of one colour</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -893,6 +1101,14 @@
         </message>
         <message>
             <source>Kerf Used</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Kerning</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Kind</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -988,7 +1204,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Length, width and height; of a cylinder, which stands, the length is its diameter</source>
+            <source>Length that the controller adds to Z, if the machine uses a table of lengths; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Length, width and height; for an upright cylinder the length is its diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1000,7 +1220,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Light areas</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Line Begin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Line End</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1008,7 +1240,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Line Spacing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Line length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Line spacing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1016,7 +1256,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Lines nearer than this to another one are drawn twice</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Lines of many points become fewer lines and arcs within this; 0: they stay</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Lines that are marked with low power or lightly scribed before anything is cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Lines up to this long are left out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1108,6 +1360,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Material of the cutter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Material that a round tool leaves at the ends of the long axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Mend</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Message</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1144,7 +1408,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Objects</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of a bull nose; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of its curves</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1152,11 +1424,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Of the arc</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of the bores; 0: that of each circle of the drawing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Of the capitals, or of the em</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of the corners seen from above; 0: as round as the tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the font, such as Bold; empty: the regular one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1204,6 +1488,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Outputs that are on while cutting</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Outside corners that turn by more get a loop</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1217,6 +1505,14 @@
         </message>
         <message>
             <source>Overhang</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pairs of letters stand as near as the font says</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Part</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1240,7 +1536,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Pause of the wire where the path turns back; shorter at blunter corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Peck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Picture</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1273,6 +1577,10 @@
         </message>
         <message>
             <source>Pitch</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pixels an inch; 0: as the file says</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1444,6 +1752,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Radius in pixels of a blur that takes out noise</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Radius out</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1472,11 +1784,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Rectangle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Region</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Repair</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Repair what is wrong, as far as these values allow</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Report</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1532,7 +1860,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Section</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Setting</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Shape</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Shape Kind</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Shape of the raw material</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1549,6 +1893,10 @@
         </message>
         <message>
             <source>Size</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Slant</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1588,11 +1936,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Smaller areas, in mm², are left out; 0: four pixels</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Smooth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Solids that hold the work down, which the tool must not touch</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Spacing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Speck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Specks</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1612,6 +1976,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Split</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Spot</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1628,7 +1996,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Start</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Start angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>State</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1684,7 +2060,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Stock to leave at the wall for another operation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Style</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Sweep</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1720,6 +2104,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Text</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The G-code file that it is, which has nothing to do with the operations of its job</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1740,7 +2128,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The colour in the file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The corner where the grid begins, from the work zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The current set at the power source; 0: from the chart</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1768,7 +2164,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The diameter of what holds the tool; 0: not given</source>
+            <source>The diameter of the tool holder; 0: not given</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1784,7 +2180,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The edge of the sheet through which the wire comes in</source>
+            <source>The drawing that the objects follow</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The edge of the sheet at which the wire enters</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1820,15 +2220,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The groups around it in the file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The height of the rapids between holes: G98 or G99</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The job whose machine, stock, tools and clamps the program is for</source>
+            <source>The job whose program is shown</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The job whose program is shown</source>
+            <source>The job with the machine, stock, tools and clamps for the program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1837,6 +2241,10 @@
         </message>
         <message>
             <source>The last pass in depth, ap_acab; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The layer in the file</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1849,6 +2257,10 @@
         </message>
         <message>
             <source>The length of the cutting edges; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The length of the file's unit; 0: as the file says, or as its program usually means it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1868,7 +2280,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The name in the file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The nominal diameter; 0: that of each circle of the drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The operations, in their order</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1884,6 +2304,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The outline seen from above, or the faces or the section at a height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The parts and bodies that the clamps move with</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1892,11 +2316,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The place of the work zero in this document</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The place of the work zero on the stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The places of the holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The plunge feed of the program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>The points as they were drawn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The program that is shown, checked and sent, if the machine needs one for each tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1936,11 +2376,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The sketch, wires or faces whose lines are cut: closed ones are parts and holes in turn</source>
+            <source>The sketch, wires or faces to cut: closed lines are parts and holes in turn</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The sketch, wires or faces whose lines are followed</source>
+            <source>The sketch, wires or faces to follow</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2020,6 +2460,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The width of the picture; 0: as its resolution says</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The wire stays this close to every drawn point; 0 keeps every point that bends the line</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2028,7 +2472,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Threshold</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Through</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Time of the tool at rest with power; 0: from the cut chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tiny</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2052,7 +2508,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>To</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Tolerance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tolerance of the cut line, which reduces the number of moves; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2068,7 +2532,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Tools without feeds or speed take theirs from its table</source>
+            <source>Tools without feeds or speed use its table</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2076,7 +2540,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Trace Tolerance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Trace what is light instead of what is dark</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Turns</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Unit</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2092,43 +2568,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>What happened to the job's own program since</source>
+            <source>What becomes one object</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>What is cut, in this order</source>
+            <source>What is written; several lines are set below each other</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>What is set at the power source; 0: that of the chart</source>
+            <source>What the height is measured of</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>What is switched on while cutting</source>
+            <source>What the letters stand on</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>What stays at the wall, for another operation to take</source>
+            <source>What was found in it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>What the controller adds to Z, where the machine takes lengths from a table; 0: not given</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What the cutter is made of</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What the raw material looks like</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What the round tool must leave at the ends of the long axis</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Where on the stock the work zero lies</source>
+            <source>What was read</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2136,7 +2596,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Where the holes stand</source>
+            <source>Where the arc begins; counter-clockwise from X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the line begins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the line ends</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2148,11 +2616,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Where the way turns by less, the wire neither stands nor slows down</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Where the work zero lies in this document</source>
+            <source>Where the text stands about its zero, or on its line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2161,6 +2625,10 @@
         </message>
         <message>
             <source>Whether a slit through the part leads the wire into a closed hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether all of its chains are closed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2176,15 +2644,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Whether the file fills it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether the file is as it was read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Whether the last point joins the first</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Whether the program holds it</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Which one is shown, checked and sent, where the machine wants one a tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2216,6 +2688,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Z of the faces or of the section</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Zero's place</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2243,10 +2719,6 @@
     <context>
         <name>CNCStepper</name>
         <message>
-            <source>'{0}' does not stand in the program</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>'{0}' has no meaning in a number</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2271,6 +2743,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{0}' is not in the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{0}' is too large</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2283,11 +2759,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A TrueType or OpenType file, instead of the font</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A bar above and a stem below, the zero in the middle of the bar's upper edge; three holes.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A bore about the zero with a keyway above (DIN 6885: bore and key's depth over all).</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A chart's file…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A circle about the zero.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A controller is connected already.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A cross of two bars about the zero.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2299,7 +2795,47 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A disc about the zero less another one beside it, like a moon.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A disc about the zero with round notches in its rim and a bore.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A disc about the zero, cut off straight above.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A drop: a disc about the zero and a point above.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A factor of the font's own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A file is checked with a job's machine, stock, tools and clamps; no operation is needed.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A flange of two bolts along X: a disc about the zero with an ear on each side.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A font of the system, or a single-line font for engraving</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A heart of two half circles over a rounded tip, the zero in its notch.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A hole to hang a part on a screw: a circle about the zero for its head, a slot above for its shank.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A hook to hang things on: a plate with two holes above, the hook's round inside about the zero.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2316,6 +2852,10 @@
         </message>
         <message>
             <source>A job is being cut: wait for its end, or stop it.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A label about the zero: round corners, cut off on the left, with a hole for a string.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2347,11 +2887,67 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A parallelogram, its left lower corner at the zero.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A piece of a ring about the zero, from X counter-clockwise.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A plate about the zero for a stepper motor of NEMA size 8, 11, 14, 17, 23 or 34.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A plate about the zero with an eye and a hole at each of three corners.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A plate to hang a load: a base below, an eye about the zero above.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A polygon of equal sides about the zero, one side below; the size is across the flats.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A profile's file…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>A program without F takes {0} mm/min ({1}; kerf {2} mm).</source>
+            <source>A program without F runs at {0} mm/min ({1}; kerf {2} mm).</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A rectangle about the zero with its corners cut off at 45°.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A rectangle about the zero, its corners sharp or round.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A rectangular plate about the zero with a hole near each corner.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A right-angled stiffening plate, its right angle at the zero, cut off there to clear a weld.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A ring, or a washer, about the zero.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A round flange about the zero with a bore and a circle of bolt holes.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A round hole with flat sides above and below, about the zero.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A round hole with one flat side above, for shafts with a flat; about the circle's middle.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2360,6 +2956,10 @@
         </message>
         <message>
             <source>A share of the machine's greatest power; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A shield, the zero in the middle of its upper edge: straight sides, round below.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2387,7 +2987,39 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A slice of a disc about the zero, from X counter-clockwise.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A slot in the edge of a plate for a bolt's head: open below, the zero at its mouth's middle.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A slot with round ends along an arc about the zero, from X counter-clockwise.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A square plate about the zero with a bore and a hole near each corner.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A star about the zero, one point above.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A straight slot with round ends along X, about the zero; the length is over all.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A tool of this shape has none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A trapezoid, the zero in the middle of its base.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A triangle with two equal sides, the zero in the middle of its base.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2399,7 +3031,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A wheel about the zero with saw teeth and a bore.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>About the first corner, counter-clockwise</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Above</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2408,6 +3048,14 @@
         </message>
         <message>
             <source>Acceleration in steps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Across the flat</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Across the flats</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2431,7 +3079,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Add the part, as it stands now, to the document as a mesh</source>
+            <source>Add the part in its present state to the document as a mesh</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2443,11 +3091,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Added between letters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>After {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Alarm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Alignment</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2467,6 +3123,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>All, the outline, or the holes in it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>All, the outlines of letters, or the holes in them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Allow jogging: spindle or beam off; Resume returns to the cut on a safe path.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Along</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Along X, mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2476,6 +3148,22 @@
         </message>
         <message>
             <source>Along Z, mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Along a line or arc</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Also follow the selected lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>An angle of two legs, its outer corner at the zero, a hole near the end of each leg.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>An arrow along X, its tip at the zero.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2503,7 +3191,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Arc slot</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Arc tolerance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arcs and lines this close to the drawn points, instead of the tolerance; 0: straight lines</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2519,6 +3215,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Arrow</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>As a multiple of the thickness; 0: none by thickness</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2528,6 +3228,10 @@
         </message>
         <message>
             <source>As people call the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>At smaller corners the wire neither pauses nor slows down</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2571,6 +3275,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Backlash of the axis in the profile; the moves sent compensate it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Base</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Before {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2588,6 +3300,10 @@
         </message>
         <message>
             <source>Below thickness times</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Below this grey, 1 to 255, it is dark; 0: found from the picture</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2615,7 +3331,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Blur</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Bore</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Bore; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Boring</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Brackets</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2624,6 +3356,10 @@
         </message>
         <message>
             <source>Busy</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>By colour</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2651,6 +3387,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Chamfer along each side</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Chamfered rectangle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Change</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2660,6 +3404,10 @@
         </message>
         <message>
             <source>Change the programmed value while cutting, in percent.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Changes of the job's own program since then</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2687,7 +3435,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Choose a line, an entry of the list, or click a cut in the 3D view. All before it counts as cut: if unsure, choose an earlier one.</source>
+            <source>Choose a line, an entry of the list, or click a cut in the 3D view. Everything before it counts as cut; if unsure, choose an earlier one.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2707,7 +3455,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Choose in the controller's panel a machine whose pulses this computer makes.</source>
+            <source>Choose another file</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2735,6 +3483,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Close gaps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Close the open task panel first</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2747,7 +3499,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Closed lines round what is faced; without it the whole stock</source>
+            <source>Closed lines around the area to face; without them the whole stock</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2760,10 +3512,6 @@
         </message>
         <message>
             <source>Come from below</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Comes from</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2823,7 +3571,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Contour that crosses itself</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Contour {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Contours</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Contours that cross</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2887,11 +3647,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Correct the marked fields first.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Count</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Crescent</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cross</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Current</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Curves</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2911,7 +3687,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Cut in this order; what is not checked is left out of the program</source>
+            <source>Cut in this order; unchecked operations are left out of the program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2924,6 +3700,10 @@
         </message>
         <message>
             <source>Cut length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cut off at the right angle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2940,6 +3720,10 @@
         </message>
         <message>
             <source>Cycle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>D-hole</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2995,6 +3779,46 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Diameter cut away</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Diameter of its middle line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Diameter of the bolt circle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Diameter of the disc</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Diameter of the holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Diameter of the inner corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Diameter of the notches</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Diameter of the points</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Diameter through the holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Dimensions</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Direction</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3011,11 +3835,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Disconnect first: this is what the dock is connected to.</source>
+            <source>Disconnect first: the dock is connected to this machine.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Disconnect from the controller.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Distance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Distance of both</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Distance of the holes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3035,6 +3871,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Double D-hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Doubles</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Drag a point to move it, the line to add one; Delete takes the point under the pointer. Esc: done.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3051,7 +3895,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drawing, solid or picture</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Drawings</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drawings ({0})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drawn twice</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3064,6 +3924,10 @@
         </message>
         <message>
             <source>Drive the length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drop</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3139,6 +4003,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Ends joined</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Ends of the legs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Ends that are nearer than this are moved together</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Engagement</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3159,6 +4035,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Entry from</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Entry slit</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3167,11 +4047,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Every job whose journal is kept was cut to its end.</source>
+            <source>Every job with a journal was cut to its end.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>F is one over the minutes that a move takes</source>
+            <source>Exit of the wire: back along its entry, or the shortest way to an edge</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Extra depth, so that the tool comes out below</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Eye</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Eye plate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Eyes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3180,6 +4076,10 @@
         </message>
         <message>
             <source>F is the feed per turn of the spindle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>F is the inverse of a move's time in minutes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3192,6 +4092,14 @@
         </message>
         <message>
             <source>Failed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Family</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Faults</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3267,7 +4175,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>First eye</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>First hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>First hole at</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3287,6 +4203,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Flange</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Flanges and plates</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Flood</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3299,15 +4223,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Follow only the selected lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Follow the drawing that is selected in the tree or in the 3D view</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Follow what is selected as well</source>
+            <source>Font</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Follow what is selected, and nothing else</source>
+            <source>Font file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>For a board that receives bytes: 0 to 3, or unused for a motor without an axis</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3352,6 +4284,10 @@
         </message>
         <message>
             <source>FreeCAD's Python lacks {0}. Some files cannot be read without.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3411,7 +4347,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>From the base to the eye's middle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From the bore's bottom to the keyway's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From the circle's middle to the slot's end</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From the edges to the holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>From the middle of the circle to the holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From the middle to the point</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3475,6 +4431,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Gap</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Gap closed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Gaps up to this are closed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Gear ratio</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3495,23 +4463,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Go forward again along the cut by this length, to where it had come at most.</source>
+            <source>Go forward along the cut by this length, at most to where it was held.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Go on</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Go on after a hold, a pause or the door.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Go on with the program from a line, an operation, a contour or a place in the picture.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Go on with the program from the line under way, all before it taken as cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3520,10 +4476,6 @@
         </message>
         <message>
             <source>Goes back by</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Goes on in the controller's panel: connect, work zero, start.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3543,7 +4495,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Grey values are from the chart; what you type wins</source>
+            <source>Grey values are from the chart; typed values replace them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Gusset</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>H-profile</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3567,11 +4527,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Heart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Height above the top of the stock; lines: where the tool's tip goes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Height below the notch</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Height of</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Height of the head</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Height of the plate above the middle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Height of the teeth</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3599,7 +4583,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Hold: slow down and stand still; nothing is lost, the spindle goes on turning.</source>
+            <source>Hold: slow down and stop on the path; nothing is lost, the spindle keeps turning.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3608,6 +4592,14 @@
         </message>
         <message>
             <source>Holding…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Hole for the head</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3631,7 +4623,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Holes; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Home</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Home the machine: it finds its zero with its limit switches.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3644,6 +4644,10 @@
         </message>
         <message>
             <source>Homing works only while the machine is idle or in alarm.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Hook</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3672,6 +4676,10 @@
         </message>
         <message>
             <source>How far a pierce stays from parts and cut edges; 0: that of the cut chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far above it the letters stand</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3707,6 +4715,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How far letters lean to the right</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far lines and arcs may leave other curves</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far lines and arcs may leave the letters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far lines and arcs may leave the pixels; 0: half a pixel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far one click goes along the cut.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3719,11 +4743,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>How far the axis goes</source>
+            <source>How far the arc goes; below 0 clockwise, with the letters outside</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>How far the cut line may leave the drawn one, to be of fewer moves; 0: not at all</source>
+            <source>How far the axis goes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3771,6 +4795,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How it was read last</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How long a spot has power</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3779,15 +4807,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>How long the tool stands with power; 0: that of the cut chart</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>How long the wire stands where the way turns back; less at blunter corners</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>How many corners and narrow places the tool does not reach into</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many gaps, doubles, crossings and other faults were found</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3839,6 +4863,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How many there are</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How many there are: one, or one a tool in turn</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3852,10 +4880,6 @@
         </message>
         <message>
             <source>How many turns the thread has</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>How much deeper the tool goes, to come out below</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3911,10 +4935,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>How the wire comes out at last: back the way it came, or on the shortest way to an edge</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>How wide a tab is at its top</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3928,6 +4948,10 @@
         </message>
         <message>
             <source>Idle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Import drawing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3951,6 +4975,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>In the controller's panel choose a machine whose pulses this computer makes.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>In the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3963,11 +4991,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Inner diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Inputs</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Inputs that are on: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Inside of the hook</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3979,7 +5015,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Is the work zero set on the stock and the way free?</source>
+            <source>Is the work zero set on the stock, and is the path free?</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Isosceles triangle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3991,11 +5031,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>It is your copy of a shipped profile, and takes its place.</source>
+            <source>It is your copy of a shipped profile, and is used in its place.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Its language and its link: grbl, grblhal, fluidnc, linuxcnc, thesis-a …</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Its name in job files</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4020,6 +5064,14 @@
         </message>
         <message>
             <source>Jogging works only while the machine is idle.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Join ends</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Join only lines of one colour</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4051,7 +5103,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Kerning</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Keyhole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Keyway bore</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Killed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Kind</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>L-bracket</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4127,6 +5199,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Length of the head</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Length of the neck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Length offset</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4135,23 +5215,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Length, width and height; of a cylinder, which stands, the length is its diameter</source>
+            <source>Length that the controller adds to Z, if the machine uses a table of lengths; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Length, width and height; for an upright cylinder the length is its diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Lengths and limits</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Let go of the controller.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Let the machine be jogged: spindle or beam off; Resume goes back to the cut over a safe way.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Let the machine find its own zero with its switches.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4163,7 +5235,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Lever</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Lift before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Light areas</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4183,6 +5263,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Line spacing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Line {0}, {1}: {2}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4199,11 +5283,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Lines nearer than this to another one are drawn twice</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Lines of many points become fewer lines and arcs within this; 0: they stay</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Lines that are marked with low power or lightly scribed before anything is cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Lines up to this long are left out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Load {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Locking wheel</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4303,6 +5403,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Margin around the motor</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Marking feed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4319,11 +5423,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Material of the cutter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Material that a round tool leaves at the ends of the long axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Measured</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Mend what is marked first.</source>
+            <source>Mend</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4391,6 +5503,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Mounting plate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Move</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4427,6 +5543,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>NEMA motor plate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>NEMA size</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Name</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4460,6 +5584,10 @@
         </message>
         <message>
             <source>Next</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Next, in the controller's panel: connect, work zero, start.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4503,6 +5631,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Notches</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Note</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4535,7 +5667,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Of a board that takes bytes: 0 to 3, or unused for a motor without an axis</source>
+            <source>Objects</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4543,11 +5675,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Of its curves</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of one wall that a jet or wire leaves, against the vertical; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Of the arc</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of the bores; 0: that of each circle of the drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the capitals, or of the em</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4556,6 +5700,10 @@
         </message>
         <message>
             <source>Of the driver, in a full step</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the font, such as Bold; empty: the regular one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4619,6 +5767,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Open contour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Open or make a document first</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4655,6 +5807,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Outer diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Outlines of the clamps</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4663,11 +5819,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Outputs on the way back</source>
+            <source>Outputs during a retract</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Outputs that are on while cutting</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Outside corners that turn by more get a loop</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Oval flange</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4707,11 +5871,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Pairs of letters stand as near as the font says</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Parallel port</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Parallelogram</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Parts and signs</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4735,11 +5911,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Pause of the wire where the path turns back; shorter at blunter corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Paused</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Peck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Picture</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4775,7 +5959,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Pixels an inch; 0: as the file says</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Place of the mirror, mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4816,6 +6008,10 @@
         </message>
         <message>
             <source>Points of the pull-out curve, rpm and Nm: 0 1.2; 300 1.0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Polygons</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4967,7 +6163,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Put the stock around what is selected, or around the drawings of the operations</source>
+            <source>Put the stock around the selection, or around the drawings of the operations</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4976,6 +6172,18 @@
         </message>
         <message>
             <source>Radius in</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Radius in pixels of a blur that takes out noise</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Radius of the inner corner</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Radius of the inner corners</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5019,7 +6227,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Ratchet wheel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Reached</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Read the file again; operations keep their contours</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Reading the drawing: {0} %</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Reading the drawing…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5055,6 +6283,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Regular polygon</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Relays</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5075,6 +6307,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Reload</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Reload {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Remaining</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5091,11 +6331,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Repair</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Repair what is wrong, as far as the values under Repair allow</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Repair what is wrong, as far as these values allow</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Replace</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Replace with</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Report</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5119,6 +6375,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Restart the program at a line, an operation, a contour or a place in the picture.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Restart the program at the present line; everything before it counts as cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Restart: {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5132,6 +6396,10 @@
         </message>
         <message>
             <source>Resume</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Resume after a hold, a pause or the door.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5155,11 +6423,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Ring</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Ring sector</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Rotate…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Rotation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Round shapes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5207,10 +6487,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Say how far the last job came that was not cut to its end, and restart it there.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>Scale…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5231,7 +6507,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Second eye</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Second hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Seconds at the bottom</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Sector</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Segment</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5255,19 +6547,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Select the area to clear: a sketch, closed wires, or faces of a solid</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Select the job in the tree: this document has several</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Select what is to be cleared: a sketch, closed wires, or faces of a solid</source>
+            <source>Select the lines to cut: a sketch, wires, or faces or edges of a solid</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Select what is to be cut out: a sketch, wires, or faces or edges of a solid</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Select what is to be engraved: a sketch, a wire, a B-spline or a freehand line</source>
+            <source>Select the lines to engrave: a sketch, a wire, a B-spline or a freehand line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5295,7 +6587,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Setting</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Shape</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Shape of the raw material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Shapes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5311,7 +6615,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Shield</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Shorter than</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Show how far the last unfinished job came, and restart it there.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5335,7 +6647,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Sides</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Signals and pins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Simplified</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5355,6 +6675,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Slant</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Slot</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Slots and holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Slower than published</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5364,6 +6696,14 @@
         </message>
         <message>
             <source>Small holes at a feed of their own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Smaller areas, in mm², are left out; 0: four pixels</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Smooth</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5380,6 +6720,10 @@
         </message>
         <message>
             <source>Spacing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Specks</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5415,7 +6759,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Square flange</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Squareness</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Star</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5432,6 +6784,10 @@
         </message>
         <message>
             <source>Starting</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>State</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5483,6 +6839,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Stock to leave at the wall for another operation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Stop</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5491,7 +6851,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Stop: slow down, stand still, spindle off; the rest of the job is not cut. This is not an emergency stop: the emergency stop is on the machine.</source>
+            <source>Stop: slow down, stop, spindle off; the rest of the job is not cut. This is not an emergency stop: the emergency stop is on the machine.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5500,6 +6860,14 @@
         </message>
         <message>
             <source>Stopping…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Style</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Sweep</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5519,7 +6887,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>T-bracket</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>T-slot</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Tabs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tag</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5532,10 +6912,6 @@
         </message>
         <message>
             <source>Take selected</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Take the alarm away without homing: only when the position is surely right.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5559,7 +6935,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Taken out, drawn twice</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Taken out, tiny</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Taper</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Teeth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Text</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5575,7 +6967,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The axis of each motor in turn; -y is one that is mounted the other way round: x y -y z</source>
+            <source>The axis of each motor in order; -y is mounted the other way round: x y -y z</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5600,6 +6992,10 @@
         </message>
         <message>
             <source>The clamps seen from above, at the height of their tops</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The colour in the file</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5631,11 +7027,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The cut chart gives this value; change it in the job</source>
+            <source>The current set at the power source; 0: from the chart</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The cut goes on without FreeCAD; the controller's panel finds it again the next time it is opened.</source>
+            <source>The cut chart gives this value; change it in the job</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5663,7 +7059,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The diameter of what holds the tool; 0: not given</source>
+            <source>The diameter of the tool holder; 0: not given</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5679,7 +7075,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The edge of the sheet through which the wire comes in</source>
+            <source>The drawing that the objects follow</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The edge of the sheet at which the wire enters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The feed of a program without F, and the cutting speed of a language without F</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5723,7 +7127,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The groups around it in the file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The height of the rapids between holes: G98 or G99</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The job continues without FreeCAD; the controller's panel shows it when it is opened again.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5739,15 +7151,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The job whose machine, stock, tools and clamps the program is for</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>The job whose program is shown</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The last job of this machine, {0}, was not cut to its end. Unfinished job… says how far it came.</source>
+            <source>The job with the machine, stock, tools and clamps for the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The last job of this machine, {0}, was not cut to its end. Unfinished job… shows how far it came.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5756,6 +7168,10 @@
         </message>
         <message>
             <source>The last pass in depth, ap_acab; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The layer in the file</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5771,15 +7187,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The length of the file's unit; 0: as the file says, or as its program usually means it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The length of the lead's line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The letters begin where the machine stands.</source>
+            <source>The letters start at the machine's position.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>The link to the controller is being started.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The machine is at rest and waits.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The machine is at rest; nothing is lost. Resume or stop.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5819,19 +7247,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The machine stands and waits.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The machine stands; nothing is lost. Resume or stop.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>The machine waits before each line of a job; Resume cuts the next one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The machine whose dialect the program is read in</source>
+            <source>The machine with the dialect in which the program is read</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5839,7 +7259,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The machine's position is unknown: stop what it was doing, then home it or set the zero of all axes.</source>
+            <source>The machine's position is unknown: stop the job, then home the machine or set the zero of all axes.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5863,7 +7283,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The name in the file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The nominal diameter; 0: that of each circle of the drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The operations, in their order</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5879,6 +7307,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The outline seen from above, or the faces or the section at a height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The parts and bodies that the clamps move with</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5891,7 +7323,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The place of the work zero in this document</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The place of the work zero on the stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The place on the cut is being looked for…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The places of the holes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5903,6 +7347,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The position of the table is unknown: home the machine, or set the work zero again.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The profile has a value that is none: mend it first.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5911,7 +7359,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The program has changed since: what is shown is the one before.</source>
+            <source>The program has changed since: the view shows the earlier one.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5927,7 +7375,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The program waits. Resume goes on.</source>
+            <source>The program that is shown, checked and sent, if the machine needs one for each tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The program waits; Resume continues it.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5951,6 +7403,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The retract along the cut is being calculated: wait, hold or stop.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The retract along the cut is being checked…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The section of a beam, about the zero.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The share of the feed there</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5971,11 +7435,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The sketch, wires or faces whose lines are cut: closed ones are parts and holes in turn</source>
+            <source>The sketch, wires or faces to cut: closed lines are parts and holes in turn</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The sketch, wires or faces whose lines are followed</source>
+            <source>The sketch, wires or faces to follow</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6027,7 +7491,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The tool can go back along exactly the way by which it came.</source>
+            <source>The tool can retract along exactly the path by which it came.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6039,19 +7503,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The tool is at the end of the cut.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The tool is on line {0}, at the end of the cut.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The tool is on line {0}, {1} behind the end of the cut.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The tool moves along the cut.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The tool stands on line {0}, where the cut has come to.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The tool stands on line {0}, {1} behind where the cut has come to.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The tool stands where the cut has come to.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6072,14 +7536,6 @@
         </message>
         <message>
             <source>The waits between steps from rest, in ms, none longer than the one before it</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The way along the cut is being checked…</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The way along the cut is being found: wait, hold or stop.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6104,6 +7560,10 @@
         </message>
         <message>
             <source>The width of the cut; 0: that of the cut chart or the tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The width of the picture; 0: as its resolution says</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6135,6 +7595,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Thickness of the flanges</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Thickness of the web</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>This is cut by: {0}. The job's process is: {1}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6143,11 +7611,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>This takes a number without a unit, not '{0}'</source>
+            <source>This needs a number without a unit, not '{0}'</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Thread</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Threshold</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6159,11 +7631,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Time of the tool at rest with power; 0: from the cut chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Time that it is run</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Timing the moves…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tiny</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tiny contour</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6179,7 +7663,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>To get what is missing, type in a terminal, with Python {0}, and start FreeCAD again:</source>
+            <source>To</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>To install the missing packages, type in a terminal, with Python {0}, and start FreeCAD again:</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6207,6 +7695,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Tolerance of the cut line, which reduces the number of moves; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Tool</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6231,11 +7723,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Tools without feeds or speed take theirs from its table</source>
+            <source>Tools without feeds or speed use its table</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Toothed belt</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Top</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6244,6 +7740,14 @@
         </message>
         <message>
             <source>Torque at speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Trace what is light instead of what is dark</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Trapezoid</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6259,11 +7763,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Travel of the motor at a reversal before the axis moves</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Travel per turn</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Travel to</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Triangular plate</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6279,11 +7791,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Twice from the middle to a side</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Two eyes and the bar that joins them along X; the first eye's hole is at the zero.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Two flanges that an offset web joins, its left lower corner at the zero; a hole in each flange.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Two legs up from a base, the zero in the middle of the base's lower edge; a hole in each leg.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Type a line: $$, $#, G0 X10</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>U-bracket</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Unfinished job…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Unit</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6292,6 +7828,10 @@
         </message>
         <message>
             <source>Unlock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Unlock the alarm without homing: only if the position is certainly right.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6335,15 +7875,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>What a program without F takes, and the cutting speed of a language without F</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What happened to the job's own program since</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What is cut, in this order</source>
+            <source>What becomes one object</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6351,43 +7883,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>What is set at the power source; 0: that of the chart</source>
+            <source>What is written; several lines are set below each other</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>What is switched on while cutting</source>
+            <source>What the height is measured of</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>What stays at the wall, for another operation to take</source>
+            <source>What the letters stand on</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>What the axis loses at a reversal, as the profile says; moves that are sent take it up</source>
+            <source>What was found in it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>What the controller adds to Z, where the machine takes lengths from a table; 0: not given</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What the cutter is made of</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What the motor turns at a reversal before the axis moves</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What the raw material looks like</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>What the round tool must leave at the ends of the long axis</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Where on the stock the work zero lies</source>
+            <source>What was read</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6395,11 +7907,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Where the holes stand</source>
+            <source>Where the arc begins; counter-clockwise from X</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Where the mirror stands, mm</source>
+            <source>Where the line begins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the line ends</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6411,15 +7927,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Where the table stands is not known: home the machine, or set the work zero anew.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Where the way turns by less, the wire neither stands nor slows down</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Where the work zero lies in this document</source>
+            <source>Where the text stands about its zero, or on its line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6428,6 +7936,10 @@
         </message>
         <message>
             <source>Whether a slit through the part leads the wire into a closed hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether all of its chains are closed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6443,15 +7955,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Whether the file fills it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether the file is as it was read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Whether the last point joins the first</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Whether the program holds it</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Which one is shown, checked and sent, where the machine wants one a tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6468,6 +7984,46 @@
         </message>
         <message>
             <source>Width</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width of each flange</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width of the bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width of the bars</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width of the ears</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width of the head</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width of the key</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width of the legs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width of the mouth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width of the shaft</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width of the slot</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6535,11 +8091,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Z of the faces or of the section</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Z times</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Z, steps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Z-bracket</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6579,6 +8143,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>all</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>all stand out equally</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6612,6 +8180,14 @@
         </message>
         <message>
             <source>ap, recalculated to whole passes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>applies a given tool length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>applies the tool's length</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6679,6 +8255,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>at a height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>at the lower end</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6687,11 +8267,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>automatic</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>back along the cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>back the way it came</source>
+            <source>back along the entry</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6723,11 +8307,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>by contour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>by layer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>by numbers</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>calls a subprogram</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>cancels G92</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6859,6 +8455,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>exceeds the machine's travel; at most {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>feed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6919,10 +8519,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>goes beyond what the machine can travel; at most {0}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>goes far beyond the machine's fastest axis; at most {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6972,6 +8568,10 @@
         </message>
         <message>
             <source>high-speed steel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>holes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7056,6 +8656,10 @@
         </message>
         <message>
             <source>make room in the folder for temporary files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>middle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7211,6 +8815,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>outline</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>outlines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>output</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7251,11 +8863,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>pauses until it is told to go on</source>
+            <source>pauses if optional stop is on</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>pauses where the operator wants it</source>
+            <source>pauses until cycle start</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7295,11 +8907,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>probes away until it lets go</source>
+            <source>probes away until the contact opens</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>probes away until it lets go, an alarm where it does not</source>
+            <source>probes away until the contact opens; otherwise an alarm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7463,15 +9075,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>takes G92 back</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>takes a given tool length into account</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>takes the tool's length into account</source>
+            <source>the capitals</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7480,6 +9084,10 @@
         </message>
         <message>
             <source>the cutter runs right of the path</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the em (font size)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7591,6 +9199,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} (single lines)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} = 0</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7611,7 +9223,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{0} has changed in the document meanwhile; here is still what you typed</source>
+            <source>{0} has changed in the document; your typed values are kept here</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7624,6 +9236,10 @@
         </message>
         <message>
             <source>{0} has nothing to cut: add an operation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} is as its file again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7667,6 +9283,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} on layer '{1}' at X {2} Y {3}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} on layer '{1}' was left out: {2}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} readings: mean {1:.4f} mm, standard deviation {2:.4f} mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7695,11 +9319,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{0} was not cut to its end, and its program, as it was sent, is in no open document.</source>
+            <source>{0} was not cut to its end, and no open document has the program that was sent.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{0} ×</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} × {1} mm, layers: {2}, open contours: {3}, the file's unit: {4} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7723,6 +9351,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0}: its file has changed; Reload in the tree takes it anew</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0}: its file is not there any more; what was read stays</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0}: {1}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7732,6 +9368,10 @@
         </message>
         <message>
             <source>{0}× speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>… and {0} more</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7834,11 +9474,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>'{text}' is not a tool</source>
+            <source>'{text}' is a move whose end only the controller knows</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>'{text}' moves as only the controller knows</source>
+            <source>'{text}' is not a tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8290,7 +9930,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>G5.3 ends what no G5.2 began</source>
+            <source>G5.3 without a G5.2 before it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8514,7 +10154,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>NOT cut on any stock: the machine's limits are checked, but nobody sees whether a rapid meets material; give --job, or --stock and --tool</source>
+            <source>NOT simulated on a stock: the machine's limits are checked, but not whether a rapid meets material; give --job, or --stock and --tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8790,7 +10430,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a `%` stands where no file begins or ends</source>
+            <source>a `%` is neither at the begin nor at the end of the file</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8870,7 +10510,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a cut goes into stock while the spindle stands</source>
+            <source>a cut goes into stock while the spindle is off</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8970,7 +10610,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a job runs, and the machine does not stand</source>
+            <source>a job runs, and the machine is not at standstill</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9058,7 +10698,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a line of a tool table names one tool, which stands in it once</source>
+            <source>a line of a tool table names one tool, and no other line names it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9070,7 +10710,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a line that runs by itself at every start moves without anybody who looks</source>
+            <source>a line that runs at every start moves the machine while nobody watches</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9106,7 +10746,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a material number stands twice</source>
+            <source>a material number is used twice</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9123,10 +10763,6 @@
         </message>
         <message>
             <source>a motor driver reports a fault</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>a move that the lathe has begun goes on: switch it off, then set its zero again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9326,7 +10962,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a session's file belongs to {user} and cannot be opened, so that nobody can tell its port</source>
+            <source>a session's file belongs to {user} and cannot be opened, so that its port is unknown</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9494,7 +11130,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a word stands twice in one line</source>
+            <source>a word is twice in one line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9862,7 +11498,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>automatic mode: from here on nothing stops the lathe over its link, and there is no way back to manual mode until it is switched off</source>
+            <source>automatic mode: from here on the link cannot stop the lathe, and only switching it off returns it to manual mode</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9886,11 +11522,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>back along the cut: go on back, forward, or resume from here</source>
+            <source>back to where the program paused: up, over, down</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>back to where the program paused: up, over, down</source>
+            <source>backlash cannot be compensated in an arc with an absolute centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>backlash cannot be compensated in rotated coordinates</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>backlash cannot be compensated in the dialect {dialect}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>backlash cannot be compensated within this line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>backlash has three values, one for each axis</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9986,6 +11638,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>bring it back, or choose another file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>bring it to Idle first</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10066,7 +11722,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>check cable, grounding and baud rate, and that the firmware is one that this program knows</source>
+            <source>check cable, grounding and baud rate, and that this program supports the firmware</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10106,6 +11762,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>check the baud rate, and which reports the controller sends unasked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>check the cable</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10123,6 +11783,10 @@
         </message>
         <message>
             <source>check the program again, and send it with the certificate that this gives</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>check the state of the machine now, then answer again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10271,6 +11935,10 @@
         </message>
         <message>
             <source>circles and points of several drawings that stand about the same centre, one hole each: {twice}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>clamp the tool with more stickout</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10622,10 +12290,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>cut on the stock that the moves before it have left; the wanted shape is not known, so it is not judged</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>cut some of the curves in an operation of their own</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10674,7 +12338,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>dog-bones or a smaller tool take it away</source>
+            <source>dog-bones or a smaller tool remove it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10814,10 +12478,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>entered here, the program does not stand alone: {error}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>entered here, the program would do something else than when it is run whole</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10851,6 +12511,10 @@
         </message>
         <message>
             <source>exclusively lock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>expand it first: cncstepper convert</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10931,6 +12595,10 @@
         </message>
         <message>
             <source>formats inside MTEXT are not applied</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>free space on its disk, and resume when the journal is written again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11158,6 +12826,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give the number of the run</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give the path of a file</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11239,10 +12911,6 @@
         </message>
         <message>
             <source>go line by line while a job runs</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>go on with it or stop it where it was started, or with: cncstepper back --session {file}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11402,19 +13070,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>import importlib.util, sys; sys.exit(importlib.util.find_spec({0}) is None)</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>in absolute mode the control drives an axis without a word to 0</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>in inverse time every {name} needs its own F above 0</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>in the language of {dialect} no play can be taken up</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11458,6 +13118,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it appears when that is done</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it begins with {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11470,7 +13134,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it contains a file that no bundle has: {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it cuts upwards on a helix, as thread mills do, and is entered at its begin, line {begin}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it does not answer</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11494,7 +13166,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>it goes on by itself</source>
+            <source>it has accepted nothing for {limit:g} s</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11570,10 +13242,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>it holds what no bundle does: {name}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>it is a device</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11610,11 +13278,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>it is there by itself when that is done</source>
+            <source>it is too long for its tolerance</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>it is too long for its tolerance</source>
+            <source>it is uncertain which of several passes was cut, so the earliest possible one is used: line {file_line}, not {file_line2}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11658,7 +13326,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>it says nothing</source>
+            <source>it resumes without a person</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11682,10 +13350,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>it takes nothing for {limit:g} s</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>it takes too long</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11706,7 +13370,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>it would forget the settings: write the settings that are to change one by one</source>
+            <source>it would erase the settings: write the settings that you want to change one by one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11731,6 +13395,10 @@
         </message>
         <message>
             <source>its directory is too large</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>its effect depends on the machine: leave it out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11850,7 +13518,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>jog it down to that height where you see what is below it, or restart with the height {here_mm:.1f} (--height), from which it goes over the place at once</source>
+            <source>jog it down to that height where the way below is free, or restart with the height {here_mm:.1f} (--height), at which it moves over the place directly</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11874,7 +13542,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>kept only if the controller has had power ever since and was not reset in motion; a greeting, an alarm or a place that is not right says that it was: then {home}; {until_homed}</source>
+            <source>kept only if the controller stayed powered and was not reset in motion; a greeting, an alarm or a wrong position shows that it was: then {home}; {until_homed}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11923,10 +13591,6 @@
         </message>
         <message>
             <source>lead in and out through scrap</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>lead it round the part, through what becomes scrap</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12042,14 +13706,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>let the tool stick out farther</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>let them coincide, or keep them {small_mm:g} mm apart</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>lift the head higher, or go round the piece</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12106,7 +13762,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>lines of '{drawing}' that are no whole circles and want no holes: {lines}</source>
+            <source>lines of '{drawing}' that are not whole circles, so that no hole is drilled: {lines}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12114,7 +13770,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>load the module ppdev, and let your user use the device</source>
+            <source>load the module ppdev, and give your user access to the device</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12122,7 +13778,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>log in as a user who may do it</source>
+            <source>log in as a user with that permission</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12166,10 +13822,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>look at the baud rate, and at what reports the controller sends by itself</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>look at the controller's file system, then try again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12190,23 +13842,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>look at what it says, and correct that line</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>look at what it says, end other programs, or choose lower speeds</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>look for a pendant or another program that is connected, set the zero again, then send again</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>look how the machine stands now, then answer to that</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>look that the axes stand, check cable and grounding, and home again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12302,11 +13938,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>make resolution_mm larger</source>
+            <source>make one object of each layer</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>make room on its disk, and resume when it is said to be written again</source>
+            <source>make resolution_mm larger</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12331,6 +13967,10 @@
         </message>
         <message>
             <source>make stepover_mm larger</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>make sure that the axes are at rest, check cable and grounding, and home again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12374,6 +14014,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>make them coincide, or keep them {small_mm:g} mm apart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>make them lower</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12394,7 +14038,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>material stays in {gaps} gap(s) between walls that are narrower than the tool, the deepest one before X{x:.3f} Y{y:.3f}; a smaller tool takes it away</source>
+            <source>material stays in {gaps} gap(s) between walls that are narrower than the tool, the deepest one before X{x:.3f} Y{y:.3f}; a smaller tool removes it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>material that is cut off</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12846,14 +14494,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>nobody has confirmed the work zero</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>nobody leads the tool along its cut; the program's lines for that are not at the controller</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>none of the selected drawings can be followed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12970,7 +14610,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>not an outcome: it does not say how it ended</source>
+            <source>not an outcome: it has no end state</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13142,6 +14782,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>only the controller knows where a probe stops</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>only the first control point goes without X and Y</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13150,7 +14794,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>only {written} of {data} bytes were taken</source>
+            <source>only {written} of {data} bytes were accepted</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13167,6 +14811,10 @@
         </message>
         <message>
             <source>operation {number} ({cycle}) will take long: about {length_mm:.0f} m of cut in {levels} levels</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>otherwise the move would be bent</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13198,7 +14846,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>part of the drawn shape lies beside the stock</source>
+            <source>part of the drawn shape is beside the stock</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13282,7 +14930,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>play is told of three axes</source>
+            <source>please report it, with the drawing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13354,11 +15002,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>pulses are taken back in a hold only, not in state {state}</source>
+            <source>pulses are those of a machine</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>pulses are those of a machine</source>
+            <source>pulses can be retracted only in a hold, not in state {state}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13434,6 +15082,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>read as a flat mill: '{name}' does not name a shape</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>read its message, and correct that line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>read its message, close other programs, or choose lower speeds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>read its output, and report it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>read the controller's start-up messages ($SS) and correct its configuration</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13446,7 +15110,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>reading '{suffix}' files takes {programs}, which is not here</source>
+            <source>reading '{suffix}' files needs {programs}, which is not installed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13487,6 +15151,10 @@
         </message>
         <message>
             <source>release_line goes with line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>reload it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13550,19 +15218,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>resume again, or set the zero so that the way there lies within the travel</source>
+            <source>resume again, or set the zero so that the move to it is within the travel</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>resume again; where $341 is not 0, do first what the controller itself wants at a change of tools</source>
+            <source>resume again; if $341 is not 0, finish the controller's own tool change first</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>resume once it stands</source>
+            <source>resume or stop it where it was started, or with: cncstepper back --session {file}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>resume what it was doing, or reset it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>resume when it is at standstill</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13583,6 +15255,14 @@
         </message>
         <message>
             <source>retract mode set to r_plane</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>retracted along the cut: go further back, forward, or resume from here</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>route it around the part, through scrap</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13634,14 +15314,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>say it with M61 Q and the tool's number</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>say which time it is run</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>scale all axes alike</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13674,10 +15346,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>see what it printed, and report it</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>see whether it is whole</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13702,7 +15370,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>send the file anew</source>
+            <source>send the file again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13750,7 +15418,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>set again at the pause at line {line}: {places} (machine, mm); what comes after counts from there, what was before from the old one</source>
+            <source>set again at the pause at line {line}: {places} (machine, mm); later lines use this zero, earlier ones the old one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13767,6 +15435,10 @@
         </message>
         <message>
             <source>set it again, and do not start before it is right</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set it with M61 Q and the tool's number</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13886,7 +15558,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>simplify it, or divide it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>simplify the solid, or end the script's loop</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>simulated on the stock that the earlier moves have left; the wanted shape is unknown and was not compared</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14014,7 +15694,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>stop the machine with its own buttons where it must stand now</source>
+            <source>stop the machine with its own buttons if it must stop now</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14202,10 +15882,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>taken as a flat mill: '{name}' names no shape that a table's words can tell</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>tapping became plain moves: the feed may be overridden, and nothing keeps it to the spindle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14255,6 +15931,10 @@
         </message>
         <message>
             <source>the USB board's controller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the actions between the moves would change</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14338,7 +16018,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the beam is never on where it is to cut</source>
+            <source>the beam is never on during a cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14362,7 +16042,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the certificate holds what no proof has</source>
+            <source>the certificate has an entry that no proof has</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14370,7 +16050,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the certificate lacks what a sender needs</source>
+            <source>the certificate lacks an entry that a sender needs</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14426,6 +16106,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the circle's share of it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the columns of MTEXT are set one below the other</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14458,11 +16142,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the computer came too late with a pulse and stopped after {written} writes in time, {at_ns:.3f} s from the begin; spindle, beam and drives are off, and steps may be lost</source>
+            <source>the computer was late with a pulse and stopped after {written} writes, {at_ns:.3f} s from the begin; spindle, beam and drives are off, and steps may be lost</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the configuration is not valid</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the connection service does not start</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14475,6 +16163,18 @@
         </message>
         <message>
             <source>the contour goes through the stock and sets a piece free that no tab holds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller accepts no jog while it is held</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller asks for a login</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller did not store the zero of {axis} in {system}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14506,23 +16206,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the controller does not report its modes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller does not report its state</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller does not report its work system: {modes}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the controller does not report its {system}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the controller does not say its modes</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the controller does not say its work system: {modes}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the controller does not say whether it reports in mm or in inches</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the controller does not tell its state</source>
+            <source>the controller does not report whether it uses mm or inches</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14582,6 +16282,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the controller reported: {report}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller reports that it is homed, but too soon: another line than $H reached it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the controller restarted in the middle of the job</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14590,19 +16298,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the controller restarted when its port was opened; it counts from where it stands</source>
+            <source>the controller restarted when its port was opened; it counts from its present position</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the controller restarted when its port was opened; it counts from where it stands. Until it is unplugged no later opening restarts it</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the controller said: {report}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the controller says that it is homed, but too soon: another line than $H reached it</source>
+            <source>the controller restarted when its port was opened; it counts from its present position. Until it is unplugged no later opening restarts it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14618,15 +16318,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the controller takes no jog while it is held</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>the controller waits for its new tool</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the controller wants to know who you are</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14650,11 +16342,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the converted program would go on after this</source>
+            <source>the converted program would continue after this</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the converted program would not come by this point</source>
+            <source>the converted program would not pass this point</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14686,6 +16378,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the curve that {kind} follows is unknown</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the curves of the drawing are too many and too wild for the tolerance</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14699,10 +16395,6 @@
         </message>
         <message>
             <source>the cut begins without waiting for the spindle</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the cut comes too near to the sheet's edge</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14722,7 +16414,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the cut is taken to be {kerf_mm:g} mm wide, the simulation cuts with the tool's {diameter_mm:g} mm</source>
+            <source>the cut is too close to the sheet's edge</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14739,6 +16431,10 @@
         </message>
         <message>
             <source>the cycle takes too many passes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the cycle uses a kerf of {kerf_mm:g} mm, the simulation the tool's diameter of {diameter_mm:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14770,11 +16466,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the desk's process does not come up</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the device takes nothing for {limit:g} s; steps may be lost</source>
+            <source>the device has accepted nothing for {limit:g} s; steps may be lost</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14842,7 +16534,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the drawing declares entities that stand for more than a short text</source>
+            <source>the drawing declares XML entities that are longer than a short text</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the drawing failed by a fault of ours: {kind}: {fault}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14882,6 +16578,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the drawing takes more memory than there is</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the drawing would become too many objects</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the drawing {file} has no chains for the shape '{name}': {words}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14907,6 +16611,10 @@
         </message>
         <message>
             <source>the edited program has no job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the elements picked of '{drawing}' no longer exist</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15022,7 +16730,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the file could not be taken over</source>
+            <source>the file could not be loaded</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15034,7 +16742,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the file gives no size in mm or inches: {dpi:g} pixels an inch are taken</source>
+            <source>the file gives no size in mm or inches: {dpi:g} pixels an inch are assumed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15071,6 +16779,14 @@
         </message>
         <message>
             <source>the file needs a strip_height above 0 and a list of items</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the file of the drawing has changed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the file of the drawing is not there any more</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15214,7 +16930,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the job is about to go on</source>
+            <source>the job is about to resume</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15282,7 +16998,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the journal could not be ended ({error}): it will tell of a killed job</source>
+            <source>the journal could not be closed ({error}): the job will be listed as killed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15330,7 +17046,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the kernels are not compiled ahead: {said}</source>
+            <source>the kernels were not compiled in advance: {said}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15358,15 +17074,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the lathe finishes a move that it has begun: switch it off, then set its zero again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the lathe is in automatic mode and cannot be jogged: {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the lathe jogs at up to {0} mm/min, or at {1}: it takes the slower one</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the lathe takes a zero in manual mode only: {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15386,7 +17102,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the length offset of tool {tool_number} is not known, it is taken as 0</source>
+            <source>the length offset of tool {tool_number} is unknown; 0 is assumed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15438,7 +17154,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the line holds a byte that the controller acts upon wherever it stands</source>
+            <source>the line holds a real-time command byte</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15474,11 +17190,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the line reads where the machine stands, which the edit would change</source>
+            <source>the line reads the machine's position, which the edit would change</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the lines after this tool change do not stand alone</source>
+            <source>the lines after it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the lines after this tool change cannot run on their own</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15487,6 +17207,10 @@
         </message>
         <message>
             <source>the lines have different numbers of heights</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the lines of a retract are not at the controller</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15522,18 +17246,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the machine does not stand</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the machine does not stand on the way of the lines that it has</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the machine does not stand where the way back begins</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>the machine finds its own zero</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15550,11 +17262,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the machine is at rest, spindle and outputs are off, its position is kept (the reset cleared G92 and tool length)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the machine is homed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the machine is not at rest</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine is not at standstill</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine is not at the begin of the retract</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15567,6 +17291,10 @@
         </message>
         <message>
             <source>the machine is not in alarm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine is not on the path of the lines that it has</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15599,10 +17327,6 @@
         </message>
         <message>
             <source>the machine must be homed first</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the machine stands, spindle and outputs are off, its position is kept (the reset cleared G92 and tool length)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15662,11 +17386,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the moves that are taken as done cut into the wanted part</source>
+            <source>the moves before the restart cut into the wanted part</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the moves that are taken as done leave material that should be removed</source>
+            <source>the moves before the restart leave material that should be removed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15710,11 +17434,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the outlines enclose nothing</source>
+            <source>the outlines are beside the stock</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the outlines lie beside the stock</source>
+            <source>the outlines enclose nothing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15730,7 +17454,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the overrides are not what they were before the reset</source>
+            <source>the overrides differ from those before the reset</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15746,11 +17470,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the part at X{x:.3f} Y{y:.3f} would come loose before it is cut, in any order</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the part may differ from it by as much: lower P, or follow the exact path with G61</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the path begins where the machine happens to stand: it is told by ways (G91) alone</source>
+            <source>the path begins at the machine's position: it has incremental moves (G91) only</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the path contains the tool's radius and is right for this tool only</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15766,11 +17498,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the picture does not say its size: {dpi:g} dpi are taken; give its width</source>
+            <source>the picture has no dark areas</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the picture has no dark areas</source>
+            <source>the picture has no size: {dpi:g} dpi are assumed; give its width</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15826,18 +17558,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the play of the axes cannot be taken up in an arc with an absolute centre</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the play of the axes cannot be taken up in coordinates that are turned</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the play of the axes cannot be taken up within this line</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>the pocket is so narrow that its way at this engagement would be too long beside parallels</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15874,11 +17594,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the power stands at the pierce for much longer than the chart's delay</source>
+            <source>the power is on at the pierce for much longer than the chart's delay</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the probe stands at its end already</source>
+            <source>the probe is at its target already</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15894,15 +17614,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the process that calculates the retract has ended</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the process that cuts ended before it had an answer</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the process that finds the way back has ended</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the process that knows the part at every moment has ended</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15910,11 +17626,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the process that plays the pulses stood still: it was stopped, or the computer gave it no time; everything is off, and steps may be lost</source>
+            <source>the process that plays the pulses was stopped or got no processor time; all outputs are off, and steps may be lost</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the process that proves the program ended without an answer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the process that reads drawings has ended</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15962,6 +17682,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the program cannot run from here on its own: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the program changes no tool</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15975,6 +17699,10 @@
         </message>
         <message>
             <source>the program cuts nothing at a known place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the program does not contain the values of the material that QtPlasmaC has selected</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16130,6 +17858,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the reading of the drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the reading of the last job</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16147,6 +17879,22 @@
         </message>
         <message>
             <source>the restart goes straight down first, from Z {high}, where the machine has homed, to Z {low}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the retract along the cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the retract cannot be read back: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the retract cannot be sent as it was written</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the retract does not lead to that place</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16226,11 +17974,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the sender or its computer stopped without a word; what the controller held it may have made</source>
+            <source>the sender or its computer stopped suddenly; the controller may have executed the lines in its buffer</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the sender's process does not come up</source>
+            <source>the sender's process does not start</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16247,10 +17995,6 @@
         </message>
         <message>
             <source>the session still runs</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the session {session_file} answers what this program does not understand</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16310,6 +18054,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the simulation's process has ended</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the slot's width</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16338,7 +18086,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the spindle does not do as it is told</source>
+            <source>the spindle does not follow the program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16350,7 +18098,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the spindle is switched on at S0, since no speed was said before</source>
+            <source>the spindle is switched on at S0, since no S came before</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16374,11 +18122,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the stand that this answers to is over</source>
+            <source>the stand-alone interpreter moves X Y Z A B C only</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the stand-alone interpreter moves X Y Z A B C only</source>
+            <source>the state of the machine's position cannot be stored: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16514,7 +18262,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the tool does not reach into {corners} corners or narrow places; what stays there: {told}</source>
+            <source>the tool does not reach into {corners} corners or narrow places; material left there: {told}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16522,11 +18270,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the tool goes below the stock and cuts what lies under it</source>
+            <source>the tool goes below the stock and cuts the table under it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the tool goes up or down while it cuts: backwards it would enter at the full depth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the tool is at Z {high}, and the restart first goes straight down to Z {low} as a rapid</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16574,11 +18326,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the tool stands at Z {high}, and the restart goes straight down to Z {low} first, as a rapid</source>
+            <source>the tool table cannot be read again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the tool table cannot be read again</source>
+            <source>the tool's position is unknown here</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16590,15 +18342,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the tool's radius went into the path, which is right for this tool only</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>the tool's width is not the cut chart's kerf</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the torch may not be taken off</source>
+            <source>the tool's {letter} is unknown here, and a rotation needs both coordinates</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the torch cannot be switched off</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16618,6 +18370,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the value of #{number} is known only when the program runs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the velocity may not be reduced</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16631,26 +18387,6 @@
         </message>
         <message>
             <source>the wall may be up to {promise_mm:.3f} mm off: an ellipse is no offset of an ellipse, and the resolution adds to it; method "tolerance" keeps to tolerance_mm</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the way along the cut cannot be sent as it was written</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the way back along the cut</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the way back cannot be read: {error}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the way back does not lead there</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the way would be bent otherwise</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16694,7 +18430,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the wire would stand too long at corners and melt a hole</source>
+            <source>the wire would stay too long at corners and melt a hole</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16714,7 +18450,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the work zero cannot be set here: what lies behind was cut from another one</source>
+            <source>the work zero cannot be set here: the cut behind used another one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16722,15 +18458,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the work zero is not confirmed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the work zero is not known, so the program's place on the table is unknown</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the work zero was set at a pause, so the way back along the cut is not known</source>
+            <source>the work zero was set at a pause, so that the retract along the cut is unknown</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the zero of {axis} in {system} was not taken over</source>
+            <source>the zero of the lathe can be set in manual mode only: {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16746,7 +18486,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the {tool} tool does not say how many flutes it has; its feed is reckoned with {usual_flutes}</source>
+            <source>the {tool} tool has no number of flutes; its feed is calculated with {usual_flutes}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16762,7 +18502,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>then runs {own} lines of the program as they are; all before them is taken as cut</source>
+            <source>then runs {own} lines of the program unchanged; everything before them counts as cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16950,6 +18690,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this answer belongs to an earlier pause</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this build of the controller has no such setting</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16998,6 +18742,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this is no word that can be edited</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this is not allowed while an emergency stop or a limit is active</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17022,15 +18770,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>this line is not executed (deleted, after the end or not led to): what it means is not known</source>
+            <source>this line is in the part that is to be reversed, and is not only a move</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>this line stands within a way that is to run backwards, and does more than move</source>
+            <source>this line is not executed (deleted, after the end, or never reached), so that its meaning is unknown</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>this machine cannot be held while its program runs: its link takes no such command</source>
+            <source>this machine cannot be held while its program runs: its link has no such command</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17046,7 +18794,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>this machine cannot be stopped while it runs what it was sent</source>
+            <source>this machine cannot be stopped while it runs the lines that it has</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17062,7 +18810,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>this machine does not report its position: it is counted from what was sent</source>
+            <source>this machine does not report its position: it is calculated from the lines sent</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17074,15 +18822,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this machine has no output to switch (knife and point have no power): take it out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this machine has no probe</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>this machine has no spindle whose speed is chosen: write M3 alone</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>this machine has nothing that is switched (knife and point have no power): take it out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17094,11 +18842,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>this one is made by itself when that is done, in about a minute</source>
+            <source>this one is made when that is done, in about a minute</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>this pin of the machine is not known to this reader</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this program does not understand the answers of the session {session_file}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17122,7 +18874,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>this takes long, and is being made beside the window</source>
+            <source>this takes long and is calculated in the background</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17174,7 +18926,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>too many lines lie on each other</source>
+            <source>too many lines are on top of each other</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17210,7 +18962,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>tool {number} is not known, so what it cuts is not checked</source>
+            <source>tool {number} is unknown, so that its cuts are not checked</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17222,7 +18974,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>tool {tool} does not stand in the tool table</source>
+            <source>tool {tool} is not in the tool table</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17243,6 +18995,10 @@
         </message>
         <message>
             <source>try again; if it stays so, the program may need more memory than there is</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>try it again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17282,7 +19038,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>two commands of one line both want axis words</source>
+            <source>two commands of one line both use axis words</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17326,7 +19082,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>two words of one modal group stand in one line</source>
+            <source>two words of one modal group are in one line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17622,6 +19378,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>wait until it is at rest, or hold it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>wait until it is homed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17631,10 +19391,6 @@
         </message>
         <message>
             <source>wait until it is idle; after an alarm home it or unlock it</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>wait until it stands, or hold it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17670,71 +19426,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>what #{number} will hold is known only when the program runs</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>what comes after that</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>what happens between the moves would not be the same</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>what is cut off</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>what is known of the machine's position cannot be kept: {error}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>what it does is the machine's own: leave it out</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>what lies at X{x:.3f} Y{y:.3f} would come loose before it is cut, in any order</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>what lies inside an outline is faced with it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>what stands here is no word that can be edited</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>what the circle takes of it</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>what the material that QtPlasmaC has chosen says is not in the text</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>what was picked of '{drawing}' is not there any more</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>what {kind} follows is not known</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>where a probe stops only the controller knows</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>where the machine is cannot be seen: every report of the controller is damaged</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>where the tool stands along {letter} is not known here, and turning needs both coordinates</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>where the tool stands here is not known</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17747,10 +19443,6 @@
         </message>
         <message>
             <source>where this way begins is not known</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>which of several passes was cut cannot be told for certain, so the earliest that fits is taken: line {file_line}, not {file_line2}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18010,7 +19702,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>write each program so that it stands alone</source>
+            <source>write each program so that it can run on its own</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18102,10 +19794,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>write out what it does first: cncstepper convert</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>write ph=, pd=, ch= and fr=</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18138,11 +19826,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write the cuts as [[operation]]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write the end point itself</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>write the motion word again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write the path of the tool's centre</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18170,10 +19866,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>write the way of the tool's centre</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>write the words with plain numbers</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18187,10 +19879,6 @@
         </message>
         <message>
             <source>write to another one</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>write what is to be cut as [[operation]]</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18366,7 +20054,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{count} clip paths and masks are not applied: what they hide is read too</source>
+            <source>{count} clip paths and masks are not applied: the parts that they hide are read too</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18482,7 +20170,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{first_file}: restart that one again, what its restart has cut counts as cut</source>
+            <source>{first_file}: restart that one again; its restart's cuts count as cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18570,6 +20258,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{key} is twice in one material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{key} leads into a value that is no table</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18622,7 +20314,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{key} stands twice in one material</source>
+            <source>{key}= is twice in a material's comment</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18631,10 +20323,6 @@
         </message>
         <message>
             <source>{key}= of a material is out of its bounds</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{key}= stands twice in a material's comment</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18682,11 +20370,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{letter} goes on from the point before: neither with {other} nor under G91</source>
+            <source>{letter} continues from the last point: neither with {other} nor under G91</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{letter} has no meaning with G10 L{kind}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{letter} is out of range</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{letter} is twice on the line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18699,14 +20395,6 @@
         </message>
         <message>
             <source>{letter} of {name} must be {word} 0</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{letter} says nothing with G10 L{kind}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{letter} stands twice on the line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18730,11 +20418,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{line} stands in line {index} of {known_file} already</source>
+            <source>{line} is in line {index} of {known_file} already</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{line} stands outside any subroutine</source>
+            <source>{line} is outside any subroutine</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18746,7 +20434,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{link} does not say its modes: question or answer was damaged</source>
+            <source>{link} does not report its modes: question or answer was damaged</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18759,6 +20447,10 @@
         </message>
         <message>
             <source>{link} sends no line ends</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{machine} accepts no pulse letters</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18783,10 +20475,6 @@
         </message>
         <message>
             <source>{machine} has no relay '{name}'</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{machine} takes no pulse letters</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18870,6 +20558,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{name} is between G5.2 and G5.3</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{name} is in use</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18878,7 +20570,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{name} is no port that takes pulses</source>
+            <source>{name} is no port for pulses</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18954,11 +20646,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{name} says more than anybody asked for</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{name} stands between G5.2 and G5.3</source>
+            <source>{name} sends more than was asked for</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19054,7 +20742,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{places} of {wanted} tabs fit on the contour that begins at X{x:.3f} Y{y:.3f}; make them narrower to have more</source>
+            <source>{places} of {wanted} tabs fit on the contour that begins at X{x:.3f} Y{y:.3f}; make them narrower to fit more</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19130,7 +20818,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{says} is out of its bounds</source>
+            <source>{says} is out of range</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19190,7 +20878,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{twice} of the {drawn} holes stand where others do and are made once</source>
+            <source>{twice} of the {drawn} holes are at the place of others and are made once</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19206,7 +20894,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{value:g} stands where a whole number must</source>
+            <source>{value:g} must be a whole number</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19384,6 +21072,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_ImportDrawing</name>
+        <message>
+            <source>Brings in SVG, DXF, STEP, STL, pictures, points or G-code, linked to the file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Import drawing…</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_ImportTools</name>
         <message>
             <source>Adds the tools of FreeCAD's library or of a tool table</source>
@@ -19494,6 +21193,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_Shapes</name>
+        <message>
+            <source>Adds a shape by its dimensions: holes, slots, flanges, brackets</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Shapes…</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_SheetCut</name>
         <message>
             <source>Cuts parts out of sheet by torch, laser, jet, knife or point</source>
@@ -19512,6 +21222,17 @@
         </message>
         <message>
             <source>Checks the program of the job and shows what it cuts</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Text</name>
+        <message>
+            <source>Adds a text in any font, or in single lines for engraving</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Text</source>
             <translation type="unfinished"></translation>
         </message>
     </context>

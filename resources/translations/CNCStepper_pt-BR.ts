@@ -4,6 +4,18 @@
     <context>
         <name>App::Property</name>
         <message>
+            <source>A TrueType or OpenType file, instead of the font</source>
+            <translation>Um arquivo TrueType ou OpenType, em vez da fonte</translation>
+        </message>
+        <message>
+            <source>A factor of the font's own</source>
+            <translation>Um fator da entrelinha da própria fonte</translation>
+        </message>
+        <message>
+            <source>A font of the system, or a single-line font for engraving</source>
+            <translation>Uma fonte do sistema, ou uma fonte de linha única para gravar</translation>
+        </message>
+        <message>
             <source>A laser's S word for marks; 0: a twentieth of its power</source>
             <translation>A palavra S do laser para marcas; 0: um vigésimo da potência</translation>
         </message>
@@ -52,8 +64,40 @@
             <translation>Em torno do primeiro canto, no sentido anti-horário</translation>
         </message>
         <message>
+            <source>Above</source>
+            <translation>Acima</translation>
+        </message>
+        <message>
             <source>Active</source>
             <translation>Ativa</translation>
+        </message>
+        <message>
+            <source>Added between letters</source>
+            <translation>Acrescentado entre as letras</translation>
+        </message>
+        <message>
+            <source>Align</source>
+            <translation>Alinhamento</translation>
+        </message>
+        <message>
+            <source>Alignment</source>
+            <translation>Alinhamento</translation>
+        </message>
+        <message>
+            <source>All, the outline, or the holes in it</source>
+            <translation>Todas, o contorno, ou os furos nele</translation>
+        </message>
+        <message>
+            <source>All, the outlines of letters, or the holes in them</source>
+            <translation>Todas, os contornos das letras, ou os furos nelas</translation>
+        </message>
+        <message>
+            <source>Along</source>
+            <translation>Ao longo de</translation>
+        </message>
+        <message>
+            <source>Along a line or arc</source>
+            <translation>Ao longo de uma linha ou arco</translation>
         </message>
         <message>
             <source>Amperes</source>
@@ -72,6 +116,22 @@
             <translation>Ângulo saída</translation>
         </message>
         <message>
+            <source>Arc Centre</source>
+            <translation>Centro do arco</translation>
+        </message>
+        <message>
+            <source>Arc Radius</source>
+            <translation>Raio do arco</translation>
+        </message>
+        <message>
+            <source>Arc Start</source>
+            <translation>Início do arco</translation>
+        </message>
+        <message>
+            <source>Arc Sweep</source>
+            <translation>Abertura do arco</translation>
+        </message>
+        <message>
             <source>Arcs By</source>
             <translation>Regra dos arcos</translation>
         </message>
@@ -82,6 +142,10 @@
         <message>
             <source>Arcs Radius</source>
             <translation>Raio dos arcos</translation>
+        </message>
+        <message>
+            <source>Arcs and lines this close to the drawn points, instead of the tolerance; 0: straight lines</source>
+            <translation>Arcos e linhas a esta distância dos pontos desenhados, em vez da tolerância; 0: linhas retas</translation>
         </message>
         <message>
             <source>Arcs below</source>
@@ -100,8 +164,16 @@
             <translation>Como múltiplo da espessura; 0: nenhum pela espessura</translation>
         </message>
         <message>
+            <source>At smaller corners the wire neither pauses nor slows down</source>
+            <translation>Onde o caminho vira menos, o fio nem para nem vai mais devagar</translation>
+        </message>
+        <message>
             <source>Below thickness times</source>
             <translation>Abaixo de × espessura</translation>
+        </message>
+        <message>
+            <source>Below this grey, 1 to 255, it is dark; 0: found from the picture</source>
+            <translation>Abaixo deste cinza, 1 a 255, é escuro; 0: achado na imagem</translation>
         </message>
         <message>
             <source>Between neighbouring helices at most; 0: 0.4 of the tool's diameter</source>
@@ -128,12 +200,32 @@
             <translation>Recuo da lâmina</translation>
         </message>
         <message>
+            <source>Blur</source>
+            <translation>Desfoque</translation>
+        </message>
+        <message>
             <source>Bridges that hold the part until it is broken out</source>
             <translation>Pontes que seguram a peça até ela ser destacada</translation>
         </message>
         <message>
+            <source>By Colour</source>
+            <translation>Por cor</translation>
+        </message>
+        <message>
+            <source>By colour</source>
+            <translation>Por cor</translation>
+        </message>
+        <message>
             <source>Centre</source>
             <translation>Centro</translation>
+        </message>
+        <message>
+            <source>Chains</source>
+            <translation>Contornos</translation>
+        </message>
+        <message>
+            <source>Changes of the job's own program since then</source>
+            <translation>O que aconteceu desde então com o programa do próprio trabalho</translation>
         </message>
         <message>
             <source>Chart</source>
@@ -168,11 +260,19 @@
             <translation>Altura de segurança</translation>
         </message>
         <message>
+            <source>Close</source>
+            <translation>Fechar</translation>
+        </message>
+        <message>
+            <source>Close gaps</source>
+            <translation>Fechar vãos</translation>
+        </message>
+        <message>
             <source>Closed</source>
             <translation>Fechada</translation>
         </message>
         <message>
-            <source>Closed lines round what is faced; without it the whole stock</source>
+            <source>Closed lines around the area to face; without them the whole stock</source>
             <translation>Linhas fechadas em volta do que é faceado; sem elas, o bloco inteiro</translation>
         </message>
         <message>
@@ -190,6 +290,10 @@
         <message>
             <source>Containers of the clamps</source>
             <translation>Recipientes dos grampos</translation>
+        </message>
+        <message>
+            <source>Contours</source>
+            <translation>Contornos</translation>
         </message>
         <message>
             <source>Coolant</source>
@@ -284,6 +388,14 @@
             <translation>Corrente</translation>
         </message>
         <message>
+            <source>Curve Count</source>
+            <translation>Número de curvas</translation>
+        </message>
+        <message>
+            <source>Curves</source>
+            <translation>Curvas</translation>
+        </message>
+        <message>
             <source>Cut</source>
             <translation>Corte</translation>
         </message>
@@ -348,6 +460,10 @@
             <translation>Diâmetro</translation>
         </message>
         <message>
+            <source>Dimensions</source>
+            <translation>Dimensões</translation>
+        </message>
+        <message>
             <source>Direction</source>
             <translation>Sentido</translation>
         </message>
@@ -358,6 +474,22 @@
         <message>
             <source>Dogbones</source>
             <translation>Alívio de cantos</translation>
+        </message>
+        <message>
+            <source>Double</source>
+            <translation>Duplicada</translation>
+        </message>
+        <message>
+            <source>Doubles</source>
+            <translation>Duplicadas</translation>
+        </message>
+        <message>
+            <source>Drawing</source>
+            <translation>Desenho</translation>
+        </message>
+        <message>
+            <source>Drawing, solid or picture</source>
+            <translation>Desenho, sólido ou imagem</translation>
         </message>
         <message>
             <source>Drawings</source>
@@ -390,6 +522,10 @@
         <message>
             <source>End angle</source>
             <translation>Ângulo final</translation>
+        </message>
+        <message>
+            <source>Ends that are nearer than this are moved together</source>
+            <translation>Pontas mais próximas que isto são unidas</translation>
         </message>
         <message>
             <source>Engagement</source>
@@ -428,6 +564,18 @@
             <translation>Fenda de entrada</translation>
         </message>
         <message>
+            <source>Exit of the wire: back along its entry, or the shortest way to an edge</source>
+            <translation>Como o fio sai no fim: de volta pelo mesmo caminho, ou pelo caminho mais curto até uma borda</translation>
+        </message>
+        <message>
+            <source>Extra depth, so that the tool comes out below</source>
+            <translation>Quanto a ferramenta desce a mais para sair por baixo</translation>
+        </message>
+        <message>
+            <source>Faults</source>
+            <translation>Falhas</translation>
+        </message>
+        <message>
             <source>Feed</source>
             <translation>Avanço</translation>
         </message>
@@ -454,6 +602,10 @@
         <message>
             <source>File</source>
             <translation>Arquivo</translation>
+        </message>
+        <message>
+            <source>File State</source>
+            <translation>Estado do arquivo</translation>
         </message>
         <message>
             <source>Finish</source>
@@ -492,6 +644,14 @@
             <translation>Dentes</translation>
         </message>
         <message>
+            <source>Font</source>
+            <translation>Fonte</translation>
+        </message>
+        <message>
+            <source>Font file</source>
+            <translation>Arquivo da fonte</translation>
+        </message>
+        <message>
             <source>For a mill that does not cut over its centre; 0: 10°</source>
             <translation>Para uma fresa sem corte no centro; 0: 10°</translation>
         </message>
@@ -502,6 +662,10 @@
         <message>
             <source>Free length</source>
             <translation>Comprimento livre</translation>
+        </message>
+        <message>
+            <source>From</source>
+            <translation>De</translation>
         </message>
         <message>
             <source>From Chart</source>
@@ -548,6 +712,10 @@
             <translation>Da ponta ao porta-ferramenta; 0: não informado</translation>
         </message>
         <message>
+            <source>Gaps up to this are closed</source>
+            <translation>Vãos até isto são fechados</translation>
+        </message>
+        <message>
             <source>Good Side</source>
             <translation>Lado bom</translation>
         </message>
@@ -582,6 +750,10 @@
         <message>
             <source>Height</source>
             <translation>Altura</translation>
+        </message>
+        <message>
+            <source>Height of</source>
+            <translation>Altura de</translation>
         </message>
         <message>
             <source>Heights</source>
@@ -640,6 +812,10 @@
             <translation>Quanto a perfuração se afasta de peças e bordas cortadas; 0: o da tabela de corte</translation>
         </message>
         <message>
+            <source>How far above it the letters stand</source>
+            <translation>A que distância acima dela ficam as letras</translation>
+        </message>
+        <message>
             <source>How far an arc turns, or how far a line leans away from the contour</source>
             <translation>Quanto um arco gira, ou quanto uma linha se afasta do contorno</translation>
         </message>
@@ -672,12 +848,28 @@
             <translation>A que distância da borda do bloco os cortes devem ficar; 0: a borda não importa</translation>
         </message>
         <message>
+            <source>How far letters lean to the right</source>
+            <translation>Quanto as letras se inclinam para a direita</translation>
+        </message>
+        <message>
+            <source>How far lines and arcs may leave other curves</source>
+            <translation>Quanto linhas e arcos podem se afastar de outras curvas</translation>
+        </message>
+        <message>
+            <source>How far lines and arcs may leave the letters</source>
+            <translation>Quanto linhas e arcos podem se afastar das letras</translation>
+        </message>
+        <message>
+            <source>How far lines and arcs may leave the pixels; 0: half a pixel</source>
+            <translation>Quanto linhas e arcos podem se afastar dos pixels; 0: meio pixel</translation>
+        </message>
+        <message>
             <source>How far one turn of the helix falls</source>
             <translation>Quanto desce uma volta da hélice</translation>
         </message>
         <message>
-            <source>How far the cut line may leave the drawn one, to be of fewer moves; 0: not at all</source>
-            <translation>Quanto a linha cortada pode se afastar da desenhada para ter menos movimentos; 0: nada</translation>
+            <source>How far the arc goes; below 0 clockwise, with the letters outside</source>
+            <translation>Até onde vai o arco; abaixo de 0 no sentido horário, com as letras por fora</translation>
         </message>
         <message>
             <source>How far the cut may be off the drawing</source>
@@ -712,6 +904,10 @@
             <translation>Como se corta; a máquina precisa ser capaz disso</translation>
         </message>
         <message>
+            <source>How it was read last</source>
+            <translation>Como foi lido por último</translation>
+        </message>
+        <message>
             <source>How long a spot has power</source>
             <translation>Quanto tempo um ponto tem potência</translation>
         </message>
@@ -720,16 +916,12 @@
             <translation>Quanto tempo a chama aquece antes da perfuração; 0: o da tabela</translation>
         </message>
         <message>
-            <source>How long the tool stands with power; 0: that of the cut chart</source>
-            <translation>Quanto tempo a ferramenta fica parada com potência; 0: o da tabela de corte</translation>
-        </message>
-        <message>
-            <source>How long the wire stands where the way turns back; less at blunter corners</source>
-            <translation>Quanto tempo o fio para onde o caminho volta; menos em cantos mais abertos</translation>
-        </message>
-        <message>
             <source>How many corners and narrow places the tool does not reach into</source>
             <translation>Em quantos cantos e lugares estreitos a ferramenta não entra</translation>
+        </message>
+        <message>
+            <source>How many gaps, doubles, crossings and other faults were found</source>
+            <translation>Quantos vãos, duplicadas, cruzamentos e outras falhas foram achados</translation>
         </message>
         <message>
             <source>How many holes</source>
@@ -780,16 +972,16 @@
             <translation>Quantos dentes; 0: não informado</translation>
         </message>
         <message>
+            <source>How many there are</source>
+            <translation>Quantos há</translation>
+        </message>
+        <message>
             <source>How many there are: one, or one a tool in turn</source>
             <translation>Quantos são: um, ou um por ferramenta na sequência</translation>
         </message>
         <message>
             <source>How many turns the thread has</source>
             <translation>Quantas voltas a rosca tem</translation>
-        </message>
-        <message>
-            <source>How much deeper the tool goes, to come out below</source>
-            <translation>Quanto a ferramenta desce a mais para sair por baixo</translation>
         </message>
         <message>
             <source>How much of the rim may be in the material at most, as an angle</source>
@@ -844,10 +1036,6 @@
             <translation>Como a ferramenta deixa o contorno</translation>
         </message>
         <message>
-            <source>How the wire comes out at last: back the way it came, or on the shortest way to an edge</source>
-            <translation>Como o fio sai no fim: de volta pelo mesmo caminho, ou pelo caminho mais curto até uma borda</translation>
-        </message>
-        <message>
             <source>How wide a tab is at its top</source>
             <translation>A largura de uma ponte no topo</translation>
         </message>
@@ -876,8 +1064,28 @@
             <translation>Em passes inteiros</translation>
         </message>
         <message>
+            <source>Invert</source>
+            <translation>Inverter</translation>
+        </message>
+        <message>
+            <source>Its name in job files</source>
+            <translation>Seu nome nos arquivos de trabalho</translation>
+        </message>
+        <message>
             <source>Job</source>
             <translation>Trabalho</translation>
+        </message>
+        <message>
+            <source>Join</source>
+            <translation>Unir</translation>
+        </message>
+        <message>
+            <source>Join ends</source>
+            <translation>Unir pontas</translation>
+        </message>
+        <message>
+            <source>Join only lines of one colour</source>
+            <translation>Unir só linhas da mesma cor</translation>
         </message>
         <message>
             <source>Joints that hold the part until it is broken out</source>
@@ -894,6 +1102,14 @@
         <message>
             <source>Kerf Used</source>
             <translation>Largura de corte usada</translation>
+        </message>
+        <message>
+            <source>Kerning</source>
+            <translation>Kerning</translation>
+        </message>
+        <message>
+            <source>Kind</source>
+            <translation>Tipo</translation>
         </message>
         <message>
             <source>Last hole</source>
@@ -988,7 +1204,11 @@
             <translation>Comprimento saída</translation>
         </message>
         <message>
-            <source>Length, width and height; of a cylinder, which stands, the length is its diameter</source>
+            <source>Length that the controller adds to Z, if the machine uses a table of lengths; 0: not given</source>
+            <translation>O que o controlador soma a Z, onde a máquina toma os comprimentos de uma tabela; 0: não informado</translation>
+        </message>
+        <message>
+            <source>Length, width and height; for an upright cylinder the length is its diameter</source>
             <translation>Comprimento, largura e altura; num cilindro, que fica em pé, o comprimento é o diâmetro</translation>
         </message>
         <message>
@@ -1000,24 +1220,56 @@
             <translation>Níveis</translation>
         </message>
         <message>
+            <source>Light areas</source>
+            <translation>Áreas claras</translation>
+        </message>
+        <message>
             <source>Line</source>
             <translation>Linha</translation>
+        </message>
+        <message>
+            <source>Line Begin</source>
+            <translation>Início da linha</translation>
+        </message>
+        <message>
+            <source>Line End</source>
+            <translation>Fim da linha</translation>
         </message>
         <message>
             <source>Line Length</source>
             <translation>Comprimento das linhas</translation>
         </message>
         <message>
+            <source>Line Spacing</source>
+            <translation>Entrelinha</translation>
+        </message>
+        <message>
             <source>Line length</source>
             <translation>Comprimento das linhas</translation>
+        </message>
+        <message>
+            <source>Line spacing</source>
+            <translation>Entrelinha</translation>
         </message>
         <message>
             <source>Lines</source>
             <translation>Linhas</translation>
         </message>
         <message>
+            <source>Lines nearer than this to another one are drawn twice</source>
+            <translation>Linhas mais próximas de outra que isto estão desenhadas duas vezes</translation>
+        </message>
+        <message>
+            <source>Lines of many points become fewer lines and arcs within this; 0: they stay</source>
+            <translation>Linhas de muitos pontos viram menos linhas e arcos dentro disto; 0: ficam</translation>
+        </message>
+        <message>
             <source>Lines that are marked with low power or lightly scribed before anything is cut</source>
             <translation>Linhas marcadas com pouca potência ou levemente riscadas antes de qualquer corte</translation>
+        </message>
+        <message>
+            <source>Lines up to this long are left out</source>
+            <translation>Linhas até este comprimento são deixadas de fora</translation>
         </message>
         <message>
             <source>Loop radius</source>
@@ -1108,6 +1360,18 @@
             <translation>Material</translation>
         </message>
         <message>
+            <source>Material of the cutter</source>
+            <translation>De que a ferramenta é feita</translation>
+        </message>
+        <message>
+            <source>Material that a round tool leaves at the ends of the long axis</source>
+            <translation>O que a ferramenta redonda deixa nas pontas do eixo maior</translation>
+        </message>
+        <message>
+            <source>Mend</source>
+            <translation>Reparar</translation>
+        </message>
+        <message>
             <source>Message</source>
             <translation>Mensagem</translation>
         </message>
@@ -1144,20 +1408,40 @@
             <translation>Número</translation>
         </message>
         <message>
+            <source>Objects</source>
+            <translation>Objetos</translation>
+        </message>
+        <message>
             <source>Of a bull nose; 0: not given</source>
             <translation>De uma fresa toroidal; 0: não informado</translation>
+        </message>
+        <message>
+            <source>Of its curves</source>
+            <translation>De suas curvas</translation>
         </message>
         <message>
             <source>Of one wall that a jet or wire leaves, against the vertical; 0: none</source>
             <translation>De uma parede deixada pelo jato ou fio, em relação à vertical; 0: nenhuma</translation>
         </message>
         <message>
+            <source>Of the arc</source>
+            <translation>Do arco</translation>
+        </message>
+        <message>
             <source>Of the bores; 0: that of each circle of the drawing</source>
             <translation>Dos furos; 0: o de cada círculo do desenho</translation>
         </message>
         <message>
+            <source>Of the capitals, or of the em</source>
+            <translation>Das maiúsculas, ou do corpo da fonte</translation>
+        </message>
+        <message>
             <source>Of the corners seen from above; 0: as round as the tool</source>
             <translation>Dos cantos vistos de cima; 0: tão redondos quanto a ferramenta</translation>
+        </message>
+        <message>
+            <source>Of the font, such as Bold; empty: the regular one</source>
+            <translation>Da fonte, como Bold; vazio: o normal</translation>
         </message>
         <message>
             <source>Of the grid about its first hole</source>
@@ -1204,6 +1488,10 @@
             <translation>Contornos dos grampos</translation>
         </message>
         <message>
+            <source>Outputs that are on while cutting</source>
+            <translation>O que fica ligado durante o corte</translation>
+        </message>
+        <message>
             <source>Outside corners that turn by more get a loop</source>
             <translation>Cantos externos que viram mais recebem um laço</translation>
         </message>
@@ -1218,6 +1506,14 @@
         <message>
             <source>Overhang</source>
             <translation>Passagem da borda</translation>
+        </message>
+        <message>
+            <source>Pairs of letters stand as near as the font says</source>
+            <translation>Pares de letras ficam tão próximos quanto a fonte diz</translation>
+        </message>
+        <message>
+            <source>Part</source>
+            <translation>Parte</translation>
         </message>
         <message>
             <source>Parts</source>
@@ -1240,8 +1536,16 @@
             <translation>Pausa</translation>
         </message>
         <message>
+            <source>Pause of the wire where the path turns back; shorter at blunter corners</source>
+            <translation>Quanto tempo o fio para onde o caminho volta; menos em cantos mais abertos</translation>
+        </message>
+        <message>
             <source>Peck</source>
             <translation>Bicada</translation>
+        </message>
+        <message>
+            <source>Picture</source>
+            <translation>Imagem</translation>
         </message>
         <message>
             <source>Pierce</source>
@@ -1274,6 +1578,10 @@
         <message>
             <source>Pitch</source>
             <translation>Passo</translation>
+        </message>
+        <message>
+            <source>Pixels an inch; 0: as the file says</source>
+            <translation>Pixels por polegada; 0: como o arquivo diz</translation>
         </message>
         <message>
             <source>Place Centre</source>
@@ -1444,6 +1752,10 @@
             <translation>Raio entrada</translation>
         </message>
         <message>
+            <source>Radius in pixels of a blur that takes out noise</source>
+            <translation>Raio em pixels de um desfoque que tira o ruído</translation>
+        </message>
+        <message>
             <source>Radius out</source>
             <translation>Raio saída</translation>
         </message>
@@ -1472,12 +1784,28 @@
             <translation>Comprimento da rampa</translation>
         </message>
         <message>
+            <source>Read</source>
+            <translation>Lido</translation>
+        </message>
+        <message>
             <source>Rectangle</source>
             <translation>Retângulo</translation>
         </message>
         <message>
             <source>Region</source>
             <translation>Região</translation>
+        </message>
+        <message>
+            <source>Repair</source>
+            <translation>Reparo</translation>
+        </message>
+        <message>
+            <source>Repair what is wrong, as far as these values allow</source>
+            <translation>Repara o que está errado, até onde estes valores permitem</translation>
+        </message>
+        <message>
+            <source>Report</source>
+            <translation>Relatório</translation>
         </message>
         <message>
             <source>Resolution</source>
@@ -1532,8 +1860,24 @@
             <translation>Segundos no fundo</translation>
         </message>
         <message>
+            <source>Section</source>
+            <translation>Seção</translation>
+        </message>
+        <message>
+            <source>Setting</source>
+            <translation>Composição</translation>
+        </message>
+        <message>
             <source>Shape</source>
             <translation>Forma</translation>
+        </message>
+        <message>
+            <source>Shape Kind</source>
+            <translation>Tipo de forma</translation>
+        </message>
+        <message>
+            <source>Shape of the raw material</source>
+            <translation>Como é a matéria-prima</translation>
         </message>
         <message>
             <source>Shorter than</source>
@@ -1550,6 +1894,10 @@
         <message>
             <source>Size</source>
             <translation>Tamanho</translation>
+        </message>
+        <message>
+            <source>Slant</source>
+            <translation>Inclinação</translation>
         </message>
         <message>
             <source>Small Holes By</source>
@@ -1588,12 +1936,28 @@
             <translation>Furos pequenos com avanço próprio</translation>
         </message>
         <message>
+            <source>Smaller areas, in mm², are left out; 0: four pixels</source>
+            <translation>Áreas menores, em mm², são deixadas de fora; 0: quatro pixels</translation>
+        </message>
+        <message>
+            <source>Smooth</source>
+            <translation>Suavizar</translation>
+        </message>
+        <message>
             <source>Solids that hold the work down, which the tool must not touch</source>
             <translation>Sólidos que prendem a peça e em que a ferramenta não pode tocar</translation>
         </message>
         <message>
             <source>Spacing</source>
             <translation>Espaçamento</translation>
+        </message>
+        <message>
+            <source>Speck</source>
+            <translation>Mancha</translation>
+        </message>
+        <message>
+            <source>Specks</source>
+            <translation>Manchas</translation>
         </message>
         <message>
             <source>Spindle</source>
@@ -1612,6 +1976,10 @@
             <translation>Rotações do spindle por minuto; 0: as do material do trabalho</translation>
         </message>
         <message>
+            <source>Split</source>
+            <translation>Divisão</translation>
+        </message>
+        <message>
             <source>Spot</source>
             <translation>Ponto</translation>
         </message>
@@ -1628,8 +1996,16 @@
             <translation>Tempo do ponto</translation>
         </message>
         <message>
+            <source>Start</source>
+            <translation>Iniciar</translation>
+        </message>
+        <message>
             <source>Start angle</source>
             <translation>Ângulo inicial</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>Estado</translation>
         </message>
         <message>
             <source>Steepest ramp</source>
@@ -1684,8 +2060,16 @@
             <translation>Sobremetal</translation>
         </message>
         <message>
+            <source>Stock to leave at the wall for another operation</source>
+            <translation>O que fica na parede para outra operação tirar</translation>
+        </message>
+        <message>
             <source>Style</source>
             <translation>Estilo</translation>
+        </message>
+        <message>
+            <source>Sweep</source>
+            <translation>Abertura</translation>
         </message>
         <message>
             <source>Tabs</source>
@@ -1720,6 +2104,10 @@
             <translation>Conicidade</translation>
         </message>
         <message>
+            <source>Text</source>
+            <translation>Texto</translation>
+        </message>
+        <message>
             <source>The G-code file that it is, which has nothing to do with the operations of its job</source>
             <translation>O arquivo de G-code que ele é, sem relação com as operações do seu trabalho</translation>
         </message>
@@ -1740,8 +2128,16 @@
             <translation>Os grampos vistos de cima, na altura dos seus topos</translation>
         </message>
         <message>
+            <source>The colour in the file</source>
+            <translation>A cor no arquivo</translation>
+        </message>
+        <message>
             <source>The corner where the grid begins, from the work zero</source>
             <translation>O canto onde a grade começa, a partir do zero da peça</translation>
+        </message>
+        <message>
+            <source>The current set at the power source; 0: from the chart</source>
+            <translation>O que se ajusta na fonte; 0: a corrente da tabela</translation>
         </message>
         <message>
             <source>The cut chart gives this value; change it in the job</source>
@@ -1768,7 +2164,7 @@
             <translation>O diâmetro da fresa</translation>
         </message>
         <message>
-            <source>The diameter of what holds the tool; 0: not given</source>
+            <source>The diameter of the tool holder; 0: not given</source>
             <translation>O diâmetro do que segura a ferramenta; 0: não informado</translation>
         </message>
         <message>
@@ -1784,7 +2180,11 @@
             <translation>O desenho que ela seguia, se foi excluído</translation>
         </message>
         <message>
-            <source>The edge of the sheet through which the wire comes in</source>
+            <source>The drawing that the objects follow</source>
+            <translation>O desenho que os objetos seguem</translation>
+        </message>
+        <message>
+            <source>The edge of the sheet at which the wire enters</source>
             <translation>A borda da chapa por onde o fio entra</translation>
         </message>
         <message>
@@ -1820,16 +2220,20 @@
             <translation>A forma da fresa</translation>
         </message>
         <message>
+            <source>The groups around it in the file</source>
+            <translation>Os grupos em volta dele no arquivo</translation>
+        </message>
+        <message>
             <source>The height of the rapids between holes: G98 or G99</source>
             <translation>A altura dos rápidos entre furos: G98 ou G99</translation>
         </message>
         <message>
-            <source>The job whose machine, stock, tools and clamps the program is for</source>
-            <translation>O trabalho para cuja máquina, bloco, ferramentas e grampos o programa é feito</translation>
-        </message>
-        <message>
             <source>The job whose program is shown</source>
             <translation>O trabalho cujo programa é mostrado</translation>
+        </message>
+        <message>
+            <source>The job with the machine, stock, tools and clamps for the program</source>
+            <translation>O trabalho para cuja máquina, bloco, ferramentas e grampos o programa é feito</translation>
         </message>
         <message>
             <source>The last pass at the wall, ae_acab; 0: none</source>
@@ -1838,6 +2242,10 @@
         <message>
             <source>The last pass in depth, ap_acab; 0: none</source>
             <translation>O último passe em profundidade, ap_acab; 0: nenhum</translation>
+        </message>
+        <message>
+            <source>The layer in the file</source>
+            <translation>A camada no arquivo</translation>
         </message>
         <message>
             <source>The length of all cuts</source>
@@ -1850,6 +2258,10 @@
         <message>
             <source>The length of the cutting edges; 0: not given</source>
             <translation>O comprimento das arestas de corte; 0: não informado</translation>
+        </message>
+        <message>
+            <source>The length of the file's unit; 0: as the file says, or as its program usually means it</source>
+            <translation>O comprimento da unidade do arquivo; 0: como o arquivo diz, ou como seu programa costuma querer dizer</translation>
         </message>
         <message>
             <source>The length of the lead's line</source>
@@ -1868,8 +2280,16 @@
             <translation>O diâmetro menor que é cortado</translation>
         </message>
         <message>
+            <source>The name in the file</source>
+            <translation>O nome no arquivo</translation>
+        </message>
+        <message>
             <source>The nominal diameter; 0: that of each circle of the drawing</source>
             <translation>O diâmetro nominal; 0: o de cada círculo do desenho</translation>
+        </message>
+        <message>
+            <source>The operations, in their order</source>
+            <translation>O que é usinado, nesta ordem</translation>
         </message>
         <message>
             <source>The order in which the holes are made</source>
@@ -1884,6 +2304,10 @@
             <translation>A outra ponta da diagonal, antes de o retângulo ser girado</translation>
         </message>
         <message>
+            <source>The outline seen from above, or the faces or the section at a height</source>
+            <translation>O contorno visto de cima, ou as faces ou a seção a uma altura</translation>
+        </message>
+        <message>
             <source>The parts and bodies that the clamps move with</source>
             <translation>As peças e os corpos com que os grampos se movem</translation>
         </message>
@@ -1892,12 +2316,28 @@
             <translation>As peças e corpos com os quais os desenhos se movem</translation>
         </message>
         <message>
+            <source>The place of the work zero in this document</source>
+            <translation>Onde fica o zero-peça neste documento</translation>
+        </message>
+        <message>
+            <source>The place of the work zero on the stock</source>
+            <translation>Onde fica o zero-peça no bloco</translation>
+        </message>
+        <message>
+            <source>The places of the holes</source>
+            <translation>Onde ficam os furos</translation>
+        </message>
+        <message>
             <source>The plunge feed of the program</source>
             <translation>O avanço de mergulho do programa</translation>
         </message>
         <message>
             <source>The points as they were drawn</source>
             <translation>Os pontos como foram desenhados</translation>
+        </message>
+        <message>
+            <source>The program that is shown, checked and sent, if the machine needs one for each tool</source>
+            <translation>Qual é mostrado, verificado e enviado, onde a máquina quer um por ferramenta</translation>
         </message>
         <message>
             <source>The program's dialect; empty: the machine's own</source>
@@ -1936,11 +2376,11 @@
             <translation>O esboço, arame, B-spline ou linha à mão livre a seguir</translation>
         </message>
         <message>
-            <source>The sketch, wires or faces whose lines are cut: closed ones are parts and holes in turn</source>
+            <source>The sketch, wires or faces to cut: closed lines are parts and holes in turn</source>
             <translation>O esboço, arames ou faces cujas linhas são cortadas: as fechadas são alternadamente peças e furos</translation>
         </message>
         <message>
-            <source>The sketch, wires or faces whose lines are followed</source>
+            <source>The sketch, wires or faces to follow</source>
             <translation>O esboço, fios ou faces cujas linhas são seguidas</translation>
         </message>
         <message>
@@ -2020,6 +2460,10 @@
             <translation>A largura do corte; 0: a da tabela de corte ou da ferramenta</translation>
         </message>
         <message>
+            <source>The width of the picture; 0: as its resolution says</source>
+            <translation>A largura da imagem; 0: como sua resolução diz</translation>
+        </message>
+        <message>
             <source>The wire stays this close to every drawn point; 0 keeps every point that bends the line</source>
             <translation>O arame fica a no máximo esta distância de cada ponto desenhado; 0 mantém todos os pontos que curvam a linha</translation>
         </message>
@@ -2028,8 +2472,20 @@
             <translation>O sistema de coordenadas da peça</translation>
         </message>
         <message>
+            <source>Threshold</source>
+            <translation>Limiar</translation>
+        </message>
+        <message>
             <source>Through</source>
             <translation>Além</translation>
+        </message>
+        <message>
+            <source>Time of the tool at rest with power; 0: from the cut chart</source>
+            <translation>Quanto tempo a ferramenta fica parada com potência; 0: o da tabela de corte</translation>
+        </message>
+        <message>
+            <source>Tiny</source>
+            <translation>Minúscula</translation>
         </message>
         <message>
             <source>Tip</source>
@@ -2052,8 +2508,16 @@
             <translation>Diâmetro da ponta</translation>
         </message>
         <message>
+            <source>To</source>
+            <translation>Até</translation>
+        </message>
+        <message>
             <source>Tolerance</source>
             <translation>Tolerância</translation>
+        </message>
+        <message>
+            <source>Tolerance of the cut line, which reduces the number of moves; 0: none</source>
+            <translation>Quanto a linha cortada pode se afastar da desenhada para ter menos movimentos; 0: nada</translation>
         </message>
         <message>
             <source>Tool</source>
@@ -2068,7 +2532,7 @@
             <translation>Ferramentas</translation>
         </message>
         <message>
-            <source>Tools without feeds or speed take theirs from its table</source>
+            <source>Tools without feeds or speed use its table</source>
             <translation>Ferramentas sem avanço ou rotação tomam os da sua tabela</translation>
         </message>
         <message>
@@ -2076,8 +2540,20 @@
             <translation>Desliga antes</translation>
         </message>
         <message>
+            <source>Trace Tolerance</source>
+            <translation>Tolerância do traçado</translation>
+        </message>
+        <message>
+            <source>Trace what is light instead of what is dark</source>
+            <translation>Traça o que é claro em vez do que é escuro</translation>
+        </message>
+        <message>
             <source>Turns</source>
             <translation>Voltas</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>Unidade</translation>
         </message>
         <message>
             <source>Units</source>
@@ -2092,52 +2568,44 @@
             <translation>Avanço na parede</translation>
         </message>
         <message>
-            <source>What happened to the job's own program since</source>
-            <translation>O que aconteceu desde então com o programa do próprio trabalho</translation>
+            <source>What becomes one object</source>
+            <translation>O que vira um objeto</translation>
         </message>
         <message>
-            <source>What is cut, in this order</source>
-            <translation>O que é usinado, nesta ordem</translation>
+            <source>What is written; several lines are set below each other</source>
+            <translation>O que se escreve; várias linhas ficam uma abaixo da outra</translation>
         </message>
         <message>
-            <source>What is set at the power source; 0: that of the chart</source>
-            <translation>O que se ajusta na fonte; 0: a corrente da tabela</translation>
+            <source>What the height is measured of</source>
+            <translation>De que se mede a altura</translation>
         </message>
         <message>
-            <source>What is switched on while cutting</source>
-            <translation>O que fica ligado durante o corte</translation>
+            <source>What the letters stand on</source>
+            <translation>Sobre o que as letras ficam</translation>
         </message>
         <message>
-            <source>What stays at the wall, for another operation to take</source>
-            <translation>O que fica na parede para outra operação tirar</translation>
+            <source>What was found in it</source>
+            <translation>O que foi achado nele</translation>
         </message>
         <message>
-            <source>What the controller adds to Z, where the machine takes lengths from a table; 0: not given</source>
-            <translation>O que o controlador soma a Z, onde a máquina toma os comprimentos de uma tabela; 0: não informado</translation>
-        </message>
-        <message>
-            <source>What the cutter is made of</source>
-            <translation>De que a ferramenta é feita</translation>
-        </message>
-        <message>
-            <source>What the raw material looks like</source>
-            <translation>Como é a matéria-prima</translation>
-        </message>
-        <message>
-            <source>What the round tool must leave at the ends of the long axis</source>
-            <translation>O que a ferramenta redonda deixa nas pontas do eixo maior</translation>
-        </message>
-        <message>
-            <source>Where on the stock the work zero lies</source>
-            <translation>Onde fica o zero-peça no bloco</translation>
+            <source>What was read</source>
+            <translation>O que foi lido</translation>
         </message>
         <message>
             <source>Where rapids travel across the work</source>
             <translation>Altura dos movimentos rápidos sobre a peça</translation>
         </message>
         <message>
-            <source>Where the holes stand</source>
-            <translation>Onde ficam os furos</translation>
+            <source>Where the arc begins; counter-clockwise from X</source>
+            <translation>Onde o arco começa; anti-horário a partir de X</translation>
+        </message>
+        <message>
+            <source>Where the line begins</source>
+            <translation>Onde a linha começa</translation>
+        </message>
+        <message>
+            <source>Where the line ends</source>
+            <translation>Onde a linha termina</translation>
         </message>
         <message>
             <source>Where the row begins, from the work zero</source>
@@ -2148,12 +2616,8 @@
             <translation>Onde a fileira termina</translation>
         </message>
         <message>
-            <source>Where the way turns by less, the wire neither stands nor slows down</source>
-            <translation>Onde o caminho vira menos, o fio nem para nem vai mais devagar</translation>
-        </message>
-        <message>
-            <source>Where the work zero lies in this document</source>
-            <translation>Onde fica o zero-peça neste documento</translation>
+            <source>Where the text stands about its zero, or on its line</source>
+            <translation>Onde o texto fica em torno de seu zero, ou em sua linha</translation>
         </message>
         <message>
             <source>Whether a laser's power follows its speed (M4)</source>
@@ -2162,6 +2626,10 @@
         <message>
             <source>Whether a slit through the part leads the wire into a closed hole</source>
             <translation>Se uma fenda através da peça leva o fio a um furo fechado</translation>
+        </message>
+        <message>
+            <source>Whether all of its chains are closed</source>
+            <translation>Se todos os seus contornos são fechados</translation>
         </message>
         <message>
             <source>Whether form, kerf and feeds are those of the job's cut chart</source>
@@ -2176,16 +2644,20 @@
             <translation>Se a profundidade é a da ponta ou a do diâmetro pleno</translation>
         </message>
         <message>
+            <source>Whether the file fills it</source>
+            <translation>Se o arquivo o preenche</translation>
+        </message>
+        <message>
+            <source>Whether the file is as it was read</source>
+            <translation>Se o arquivo está como foi lido</translation>
+        </message>
+        <message>
             <source>Whether the last point joins the first</source>
             <translation>Se o último ponto se une ao primeiro</translation>
         </message>
         <message>
             <source>Whether the program holds it</source>
             <translation>Se o programa a contém</translation>
-        </message>
-        <message>
-            <source>Which one is shown, checked and sent, where the machine wants one a tool</source>
-            <translation>Qual é mostrado, verificado e enviado, onde a máquina quer um por ferramenta</translation>
         </message>
         <message>
             <source>Why it cannot be made; empty when it can</source>
@@ -2216,6 +2688,10 @@
             <translation>Zero-peça</translation>
         </message>
         <message>
+            <source>Z of the faces or of the section</source>
+            <translation>Z das faces ou da seção</translation>
+        </message>
+        <message>
             <source>Zero's place</source>
             <translation>Lugar do zero</translation>
         </message>
@@ -2243,10 +2719,6 @@
     <context>
         <name>CNCStepper</name>
         <message>
-            <source>'{0}' does not stand in the program</source>
-            <translation>'{0}' não aparece no programa</translation>
-        </message>
-        <message>
             <source>'{0}' has no meaning in a number</source>
             <translation>'{0}' não faz sentido em um número</translation>
         </message>
@@ -2271,6 +2743,10 @@
             <translation>'{0}' não é um número inteiro</translation>
         </message>
         <message>
+            <source>'{0}' is not in the program</source>
+            <translation>'{0}' não aparece no programa</translation>
+        </message>
+        <message>
             <source>'{0}' is too large</source>
             <translation>'{0}' é grande demais</translation>
         </message>
@@ -2283,12 +2759,32 @@
             <translation>lâmina de 60°</translation>
         </message>
         <message>
+            <source>A TrueType or OpenType file, instead of the font</source>
+            <translation>Um arquivo TrueType ou OpenType, em vez da fonte</translation>
+        </message>
+        <message>
+            <source>A bar above and a stem below, the zero in the middle of the bar's upper edge; three holes.</source>
+            <translation>Uma barra em cima e uma haste embaixo, o zero no meio da borda superior da barra; três furos.</translation>
+        </message>
+        <message>
+            <source>A bore about the zero with a keyway above (DIN 6885: bore and key's depth over all).</source>
+            <translation>Um furo em torno do zero com rasgo de chaveta em cima (DIN 6885: furo e profundidade total da chaveta).</translation>
+        </message>
+        <message>
             <source>A chart's file…</source>
             <translation>Um arquivo de tabela…</translation>
         </message>
         <message>
+            <source>A circle about the zero.</source>
+            <translation>Um círculo em torno do zero.</translation>
+        </message>
+        <message>
             <source>A controller is connected already.</source>
             <translation>Um controlador já está conectado.</translation>
+        </message>
+        <message>
+            <source>A cross of two bars about the zero.</source>
+            <translation>Uma cruz de duas barras em torno do zero.</translation>
         </message>
         <message>
             <source>A cut chart</source>
@@ -2299,8 +2795,48 @@
             <translation>Um desenho apagado está marcado: desmarque-o para continuar sem ele</translation>
         </message>
         <message>
+            <source>A disc about the zero less another one beside it, like a moon.</source>
+            <translation>Um disco em torno do zero menos outro ao lado, como uma lua.</translation>
+        </message>
+        <message>
+            <source>A disc about the zero with round notches in its rim and a bore.</source>
+            <translation>Um disco em torno do zero com entalhes redondos na borda e um furo.</translation>
+        </message>
+        <message>
+            <source>A disc about the zero, cut off straight above.</source>
+            <translation>Um disco em torno do zero, cortado reto em cima.</translation>
+        </message>
+        <message>
+            <source>A drop: a disc about the zero and a point above.</source>
+            <translation>Uma gota: um disco em torno do zero e uma ponta em cima.</translation>
+        </message>
+        <message>
+            <source>A factor of the font's own</source>
+            <translation>Um fator da entrelinha da própria fonte</translation>
+        </message>
+        <message>
             <source>A file is checked with a job's machine, stock, tools and clamps; no operation is needed.</source>
             <translation>Um arquivo é verificado com a máquina, o bloco, as ferramentas e os grampos de um trabalho; nenhuma operação é necessária.</translation>
+        </message>
+        <message>
+            <source>A flange of two bolts along X: a disc about the zero with an ear on each side.</source>
+            <translation>Um flange de dois parafusos ao longo de X: um disco em torno do zero com uma orelha de cada lado.</translation>
+        </message>
+        <message>
+            <source>A font of the system, or a single-line font for engraving</source>
+            <translation>Uma fonte do sistema, ou uma fonte de linha única para gravar</translation>
+        </message>
+        <message>
+            <source>A heart of two half circles over a rounded tip, the zero in its notch.</source>
+            <translation>Um coração de dois semicírculos sobre uma ponta, o zero no entalhe.</translation>
+        </message>
+        <message>
+            <source>A hole to hang a part on a screw: a circle about the zero for its head, a slot above for its shank.</source>
+            <translation>Um furo para pendurar a peça em um parafuso: um círculo em torno do zero para a cabeça, um rasgo em cima para o corpo.</translation>
+        </message>
+        <message>
+            <source>A hook to hang things on: a plate with two holes above, the hook's round inside about the zero.</source>
+            <translation>Um gancho para pendurar coisas: uma chapa com dois furos em cima, o interior do gancho em torno do zero.</translation>
         </message>
         <message>
             <source>A job is being cut</source>
@@ -2317,6 +2853,10 @@
         <message>
             <source>A job is being cut: wait for its end, or stop it.</source>
             <translation>Um trabalho está sendo cortado: espere o fim ou pare-o.</translation>
+        </message>
+        <message>
+            <source>A label about the zero: round corners, cut off on the left, with a hole for a string.</source>
+            <translation>Uma etiqueta em torno do zero: cantos redondos, cortada à esquerda, com um furo para o cordão.</translation>
         </message>
         <message>
             <source>A laser's S word for marks; 0: a twentieth of its power</source>
@@ -2347,12 +2887,68 @@
             <translation>Perfil de uma máquina</translation>
         </message>
         <message>
+            <source>A parallelogram, its left lower corner at the zero.</source>
+            <translation>Um paralelogramo, o canto inferior esquerdo no zero.</translation>
+        </message>
+        <message>
+            <source>A piece of a ring about the zero, from X counter-clockwise.</source>
+            <translation>Um pedaço de anel em torno do zero, a partir de X no sentido anti-horário.</translation>
+        </message>
+        <message>
+            <source>A plate about the zero for a stepper motor of NEMA size 8, 11, 14, 17, 23 or 34.</source>
+            <translation>Uma chapa em torno do zero para um motor de passo de tamanho NEMA 8, 11, 14, 17, 23 ou 34.</translation>
+        </message>
+        <message>
+            <source>A plate about the zero with an eye and a hole at each of three corners.</source>
+            <translation>Uma chapa em torno do zero com um olhal e um furo em cada um de três cantos.</translation>
+        </message>
+        <message>
+            <source>A plate to hang a load: a base below, an eye about the zero above.</source>
+            <translation>Uma chapa para pendurar uma carga: uma base embaixo, um olhal em torno do zero em cima.</translation>
+        </message>
+        <message>
+            <source>A polygon of equal sides about the zero, one side below; the size is across the flats.</source>
+            <translation>Um polígono de lados iguais em torno do zero, um lado embaixo; o tamanho é entre faces.</translation>
+        </message>
+        <message>
             <source>A profile's file…</source>
             <translation>Arquivo de perfil…</translation>
         </message>
         <message>
-            <source>A program without F takes {0} mm/min ({1}; kerf {2} mm).</source>
+            <source>A program without F runs at {0} mm/min ({1}; kerf {2} mm).</source>
             <translation>Um programa sem F usa {0} mm/min ({1}; largura de corte {2} mm).</translation>
+        </message>
+        <message>
+            <source>A rectangle about the zero with its corners cut off at 45°.</source>
+            <translation>Um retângulo em torno do zero com os cantos cortados a 45°.</translation>
+        </message>
+        <message>
+            <source>A rectangle about the zero, its corners sharp or round.</source>
+            <translation>Um retângulo em torno do zero, de cantos vivos ou redondos.</translation>
+        </message>
+        <message>
+            <source>A rectangular plate about the zero with a hole near each corner.</source>
+            <translation>Uma chapa retangular em torno do zero com um furo perto de cada canto.</translation>
+        </message>
+        <message>
+            <source>A right-angled stiffening plate, its right angle at the zero, cut off there to clear a weld.</source>
+            <translation>Uma chapa de reforço em ângulo reto, o ângulo reto no zero, cortada ali para dar lugar à solda.</translation>
+        </message>
+        <message>
+            <source>A ring, or a washer, about the zero.</source>
+            <translation>Um anel, ou uma arruela, em torno do zero.</translation>
+        </message>
+        <message>
+            <source>A round flange about the zero with a bore and a circle of bolt holes.</source>
+            <translation>Um flange redondo em torno do zero com um furo central e um círculo de furos de parafusos.</translation>
+        </message>
+        <message>
+            <source>A round hole with flat sides above and below, about the zero.</source>
+            <translation>Um furo redondo com faces planas em cima e embaixo, em torno do zero.</translation>
+        </message>
+        <message>
+            <source>A round hole with one flat side above, for shafts with a flat; about the circle's middle.</source>
+            <translation>Um furo redondo com uma face plana em cima, para eixos com face plana; em torno do centro do círculo.</translation>
         </message>
         <message>
             <source>A serial port, or an address as socket://192.168.0.7:23</source>
@@ -2361,6 +2957,10 @@
         <message>
             <source>A share of the machine's greatest power; 0: that of the chart</source>
             <translation>Uma parte da potência máxima da máquina; 0: a da tabela</translation>
+        </message>
+        <message>
+            <source>A shield, the zero in the middle of its upper edge: straight sides, round below.</source>
+            <translation>Um escudo, o zero no meio da borda superior: lados retos, redondo embaixo.</translation>
         </message>
         <message>
             <source>A shipped profile's name, or a profile's file</source>
@@ -2387,8 +2987,40 @@
             <translation>Um esboço, fios ou faces: linhas fechadas, as de dentro são ilhas</translation>
         </message>
         <message>
+            <source>A slice of a disc about the zero, from X counter-clockwise.</source>
+            <translation>Uma fatia de disco em torno do zero, a partir de X no sentido anti-horário.</translation>
+        </message>
+        <message>
+            <source>A slot in the edge of a plate for a bolt's head: open below, the zero at its mouth's middle.</source>
+            <translation>Um rasgo na borda de uma chapa para a cabeça de um parafuso: aberto embaixo, o zero no meio da boca.</translation>
+        </message>
+        <message>
+            <source>A slot with round ends along an arc about the zero, from X counter-clockwise.</source>
+            <translation>Um rasgo de pontas redondas ao longo de um arco em torno do zero, a partir de X no sentido anti-horário.</translation>
+        </message>
+        <message>
+            <source>A square plate about the zero with a bore and a hole near each corner.</source>
+            <translation>Uma chapa quadrada em torno do zero com um furo central e um furo perto de cada canto.</translation>
+        </message>
+        <message>
+            <source>A star about the zero, one point above.</source>
+            <translation>Uma estrela em torno do zero, uma ponta em cima.</translation>
+        </message>
+        <message>
+            <source>A straight slot with round ends along X, about the zero; the length is over all.</source>
+            <translation>Um rasgo reto de pontas redondas ao longo de X, em torno do zero; o comprimento é o total.</translation>
+        </message>
+        <message>
             <source>A tool of this shape has none</source>
             <translation>Uma ferramenta desta forma não tem este valor</translation>
+        </message>
+        <message>
+            <source>A trapezoid, the zero in the middle of its base.</source>
+            <translation>Um trapézio, o zero no meio da base.</translation>
+        </message>
+        <message>
+            <source>A triangle with two equal sides, the zero in the middle of its base.</source>
+            <translation>Um triângulo de dois lados iguais, o zero no meio da base.</translation>
         </message>
         <message>
             <source>A turn, as they are counted</source>
@@ -2399,8 +3031,16 @@
             <translation>Falta um valor aqui</translation>
         </message>
         <message>
+            <source>A wheel about the zero with saw teeth and a bore.</source>
+            <translation>Uma roda em torno do zero com dentes de serra e um furo.</translation>
+        </message>
+        <message>
             <source>About the first corner, counter-clockwise</source>
             <translation>Em torno do primeiro canto, no sentido anti-horário</translation>
+        </message>
+        <message>
+            <source>Above</source>
+            <translation>Acima</translation>
         </message>
         <message>
             <source>Acceleration</source>
@@ -2409,6 +3049,14 @@
         <message>
             <source>Acceleration in steps</source>
             <translation>Aceleração em passos</translation>
+        </message>
+        <message>
+            <source>Across the flat</source>
+            <translation>Até a face plana</translation>
+        </message>
+        <message>
+            <source>Across the flats</source>
+            <translation>Entre faces planas</translation>
         </message>
         <message>
             <source>Active</source>
@@ -2431,7 +3079,7 @@
             <translation>Incluir seleção</translation>
         </message>
         <message>
-            <source>Add the part, as it stands now, to the document as a mesh</source>
+            <source>Add the part in its present state to the document as a mesh</source>
             <translation>Acrescentar ao documento, como malha, a peça tal como está agora</translation>
         </message>
         <message>
@@ -2443,12 +3091,20 @@
             <translation>Adicionar</translation>
         </message>
         <message>
+            <source>Added between letters</source>
+            <translation>Acrescentado entre as letras</translation>
+        </message>
+        <message>
             <source>After {0}</source>
             <translation>Depois de {0}</translation>
         </message>
         <message>
             <source>Alarm</source>
             <translation>Alarme</translation>
+        </message>
+        <message>
+            <source>Alignment</source>
+            <translation>Alinhamento</translation>
         </message>
         <message>
             <source>All</source>
@@ -2467,6 +3123,22 @@
             <translation>Todas as linhas foram enviadas; os últimos movimentos estão sendo usinados.</translation>
         </message>
         <message>
+            <source>All, the outline, or the holes in it</source>
+            <translation>Todas, o contorno, ou os furos nele</translation>
+        </message>
+        <message>
+            <source>All, the outlines of letters, or the holes in them</source>
+            <translation>Todas, os contornos das letras, ou os furos nelas</translation>
+        </message>
+        <message>
+            <source>Allow jogging: spindle or beam off; Resume returns to the cut on a safe path.</source>
+            <translation>Permite mover a máquina manualmente: spindle ou feixe desligado; Retomar volta ao corte por um caminho seguro.</translation>
+        </message>
+        <message>
+            <source>Along</source>
+            <translation>Ao longo de</translation>
+        </message>
+        <message>
             <source>Along X, mm</source>
             <translation>Ao longo de X, mm</translation>
         </message>
@@ -2477,6 +3149,22 @@
         <message>
             <source>Along Z, mm</source>
             <translation>Ao longo de Z, mm</translation>
+        </message>
+        <message>
+            <source>Along a line or arc</source>
+            <translation>Ao longo de uma linha ou arco</translation>
+        </message>
+        <message>
+            <source>Also follow the selected lines</source>
+            <translation>Seguir também o que está selecionado</translation>
+        </message>
+        <message>
+            <source>An angle of two legs, its outer corner at the zero, a hole near the end of each leg.</source>
+            <translation>Uma cantoneira de duas abas, o canto externo no zero, um furo perto da ponta de cada aba.</translation>
+        </message>
+        <message>
+            <source>An arrow along X, its tip at the zero.</source>
+            <translation>Uma seta ao longo de X, a ponta no zero.</translation>
         </message>
         <message>
             <source>An expression gives this value; change it in the property editor</source>
@@ -2503,8 +3191,16 @@
             <translation>Aplicar</translation>
         </message>
         <message>
+            <source>Arc slot</source>
+            <translation>Rasgo em arco</translation>
+        </message>
+        <message>
             <source>Arc tolerance</source>
             <translation>Tolerância de arco</translation>
+        </message>
+        <message>
+            <source>Arcs and lines this close to the drawn points, instead of the tolerance; 0: straight lines</source>
+            <translation>Arcos e linhas a esta distância dos pontos desenhados, em vez da tolerância; 0: linhas retas</translation>
         </message>
         <message>
             <source>Arcs below</source>
@@ -2519,6 +3215,10 @@
             <translation>Arcos dentro de uma tolerância, ou os pontos publicados</translation>
         </message>
         <message>
+            <source>Arrow</source>
+            <translation>Seta</translation>
+        </message>
+        <message>
             <source>As a multiple of the thickness; 0: none by thickness</source>
             <translation>Como múltiplo da espessura; 0: nenhum pela espessura</translation>
         </message>
@@ -2529,6 +3229,10 @@
         <message>
             <source>As people call the machine</source>
             <translation>Como as pessoas chamam a máquina</translation>
+        </message>
+        <message>
+            <source>At smaller corners the wire neither pauses nor slows down</source>
+            <translation>Onde o caminho vira menos, o fio nem para nem vai mais devagar</translation>
         </message>
         <message>
             <source>At the end of {0}</source>
@@ -2571,6 +3275,14 @@
             <translation>Folga</translation>
         </message>
         <message>
+            <source>Backlash of the axis in the profile; the moves sent compensate it</source>
+            <translation>O que o eixo perde em uma inversão, como diz o perfil; os movimentos enviados compensam</translation>
+        </message>
+        <message>
+            <source>Base</source>
+            <translation>Base</translation>
+        </message>
+        <message>
             <source>Before {0}</source>
             <translation>Antes de {0}</translation>
         </message>
@@ -2589,6 +3301,10 @@
         <message>
             <source>Below thickness times</source>
             <translation>Abaixo de × espessura</translation>
+        </message>
+        <message>
+            <source>Below this grey, 1 to 255, it is dark; 0: found from the picture</source>
+            <translation>Abaixo deste cinza, 1 a 255, é escuro; 0: achado na imagem</translation>
         </message>
         <message>
             <source>Belt's pitch</source>
@@ -2615,8 +3331,24 @@
             <translation>Recuo da lâmina</translation>
         </message>
         <message>
+            <source>Blur</source>
+            <translation>Desfoque</translation>
+        </message>
+        <message>
+            <source>Bore</source>
+            <translation>Mandrilar</translation>
+        </message>
+        <message>
+            <source>Bore; 0: none</source>
+            <translation>Furo central; 0: nenhum</translation>
+        </message>
+        <message>
             <source>Boring</source>
             <translation>Mandrilamento</translation>
+        </message>
+        <message>
+            <source>Brackets</source>
+            <translation>Suportes</translation>
         </message>
         <message>
             <source>Bridges that hold the part until it is broken out</source>
@@ -2625,6 +3357,10 @@
         <message>
             <source>Busy</source>
             <translation>Ocupado</translation>
+        </message>
+        <message>
+            <source>By colour</source>
+            <translation>Por cor</translation>
         </message>
         <message>
             <source>By which share the lathe may be slower than its published step times</source>
@@ -2651,6 +3387,14 @@
             <translation>Certo</translation>
         </message>
         <message>
+            <source>Chamfer along each side</source>
+            <translation>Chanfro ao longo de cada lado</translation>
+        </message>
+        <message>
+            <source>Chamfered rectangle</source>
+            <translation>Retângulo chanfrado</translation>
+        </message>
+        <message>
             <source>Change</source>
             <translation>Alterar</translation>
         </message>
@@ -2661,6 +3405,10 @@
         <message>
             <source>Change the programmed value while cutting, in percent.</source>
             <translation>Ajusta o valor programado durante o corte, em porcento.</translation>
+        </message>
+        <message>
+            <source>Changes of the job's own program since then</source>
+            <translation>O que aconteceu desde então com o programa do próprio trabalho</translation>
         </message>
         <message>
             <source>Chart</source>
@@ -2687,7 +3435,7 @@
             <translation>Verificando o programa</translation>
         </message>
         <message>
-            <source>Choose a line, an entry of the list, or click a cut in the 3D view. All before it counts as cut: if unsure, choose an earlier one.</source>
+            <source>Choose a line, an entry of the list, or click a cut in the 3D view. Everything before it counts as cut; if unsure, choose an earlier one.</source>
             <translation>Escolha uma linha, uma entrada da lista ou clique em um corte na vista 3D. Tudo antes conta como cortado: na dúvida, escolha um lugar anterior.</translation>
         </message>
         <message>
@@ -2707,8 +3455,8 @@
             <translation>Escolha acima onde usinar e conecte.</translation>
         </message>
         <message>
-            <source>Choose in the controller's panel a machine whose pulses this computer makes.</source>
-            <translation>Escolha no painel do controlador uma máquina cujos pulsos este computador gera.</translation>
+            <source>Choose another file</source>
+            <translation>Escolher outro arquivo</translation>
         </message>
         <message>
             <source>Choose one here</source>
@@ -2735,6 +3483,10 @@
             <translation>Fechar</translation>
         </message>
         <message>
+            <source>Close gaps</source>
+            <translation>Fechar vãos</translation>
+        </message>
+        <message>
             <source>Close the open task panel first</source>
             <translation>Feche antes o painel de tarefas aberto</translation>
         </message>
@@ -2747,7 +3499,7 @@
             <translation>Fechada</translation>
         </message>
         <message>
-            <source>Closed lines round what is faced; without it the whole stock</source>
+            <source>Closed lines around the area to face; without them the whole stock</source>
             <translation>Linhas fechadas em volta do que é faceado; sem elas, o bloco inteiro</translation>
         </message>
         <message>
@@ -2761,10 +3513,6 @@
         <message>
             <source>Come from below</source>
             <translation>Vir de baixo</translation>
-        </message>
-        <message>
-            <source>Comes from</source>
-            <translation>Vem de</translation>
         </message>
         <message>
             <source>Commanded length</source>
@@ -2823,8 +3571,20 @@
             <translation>Contorno</translation>
         </message>
         <message>
+            <source>Contour that crosses itself</source>
+            <translation>Contorno que cruza a si mesmo</translation>
+        </message>
+        <message>
             <source>Contour {0}</source>
             <translation>Contorno {0}</translation>
+        </message>
+        <message>
+            <source>Contours</source>
+            <translation>Contornos</translation>
+        </message>
+        <message>
+            <source>Contours that cross</source>
+            <translation>Contornos que se cruzam</translation>
         </message>
         <message>
             <source>Controller</source>
@@ -2887,12 +3647,28 @@
             <translation>Cantos que viram mais são cortados devagar; 0: nenhum</translation>
         </message>
         <message>
+            <source>Correct the marked fields first.</source>
+            <translation>Corrija primeiro o que está marcado.</translation>
+        </message>
+        <message>
             <source>Count</source>
             <translation>Quantidade</translation>
         </message>
         <message>
+            <source>Crescent</source>
+            <translation>Meia-lua</translation>
+        </message>
+        <message>
+            <source>Cross</source>
+            <translation>Cruz</translation>
+        </message>
+        <message>
             <source>Current</source>
             <translation>Corrente</translation>
+        </message>
+        <message>
+            <source>Curves</source>
+            <translation>Curvas</translation>
         </message>
         <message>
             <source>Cut</source>
@@ -2911,7 +3687,7 @@
             <translation>Altura de corte</translation>
         </message>
         <message>
-            <source>Cut in this order; what is not checked is left out of the program</source>
+            <source>Cut in this order; unchecked operations are left out of the program</source>
             <translation>Usinadas nesta ordem; o que não está marcado fica fora do programa</translation>
         </message>
         <message>
@@ -2925,6 +3701,10 @@
         <message>
             <source>Cut length</source>
             <translation>Comprimento do corte</translation>
+        </message>
+        <message>
+            <source>Cut off at the right angle</source>
+            <translation>Corte no ângulo reto</translation>
         </message>
         <message>
             <source>Cutting</source>
@@ -2941,6 +3721,10 @@
         <message>
             <source>Cycle</source>
             <translation>Ciclo</translation>
+        </message>
+        <message>
+            <source>D-hole</source>
+            <translation>Furo em D</translation>
         </message>
         <message>
             <source>Damaged</source>
@@ -2995,6 +3779,46 @@
             <translation>Diâmetro e altura</translation>
         </message>
         <message>
+            <source>Diameter cut away</source>
+            <translation>Diâmetro retirado</translation>
+        </message>
+        <message>
+            <source>Diameter of its middle line</source>
+            <translation>Diâmetro da linha média</translation>
+        </message>
+        <message>
+            <source>Diameter of the bolt circle</source>
+            <translation>Diâmetro do círculo de furos</translation>
+        </message>
+        <message>
+            <source>Diameter of the disc</source>
+            <translation>Diâmetro do disco</translation>
+        </message>
+        <message>
+            <source>Diameter of the holes</source>
+            <translation>Diâmetro dos furos</translation>
+        </message>
+        <message>
+            <source>Diameter of the inner corners</source>
+            <translation>Diâmetro dos cantos internos</translation>
+        </message>
+        <message>
+            <source>Diameter of the notches</source>
+            <translation>Diâmetro dos entalhes</translation>
+        </message>
+        <message>
+            <source>Diameter of the points</source>
+            <translation>Diâmetro das pontas</translation>
+        </message>
+        <message>
+            <source>Diameter through the holes</source>
+            <translation>Diâmetro pelos furos</translation>
+        </message>
+        <message>
+            <source>Dimensions</source>
+            <translation>Dimensões</translation>
+        </message>
+        <message>
             <source>Direction</source>
             <translation>Sentido</translation>
         </message>
@@ -3011,12 +3835,24 @@
             <translation>Desconectar</translation>
         </message>
         <message>
-            <source>Disconnect first: this is what the dock is connected to.</source>
+            <source>Disconnect first: the dock is connected to this machine.</source>
             <translation>Desconecte antes: é a isto que o painel está conectado.</translation>
+        </message>
+        <message>
+            <source>Disconnect from the controller.</source>
+            <translation>Libera o controlador.</translation>
         </message>
         <message>
             <source>Distance</source>
             <translation>Distância</translation>
+        </message>
+        <message>
+            <source>Distance of both</source>
+            <translation>Distância entre os dois</translation>
+        </message>
+        <message>
+            <source>Distance of the holes</source>
+            <translation>Distância entre os furos</translation>
         </message>
         <message>
             <source>Does</source>
@@ -3035,6 +3871,14 @@
             <translation>Porta</translation>
         </message>
         <message>
+            <source>Double D-hole</source>
+            <translation>Furo em duplo D</translation>
+        </message>
+        <message>
+            <source>Doubles</source>
+            <translation>Duplicadas</translation>
+        </message>
+        <message>
             <source>Drag a point to move it, the line to add one; Delete takes the point under the pointer. Esc: done.</source>
             <translation>Arraste um ponto para movê-lo, a linha para adicionar um; Delete exclui o ponto sob o cursor. Esc: terminar.</translation>
         </message>
@@ -3051,8 +3895,24 @@
             <translation>Desenhe uma linha: pressione o botão esquerdo, mova, solte. Shift: reta. Esc: encerrar o desenho.</translation>
         </message>
         <message>
+            <source>Drawing</source>
+            <translation>Desenho</translation>
+        </message>
+        <message>
+            <source>Drawing, solid or picture</source>
+            <translation>Desenho, sólido ou imagem</translation>
+        </message>
+        <message>
             <source>Drawings</source>
             <translation>Desenhos</translation>
+        </message>
+        <message>
+            <source>Drawings ({0})</source>
+            <translation>Desenhos ({0})</translation>
+        </message>
+        <message>
+            <source>Drawn twice</source>
+            <translation>Desenhado duas vezes</translation>
         </message>
         <message>
             <source>Drilling</source>
@@ -3065,6 +3925,10 @@
         <message>
             <source>Drive the length</source>
             <translation>Percorrer o comprimento</translation>
+        </message>
+        <message>
+            <source>Drop</source>
+            <translation>Gota</translation>
         </message>
         <message>
             <source>Duplicate operations</source>
@@ -3139,6 +4003,18 @@
             <translation>Ângulo final</translation>
         </message>
         <message>
+            <source>Ends joined</source>
+            <translation>Pontas unidas</translation>
+        </message>
+        <message>
+            <source>Ends of the legs</source>
+            <translation>Pontas das abas</translation>
+        </message>
+        <message>
+            <source>Ends that are nearer than this are moved together</source>
+            <translation>Pontas mais próximas que isto são unidas</translation>
+        </message>
+        <message>
             <source>Engagement</source>
             <translation>Engajamento</translation>
         </message>
@@ -3159,6 +4035,10 @@
             <translation>Ângulo de entrada</translation>
         </message>
         <message>
+            <source>Entry from</source>
+            <translation>Vem de</translation>
+        </message>
+        <message>
             <source>Entry slit</source>
             <translation>Fenda de entrada</translation>
         </message>
@@ -3167,12 +4047,28 @@
             <translation>Erro</translation>
         </message>
         <message>
-            <source>Every job whose journal is kept was cut to its end.</source>
+            <source>Every job with a journal was cut to its end.</source>
             <translation>Todo trabalho cujo diário está guardado foi cortado até o fim.</translation>
         </message>
         <message>
-            <source>F is one over the minutes that a move takes</source>
-            <translation>F é um dividido pelos minutos que o movimento dura</translation>
+            <source>Exit of the wire: back along its entry, or the shortest way to an edge</source>
+            <translation>Como o fio sai no fim: de volta pelo mesmo caminho, ou pelo caminho mais curto até uma borda</translation>
+        </message>
+        <message>
+            <source>Extra depth, so that the tool comes out below</source>
+            <translation>Quanto a ferramenta desce a mais para sair por baixo</translation>
+        </message>
+        <message>
+            <source>Eye</source>
+            <translation>Olhal</translation>
+        </message>
+        <message>
+            <source>Eye plate</source>
+            <translation>Chapa com olhal</translation>
+        </message>
+        <message>
+            <source>Eyes</source>
+            <translation>Olhais</translation>
         </message>
         <message>
             <source>F is the feed per minute</source>
@@ -3181,6 +4077,10 @@
         <message>
             <source>F is the feed per turn of the spindle</source>
             <translation>F é o avanço por volta do fuso</translation>
+        </message>
+        <message>
+            <source>F is the inverse of a move's time in minutes</source>
+            <translation>F é um dividido pelos minutos que o movimento dura</translation>
         </message>
         <message>
             <source>FR4 (glass fibre)</source>
@@ -3193,6 +4093,14 @@
         <message>
             <source>Failed</source>
             <translation>Falhou</translation>
+        </message>
+        <message>
+            <source>Family</source>
+            <translation>Família</translation>
+        </message>
+        <message>
+            <source>Faults</source>
+            <translation>Falhas</translation>
         </message>
         <message>
             <source>Feed</source>
@@ -3267,8 +4175,16 @@
             <translation>Primeiro canto</translation>
         </message>
         <message>
+            <source>First eye</source>
+            <translation>Primeiro olhal</translation>
+        </message>
+        <message>
             <source>First hole</source>
             <translation>Primeiro furo</translation>
+        </message>
+        <message>
+            <source>First hole at</source>
+            <translation>Primeiro furo em</translation>
         </message>
         <message>
             <source>First number</source>
@@ -3287,6 +4203,14 @@
             <translation>Ajustando arcos…</translation>
         </message>
         <message>
+            <source>Flange</source>
+            <translation>Flange</translation>
+        </message>
+        <message>
+            <source>Flanges and plates</source>
+            <translation>Flanges e chapas</translation>
+        </message>
+        <message>
             <source>Flood</source>
             <translation>Jorro</translation>
         </message>
@@ -3299,16 +4223,24 @@
             <translation>Dentes</translation>
         </message>
         <message>
+            <source>Follow only the selected lines</source>
+            <translation>Seguir o que está selecionado, e nada mais</translation>
+        </message>
+        <message>
             <source>Follow the drawing that is selected in the tree or in the 3D view</source>
             <translation>Seguir o desenho selecionado na árvore ou na vista 3D</translation>
         </message>
         <message>
-            <source>Follow what is selected as well</source>
-            <translation>Seguir também o que está selecionado</translation>
+            <source>Font</source>
+            <translation>Fonte</translation>
         </message>
         <message>
-            <source>Follow what is selected, and nothing else</source>
-            <translation>Seguir o que está selecionado, e nada mais</translation>
+            <source>Font file</source>
+            <translation>Arquivo da fonte</translation>
+        </message>
+        <message>
+            <source>For a board that receives bytes: 0 to 3, or unused for a motor without an axis</source>
+            <translation>De uma placa que recebe bytes: 0 a 3, ou unused para um motor sem eixo</translation>
         </message>
         <message>
             <source>For a mill that does not cut over its centre; 0: 10°</source>
@@ -3353,6 +4285,10 @@
         <message>
             <source>FreeCAD's Python lacks {0}. Some files cannot be read without.</source>
             <translation>Falta {0} ao Python do FreeCAD. Sem isso alguns arquivos não podem ser lidos.</translation>
+        </message>
+        <message>
+            <source>From</source>
+            <translation>De</translation>
         </message>
         <message>
             <source>From X to the ellipse's first axis</source>
@@ -3411,8 +4347,28 @@
             <translation>De uma volta da rosca à seguinte</translation>
         </message>
         <message>
+            <source>From the base to the eye's middle</source>
+            <translation>Da base ao centro do olhal</translation>
+        </message>
+        <message>
+            <source>From the bore's bottom to the keyway's</source>
+            <translation>Do fundo do furo ao fundo do rasgo</translation>
+        </message>
+        <message>
+            <source>From the circle's middle to the slot's end</source>
+            <translation>Do centro do círculo à ponta do rasgo</translation>
+        </message>
+        <message>
+            <source>From the edges to the holes</source>
+            <translation>Das bordas aos furos</translation>
+        </message>
+        <message>
             <source>From the middle of the circle to the holes</source>
             <translation>Do meio do círculo até os furos</translation>
+        </message>
+        <message>
+            <source>From the middle to the point</source>
+            <translation>Do centro à ponta</translation>
         </message>
         <message>
             <source>From the operation {0}</source>
@@ -3475,6 +4431,18 @@
             <translation>G99 recuo</translation>
         </message>
         <message>
+            <source>Gap</source>
+            <translation>Vão</translation>
+        </message>
+        <message>
+            <source>Gap closed</source>
+            <translation>Vão fechado</translation>
+        </message>
+        <message>
+            <source>Gaps up to this are closed</source>
+            <translation>Vãos até isto são fechados</translation>
+        </message>
+        <message>
             <source>Gear ratio</source>
             <translation>Redução</translation>
         </message>
@@ -3495,24 +4463,12 @@
             <translation>Volta até onde esta linha do programa começa, na última passagem antes daqui.</translation>
         </message>
         <message>
-            <source>Go forward again along the cut by this length, to where it had come at most.</source>
+            <source>Go forward along the cut by this length, at most to where it was held.</source>
             <translation>Avança de novo este comprimento ao longo do corte, no máximo até onde ele tinha chegado.</translation>
         </message>
         <message>
             <source>Go on</source>
             <translation>Continuar</translation>
-        </message>
-        <message>
-            <source>Go on after a hold, a pause or the door.</source>
-            <translation>Continua após uma pausa, uma espera ou a porta.</translation>
-        </message>
-        <message>
-            <source>Go on with the program from a line, an operation, a contour or a place in the picture.</source>
-            <translation>Continua o programa a partir de uma linha, uma operação, um contorno ou um lugar na vista.</translation>
-        </message>
-        <message>
-            <source>Go on with the program from the line under way, all before it taken as cut</source>
-            <translation>Continua o programa a partir da linha em andamento, tendo tudo antes dela como cortado</translation>
         </message>
         <message>
             <source>Go up to this Z first; where none is given: the program's highest crossing rapid</source>
@@ -3521,10 +4477,6 @@
         <message>
             <source>Goes back by</source>
             <translation>Volta</translation>
-        </message>
-        <message>
-            <source>Goes on in the controller's panel: connect, work zero, start.</source>
-            <translation>Continua no painel do controlador: conectar, zero-peça, iniciar.</translation>
         </message>
         <message>
             <source>Goes on with</source>
@@ -3543,8 +4495,16 @@
             <translation>Ângulo de contato máximo</translation>
         </message>
         <message>
-            <source>Grey values are from the chart; what you type wins</source>
+            <source>Grey values are from the chart; typed values replace them</source>
             <translation>Valores em cinza são da tabela; o que você digita prevalece</translation>
+        </message>
+        <message>
+            <source>Gusset</source>
+            <translation>Esquadro de reforço</translation>
+        </message>
+        <message>
+            <source>H-profile</source>
+            <translation>Perfil H</translation>
         </message>
         <message>
             <source>HDPE plastic</source>
@@ -3567,12 +4527,36 @@
             <translation>Sentido da rosca</translation>
         </message>
         <message>
+            <source>Heart</source>
+            <translation>Coração</translation>
+        </message>
+        <message>
             <source>Height</source>
             <translation>Altura</translation>
         </message>
         <message>
             <source>Height above the top of the stock; lines: where the tool's tip goes</source>
             <translation>Altura acima do topo do bloco; linhas: por onde passa a ponta da ferramenta</translation>
+        </message>
+        <message>
+            <source>Height below the notch</source>
+            <translation>Altura abaixo do entalhe</translation>
+        </message>
+        <message>
+            <source>Height of</source>
+            <translation>Altura de</translation>
+        </message>
+        <message>
+            <source>Height of the head</source>
+            <translation>Altura da cabeça</translation>
+        </message>
+        <message>
+            <source>Height of the plate above the middle</source>
+            <translation>Altura da chapa acima do centro</translation>
+        </message>
+        <message>
+            <source>Height of the teeth</source>
+            <translation>Altura dos dentes</translation>
         </message>
         <message>
             <source>Heights</source>
@@ -3599,7 +4583,7 @@
             <translation>Pausar</translation>
         </message>
         <message>
-            <source>Hold: slow down and stand still; nothing is lost, the spindle goes on turning.</source>
+            <source>Hold: slow down and stop on the path; nothing is lost, the spindle keeps turning.</source>
             <translation>Pausar: desacelera e fica parada; nada se perde, o spindle continua girando.</translation>
         </message>
         <message>
@@ -3609,6 +4593,14 @@
         <message>
             <source>Holding…</source>
             <translation>Pausando…</translation>
+        </message>
+        <message>
+            <source>Hole</source>
+            <translation>Furo</translation>
+        </message>
+        <message>
+            <source>Hole for the head</source>
+            <translation>Furo para a cabeça</translation>
         </message>
         <message>
             <source>Holes</source>
@@ -3631,8 +4623,16 @@
             <translation>Furos de contorno mais curto são cortados devagar; 0: nenhum pelo comprimento</translation>
         </message>
         <message>
+            <source>Holes; 0: none</source>
+            <translation>Furos; 0: nenhum</translation>
+        </message>
+        <message>
             <source>Home</source>
             <translation>Referenciar</translation>
+        </message>
+        <message>
+            <source>Home the machine: it finds its zero with its limit switches.</source>
+            <translation>Deixa a máquina encontrar o próprio zero com os fins de curso.</translation>
         </message>
         <message>
             <source>Homing</source>
@@ -3645,6 +4645,10 @@
         <message>
             <source>Homing works only while the machine is idle or in alarm.</source>
             <translation>Só é possível referenciar com a máquina pronta ou em alarme.</translation>
+        </message>
+        <message>
+            <source>Hook</source>
+            <translation>Gancho</translation>
         </message>
         <message>
             <source>Hot wire</source>
@@ -3673,6 +4677,10 @@
         <message>
             <source>How far a pierce stays from parts and cut edges; 0: that of the cut chart</source>
             <translation>Quanto a perfuração se afasta de peças e bordas cortadas; 0: o da tabela de corte</translation>
+        </message>
+        <message>
+            <source>How far above it the letters stand</source>
+            <translation>A que distância acima dela ficam as letras</translation>
         </message>
         <message>
             <source>How far an arc turns, or how far a line leans away from the contour</source>
@@ -3707,6 +4715,22 @@
             <translation>A que distância da borda do bloco os cortes devem ficar; 0: a borda não importa</translation>
         </message>
         <message>
+            <source>How far letters lean to the right</source>
+            <translation>Quanto as letras se inclinam para a direita</translation>
+        </message>
+        <message>
+            <source>How far lines and arcs may leave other curves</source>
+            <translation>Quanto linhas e arcos podem se afastar de outras curvas</translation>
+        </message>
+        <message>
+            <source>How far lines and arcs may leave the letters</source>
+            <translation>Quanto linhas e arcos podem se afastar das letras</translation>
+        </message>
+        <message>
+            <source>How far lines and arcs may leave the pixels; 0: half a pixel</source>
+            <translation>Quanto linhas e arcos podem se afastar dos pixels; 0: meio pixel</translation>
+        </message>
+        <message>
             <source>How far one click goes along the cut.</source>
             <translation>Quanto um clique avança ao longo do corte.</translation>
         </message>
@@ -3719,12 +4743,12 @@
             <translation>Quanto desce uma volta da hélice</translation>
         </message>
         <message>
-            <source>How far the axis goes</source>
-            <translation>Quanto o eixo percorre</translation>
+            <source>How far the arc goes; below 0 clockwise, with the letters outside</source>
+            <translation>Até onde vai o arco; abaixo de 0 no sentido horário, com as letras por fora</translation>
         </message>
         <message>
-            <source>How far the cut line may leave the drawn one, to be of fewer moves; 0: not at all</source>
-            <translation>Quanto a linha cortada pode se afastar da desenhada para ter menos movimentos; 0: nada</translation>
+            <source>How far the axis goes</source>
+            <translation>Quanto o eixo percorre</translation>
         </message>
         <message>
             <source>How far the cut may be off the drawing</source>
@@ -3771,6 +4795,10 @@
             <translation>Como se corta; a máquina precisa ser capaz disso</translation>
         </message>
         <message>
+            <source>How it was read last</source>
+            <translation>Como foi lido por último</translation>
+        </message>
+        <message>
             <source>How long a spot has power</source>
             <translation>Quanto tempo um ponto tem potência</translation>
         </message>
@@ -3779,16 +4807,12 @@
             <translation>Quanto tempo a chama aquece antes da perfuração; 0: o da tabela</translation>
         </message>
         <message>
-            <source>How long the tool stands with power; 0: that of the cut chart</source>
-            <translation>Quanto tempo a ferramenta fica parada com potência; 0: o da tabela de corte</translation>
-        </message>
-        <message>
-            <source>How long the wire stands where the way turns back; less at blunter corners</source>
-            <translation>Quanto tempo o fio para onde o caminho volta; menos em cantos mais abertos</translation>
-        </message>
-        <message>
             <source>How many corners and narrow places the tool does not reach into</source>
             <translation>Em quantos cantos e lugares estreitos a ferramenta não entra</translation>
+        </message>
+        <message>
+            <source>How many gaps, doubles, crossings and other faults were found</source>
+            <translation>Quantos vãos, duplicadas, cruzamentos e outras falhas foram achados</translation>
         </message>
         <message>
             <source>How many holes</source>
@@ -3839,6 +4863,10 @@
             <translation>Quantos dentes; 0: não informado</translation>
         </message>
         <message>
+            <source>How many there are</source>
+            <translation>Quantos há</translation>
+        </message>
+        <message>
             <source>How many there are: one, or one a tool in turn</source>
             <translation>Quantos são: um, ou um por ferramenta na sequência</translation>
         </message>
@@ -3853,10 +4881,6 @@
         <message>
             <source>How many turns the thread has</source>
             <translation>Quantas voltas a rosca tem</translation>
-        </message>
-        <message>
-            <source>How much deeper the tool goes, to come out below</source>
-            <translation>Quanto a ferramenta desce a mais para sair por baixo</translation>
         </message>
         <message>
             <source>How much of the rim may be in the material at most, as an angle</source>
@@ -3911,10 +4935,6 @@
             <translation>Como a ferramenta deixa o contorno</translation>
         </message>
         <message>
-            <source>How the wire comes out at last: back the way it came, or on the shortest way to an edge</source>
-            <translation>Como o fio sai no fim: de volta pelo mesmo caminho, ou pelo caminho mais curto até uma borda</translation>
-        </message>
-        <message>
             <source>How wide a tab is at its top</source>
             <translation>A largura de uma ponte no topo</translation>
         </message>
@@ -3929,6 +4949,10 @@
         <message>
             <source>Idle</source>
             <translation>Pronta</translation>
+        </message>
+        <message>
+            <source>Import drawing</source>
+            <translation>Importar desenho</translation>
         </message>
         <message>
             <source>Import tools</source>
@@ -3951,6 +4975,10 @@
             <translation>Em coordenadas da máquina</translation>
         </message>
         <message>
+            <source>In the controller's panel choose a machine whose pulses this computer makes.</source>
+            <translation>Escolha no painel do controlador uma máquina cujos pulsos este computador gera.</translation>
+        </message>
+        <message>
             <source>In the program</source>
             <translation>No programa</translation>
         </message>
@@ -3963,12 +4991,20 @@
             <translation>Inércia</translation>
         </message>
         <message>
+            <source>Inner diameter</source>
+            <translation>Diâmetro interno</translation>
+        </message>
+        <message>
             <source>Inputs</source>
             <translation>Entradas</translation>
         </message>
         <message>
             <source>Inputs that are on: {0}</source>
             <translation>Entradas ligadas: {0}</translation>
+        </message>
+        <message>
+            <source>Inside of the hook</source>
+            <translation>Interior do gancho</translation>
         </message>
         <message>
             <source>Interpolation</source>
@@ -3979,8 +5015,12 @@
             <translation>Intervalo dos pulsos</translation>
         </message>
         <message>
-            <source>Is the work zero set on the stock and the way free?</source>
+            <source>Is the work zero set on the stock, and is the path free?</source>
             <translation>O zero-peça está definido no bloco e o caminho está livre?</translation>
+        </message>
+        <message>
+            <source>Isosceles triangle</source>
+            <translation>Triângulo isósceles</translation>
         </message>
         <message>
             <source>It is cut first already</source>
@@ -3991,12 +5031,16 @@
             <translation>Já é usinada por último</translation>
         </message>
         <message>
-            <source>It is your copy of a shipped profile, and takes its place.</source>
+            <source>It is your copy of a shipped profile, and is used in its place.</source>
             <translation>É a sua cópia de um perfil fornecido, e toma o lugar dele.</translation>
         </message>
         <message>
             <source>Its language and its link: grbl, grblhal, fluidnc, linuxcnc, thesis-a …</source>
             <translation>Sua linguagem e sua ligação: grbl, grblhal, fluidnc, linuxcnc, thesis-a …</translation>
+        </message>
+        <message>
+            <source>Its name in job files</source>
+            <translation>Seu nome nos arquivos de trabalho</translation>
         </message>
         <message>
             <source>Jerk</source>
@@ -4021,6 +5065,14 @@
         <message>
             <source>Jogging works only while the machine is idle.</source>
             <translation>O movimento manual só funciona com a máquina pronta.</translation>
+        </message>
+        <message>
+            <source>Join ends</source>
+            <translation>Unir pontas</translation>
+        </message>
+        <message>
+            <source>Join only lines of one colour</source>
+            <translation>Unir só linhas da mesma cor</translation>
         </message>
         <message>
             <source>Joints that hold the part until it is broken out</source>
@@ -4051,8 +5103,28 @@
             <translation>Largura do corte</translation>
         </message>
         <message>
+            <source>Kerning</source>
+            <translation>Kerning</translation>
+        </message>
+        <message>
+            <source>Keyhole</source>
+            <translation>Buraco de fechadura</translation>
+        </message>
+        <message>
+            <source>Keyway bore</source>
+            <translation>Furo com chaveta</translation>
+        </message>
+        <message>
             <source>Killed</source>
             <translation>Interrompido</translation>
+        </message>
+        <message>
+            <source>Kind</source>
+            <translation>Tipo</translation>
+        </message>
+        <message>
+            <source>L-bracket</source>
+            <translation>Suporte em L</translation>
         </message>
         <message>
             <source>Laser</source>
@@ -4127,6 +5199,14 @@
             <translation>Comprimento entrada</translation>
         </message>
         <message>
+            <source>Length of the head</source>
+            <translation>Comprimento da cabeça</translation>
+        </message>
+        <message>
+            <source>Length of the neck</source>
+            <translation>Comprimento do pescoço</translation>
+        </message>
+        <message>
             <source>Length offset</source>
             <translation>Correção de comprimento</translation>
         </message>
@@ -4135,24 +5215,16 @@
             <translation>Comprimento saída</translation>
         </message>
         <message>
-            <source>Length, width and height; of a cylinder, which stands, the length is its diameter</source>
+            <source>Length that the controller adds to Z, if the machine uses a table of lengths; 0: not given</source>
+            <translation>O que o controlador soma a Z, onde a máquina toma os comprimentos de uma tabela; 0: não informado</translation>
+        </message>
+        <message>
+            <source>Length, width and height; for an upright cylinder the length is its diameter</source>
             <translation>Comprimento, largura e altura; num cilindro, que fica em pé, o comprimento é o diâmetro</translation>
         </message>
         <message>
             <source>Lengths and limits</source>
             <translation>Comprimentos e limites</translation>
-        </message>
-        <message>
-            <source>Let go of the controller.</source>
-            <translation>Libera o controlador.</translation>
-        </message>
-        <message>
-            <source>Let the machine be jogged: spindle or beam off; Resume goes back to the cut over a safe way.</source>
-            <translation>Permite mover a máquina manualmente: spindle ou feixe desligado; Retomar volta ao corte por um caminho seguro.</translation>
-        </message>
-        <message>
-            <source>Let the machine find its own zero with its switches.</source>
-            <translation>Deixa a máquina encontrar o próprio zero com os fins de curso.</translation>
         </message>
         <message>
             <source>Level</source>
@@ -4163,8 +5235,16 @@
             <translation>Níveis</translation>
         </message>
         <message>
+            <source>Lever</source>
+            <translation>Alavanca</translation>
+        </message>
+        <message>
             <source>Lift before</source>
             <translation>Levantar antes</translation>
+        </message>
+        <message>
+            <source>Light areas</source>
+            <translation>Áreas claras</translation>
         </message>
         <message>
             <source>Line</source>
@@ -4183,6 +5263,10 @@
             <translation>Comprimento das linhas</translation>
         </message>
         <message>
+            <source>Line spacing</source>
+            <translation>Entrelinha</translation>
+        </message>
+        <message>
             <source>Line {0}, {1}: {2}</source>
             <translation>Linha {0}, {1}: {2}</translation>
         </message>
@@ -4199,12 +5283,28 @@
             <translation>Só se pode digitar linhas com a máquina parada ou em alarme.</translation>
         </message>
         <message>
+            <source>Lines nearer than this to another one are drawn twice</source>
+            <translation>Linhas mais próximas de outra que isto estão desenhadas duas vezes</translation>
+        </message>
+        <message>
+            <source>Lines of many points become fewer lines and arcs within this; 0: they stay</source>
+            <translation>Linhas de muitos pontos viram menos linhas e arcos dentro disto; 0: ficam</translation>
+        </message>
+        <message>
             <source>Lines that are marked with low power or lightly scribed before anything is cut</source>
             <translation>Linhas marcadas com pouca potência ou levemente riscadas antes de qualquer corte</translation>
         </message>
         <message>
+            <source>Lines up to this long are left out</source>
+            <translation>Linhas até este comprimento são deixadas de fora</translation>
+        </message>
+        <message>
             <source>Load {0}</source>
             <translation>Carregar {0}</translation>
+        </message>
+        <message>
+            <source>Locking wheel</source>
+            <translation>Roda de trava</translation>
         </message>
         <message>
             <source>Look at the findings, then decide.</source>
@@ -4303,6 +5403,10 @@
             <translation>Margem</translation>
         </message>
         <message>
+            <source>Margin around the motor</source>
+            <translation>Margem em torno do motor</translation>
+        </message>
+        <message>
             <source>Marking feed</source>
             <translation>Avanço de marcação</translation>
         </message>
@@ -4319,12 +5423,20 @@
             <translation>Material</translation>
         </message>
         <message>
+            <source>Material of the cutter</source>
+            <translation>De que a ferramenta é feita</translation>
+        </message>
+        <message>
+            <source>Material that a round tool leaves at the ends of the long axis</source>
+            <translation>O que a ferramenta redonda deixa nas pontas do eixo maior</translation>
+        </message>
+        <message>
             <source>Measured</source>
             <translation>Medido</translation>
         </message>
         <message>
-            <source>Mend what is marked first.</source>
-            <translation>Corrija primeiro o que está marcado.</translation>
+            <source>Mend</source>
+            <translation>Reparar</translation>
         </message>
         <message>
             <source>Message</source>
@@ -4391,6 +5503,10 @@
             <translation>Motores</translation>
         </message>
         <message>
+            <source>Mounting plate</source>
+            <translation>Chapa de montagem</translation>
+        </message>
+        <message>
             <source>Move</source>
             <translation>Movimento</translation>
         </message>
@@ -4427,6 +5543,14 @@
             <translation>Mover…</translation>
         </message>
         <message>
+            <source>NEMA motor plate</source>
+            <translation>Chapa para motor NEMA</translation>
+        </message>
+        <message>
+            <source>NEMA size</source>
+            <translation>Tamanho NEMA</translation>
+        </message>
+        <message>
             <source>Name</source>
             <translation>Nome</translation>
         </message>
@@ -4461,6 +5585,10 @@
         <message>
             <source>Next</source>
             <translation>Próximo</translation>
+        </message>
+        <message>
+            <source>Next, in the controller's panel: connect, work zero, start.</source>
+            <translation>Continua no painel do controlador: conectar, zero-peça, iniciar.</translation>
         </message>
         <message>
             <source>No connection</source>
@@ -4503,6 +5631,10 @@
             <translation>Não usado: {0}</translation>
         </message>
         <message>
+            <source>Notches</source>
+            <translation>Entalhes</translation>
+        </message>
+        <message>
             <source>Note</source>
             <translation>Observação</translation>
         </message>
@@ -4535,20 +5667,32 @@
             <translation>Numerar as linhas…</translation>
         </message>
         <message>
-            <source>Of a board that takes bytes: 0 to 3, or unused for a motor without an axis</source>
-            <translation>De uma placa que recebe bytes: 0 a 3, ou unused para um motor sem eixo</translation>
+            <source>Objects</source>
+            <translation>Objetos</translation>
         </message>
         <message>
             <source>Of a bull nose; 0: not given</source>
             <translation>De uma fresa toroidal; 0: não informado</translation>
         </message>
         <message>
+            <source>Of its curves</source>
+            <translation>De suas curvas</translation>
+        </message>
+        <message>
             <source>Of one wall that a jet or wire leaves, against the vertical; 0: none</source>
             <translation>De uma parede deixada pelo jato ou fio, em relação à vertical; 0: nenhuma</translation>
         </message>
         <message>
+            <source>Of the arc</source>
+            <translation>Do arco</translation>
+        </message>
+        <message>
             <source>Of the bores; 0: that of each circle of the drawing</source>
             <translation>Dos furos; 0: o de cada círculo do desenho</translation>
+        </message>
+        <message>
+            <source>Of the capitals, or of the em</source>
+            <translation>Das maiúsculas, ou do corpo da fonte</translation>
         </message>
         <message>
             <source>Of the corners seen from above; 0: as round as the tool</source>
@@ -4557,6 +5701,10 @@
         <message>
             <source>Of the driver, in a full step</source>
             <translation>Do driver, em um passo inteiro</translation>
+        </message>
+        <message>
+            <source>Of the font, such as Bold; empty: the regular one</source>
+            <translation>Da fonte, como Bold; vazio: o normal</translation>
         </message>
         <message>
             <source>Of the grid about its first hole</source>
@@ -4619,6 +5767,10 @@
             <translation>Abrir um arquivo G-code</translation>
         </message>
         <message>
+            <source>Open contour</source>
+            <translation>Contorno aberto</translation>
+        </message>
+        <message>
             <source>Open or make a document first</source>
             <translation>Abra ou crie antes um documento</translation>
         </message>
@@ -4655,6 +5807,10 @@
             <translation>Outra diagonal (0: nenhuma)</translation>
         </message>
         <message>
+            <source>Outer diameter</source>
+            <translation>Diâmetro externo</translation>
+        </message>
+        <message>
             <source>Outlines of the clamps</source>
             <translation>Contornos dos grampos</translation>
         </message>
@@ -4663,12 +5819,20 @@
             <translation>Saídas</translation>
         </message>
         <message>
-            <source>Outputs on the way back</source>
+            <source>Outputs during a retract</source>
             <translation>Saídas na volta</translation>
+        </message>
+        <message>
+            <source>Outputs that are on while cutting</source>
+            <translation>O que fica ligado durante o corte</translation>
         </message>
         <message>
             <source>Outside corners that turn by more get a loop</source>
             <translation>Cantos externos que viram mais recebem um laço</translation>
+        </message>
+        <message>
+            <source>Oval flange</source>
+            <translation>Flange oval</translation>
         </message>
         <message>
             <source>Over-burn</source>
@@ -4707,12 +5871,24 @@
             <translation>PVC expandido</translation>
         </message>
         <message>
+            <source>Pairs of letters stand as near as the font says</source>
+            <translation>Pares de letras ficam tão próximos quanto a fonte diz</translation>
+        </message>
+        <message>
             <source>Parallel port</source>
             <translation>Porta paralela</translation>
         </message>
         <message>
+            <source>Parallelogram</source>
+            <translation>Paralelogramo</translation>
+        </message>
+        <message>
             <source>Parts</source>
             <translation>Peças</translation>
+        </message>
+        <message>
+            <source>Parts and signs</source>
+            <translation>Peças e placas</translation>
         </message>
         <message>
             <source>Passes</source>
@@ -4735,12 +5911,20 @@
             <translation>Pausa entre pulsos</translation>
         </message>
         <message>
+            <source>Pause of the wire where the path turns back; shorter at blunter corners</source>
+            <translation>Quanto tempo o fio para onde o caminho volta; menos em cantos mais abertos</translation>
+        </message>
+        <message>
             <source>Paused</source>
             <translation>Em espera</translation>
         </message>
         <message>
             <source>Peck</source>
             <translation>Bicada</translation>
+        </message>
+        <message>
+            <source>Picture</source>
+            <translation>Imagem</translation>
         </message>
         <message>
             <source>Pierce delay</source>
@@ -4775,8 +5959,16 @@
             <translation>Passo</translation>
         </message>
         <message>
+            <source>Pixels an inch; 0: as the file says</source>
+            <translation>Pixels por polegada; 0: como o arquivo diz</translation>
+        </message>
+        <message>
             <source>Place</source>
             <translation>Lugar</translation>
+        </message>
+        <message>
+            <source>Place of the mirror, mm</source>
+            <translation>Onde fica o espelho, mm</translation>
         </message>
         <message>
             <source>Places</source>
@@ -4817,6 +6009,10 @@
         <message>
             <source>Points of the pull-out curve, rpm and Nm: 0 1.2; 300 1.0</source>
             <translation>Pontos da curva de torque, rpm e Nm: 0 1.2; 300 1.0</translation>
+        </message>
+        <message>
+            <source>Polygons</source>
+            <translation>Polígonos</translation>
         </message>
         <message>
             <source>Port</source>
@@ -4967,7 +6163,7 @@
             <translation>Pôr no perfil</translation>
         </message>
         <message>
-            <source>Put the stock around what is selected, or around the drawings of the operations</source>
+            <source>Put the stock around the selection, or around the drawings of the operations</source>
             <translation>Põe o bloco em torno do que está selecionado, ou dos desenhos das operações</translation>
         </message>
         <message>
@@ -4977,6 +6173,18 @@
         <message>
             <source>Radius in</source>
             <translation>Raio entrada</translation>
+        </message>
+        <message>
+            <source>Radius in pixels of a blur that takes out noise</source>
+            <translation>Raio em pixels de um desfoque que tira o ruído</translation>
+        </message>
+        <message>
+            <source>Radius of the inner corner</source>
+            <translation>Raio do canto interno</translation>
+        </message>
+        <message>
+            <source>Radius of the inner corners</source>
+            <translation>Raio dos cantos internos</translation>
         </message>
         <message>
             <source>Radius out</source>
@@ -5019,8 +6227,28 @@
             <translation>Rápidos</translation>
         </message>
         <message>
+            <source>Ratchet wheel</source>
+            <translation>Roda de catraca</translation>
+        </message>
+        <message>
             <source>Reached</source>
             <translation>Alcançado</translation>
+        </message>
+        <message>
+            <source>Read</source>
+            <translation>Lido</translation>
+        </message>
+        <message>
+            <source>Read the file again; operations keep their contours</source>
+            <translation>Lê o arquivo de novo; as operações mantêm seus contornos</translation>
+        </message>
+        <message>
+            <source>Reading the drawing: {0} %</source>
+            <translation>Lendo o desenho: {0} %</translation>
+        </message>
+        <message>
+            <source>Reading the drawing…</source>
+            <translation>Lendo o desenho…</translation>
         </message>
         <message>
             <source>Reading the job…</source>
@@ -5055,6 +6283,10 @@
             <translation>Região</translation>
         </message>
         <message>
+            <source>Regular polygon</source>
+            <translation>Polígono regular</translation>
+        </message>
+        <message>
             <source>Relays</source>
             <translation>Relés</translation>
         </message>
@@ -5075,6 +6307,14 @@
             <translation>Soltar: pronto. Soltar no início: fechar a linha. Shift: reta. Esc: desistir desta linha.</translation>
         </message>
         <message>
+            <source>Reload</source>
+            <translation>Recarregar</translation>
+        </message>
+        <message>
+            <source>Reload {0}</source>
+            <translation>Recarregar {0}</translation>
+        </message>
+        <message>
             <source>Remaining</source>
             <translation>Restante</translation>
         </message>
@@ -5091,12 +6331,28 @@
             <translation>Removido</translation>
         </message>
         <message>
+            <source>Repair</source>
+            <translation>Reparo</translation>
+        </message>
+        <message>
+            <source>Repair what is wrong, as far as the values under Repair allow</source>
+            <translation>Repara o que está errado, até onde os valores em Reparo permitem</translation>
+        </message>
+        <message>
+            <source>Repair what is wrong, as far as these values allow</source>
+            <translation>Repara o que está errado, até onde estes valores permitem</translation>
+        </message>
+        <message>
             <source>Replace</source>
             <translation>Substituir</translation>
         </message>
         <message>
             <source>Replace with</source>
             <translation>Substituir por</translation>
+        </message>
+        <message>
+            <source>Report</source>
+            <translation>Relatório</translation>
         </message>
         <message>
             <source>Resolution</source>
@@ -5119,6 +6375,14 @@
             <translation>Reiniciar daqui…</translation>
         </message>
         <message>
+            <source>Restart the program at a line, an operation, a contour or a place in the picture.</source>
+            <translation>Continua o programa a partir de uma linha, uma operação, um contorno ou um lugar na vista.</translation>
+        </message>
+        <message>
+            <source>Restart the program at the present line; everything before it counts as cut</source>
+            <translation>Continua o programa a partir da linha em andamento, tendo tudo antes dela como cortado</translation>
+        </message>
+        <message>
             <source>Restart: {0}</source>
             <translation>Reinício: {0}</translation>
         </message>
@@ -5133,6 +6397,10 @@
         <message>
             <source>Resume</source>
             <translation>Retomar</translation>
+        </message>
+        <message>
+            <source>Resume after a hold, a pause or the door.</source>
+            <translation>Continua após uma pausa, uma espera ou a porta.</translation>
         </message>
         <message>
             <source>Retract</source>
@@ -5155,12 +6423,24 @@
             <translation>Reverter</translation>
         </message>
         <message>
+            <source>Ring</source>
+            <translation>Anel</translation>
+        </message>
+        <message>
+            <source>Ring sector</source>
+            <translation>Setor de anel</translation>
+        </message>
+        <message>
             <source>Rotate…</source>
             <translation>Girar…</translation>
         </message>
         <message>
             <source>Rotation</source>
             <translation>Rotação</translation>
+        </message>
+        <message>
+            <source>Round shapes</source>
+            <translation>Formas redondas</translation>
         </message>
         <message>
             <source>Rows</source>
@@ -5207,10 +6487,6 @@
             <translation>{0} salvo</translation>
         </message>
         <message>
-            <source>Say how far the last job came that was not cut to its end, and restart it there.</source>
-            <translation>Diz até onde chegou o último trabalho que não foi cortado até o fim, e o reinicia ali.</translation>
-        </message>
-        <message>
             <source>Scale…</source>
             <translation>Escalar…</translation>
         </message>
@@ -5231,8 +6507,24 @@
             <translation>Riscador</translation>
         </message>
         <message>
+            <source>Second eye</source>
+            <translation>Segundo olhal</translation>
+        </message>
+        <message>
+            <source>Second hole</source>
+            <translation>Segundo furo</translation>
+        </message>
+        <message>
             <source>Seconds at the bottom</source>
             <translation>Segundos no fundo</translation>
+        </message>
+        <message>
+            <source>Sector</source>
+            <translation>Setor</translation>
+        </message>
+        <message>
+            <source>Segment</source>
+            <translation>Segmento</translation>
         </message>
         <message>
             <source>Select a drawing in the tree or in the 3D view first</source>
@@ -5255,19 +6547,19 @@
             <translation>Selecione operações de um só trabalho</translation>
         </message>
         <message>
+            <source>Select the area to clear: a sketch, closed wires, or faces of a solid</source>
+            <translation>Selecione o que esvaziar: um esboço, fios fechados ou faces de um sólido</translation>
+        </message>
+        <message>
             <source>Select the job in the tree: this document has several</source>
             <translation>Selecione o trabalho na árvore: este documento tem vários</translation>
         </message>
         <message>
-            <source>Select what is to be cleared: a sketch, closed wires, or faces of a solid</source>
-            <translation>Selecione o que esvaziar: um esboço, fios fechados ou faces de um sólido</translation>
-        </message>
-        <message>
-            <source>Select what is to be cut out: a sketch, wires, or faces or edges of a solid</source>
+            <source>Select the lines to cut: a sketch, wires, or faces or edges of a solid</source>
             <translation>Selecione o que recortar: um esboço, fios, ou faces ou arestas de um sólido</translation>
         </message>
         <message>
-            <source>Select what is to be engraved: a sketch, a wire, a B-spline or a freehand line</source>
+            <source>Select the lines to engrave: a sketch, a wire, a B-spline or a freehand line</source>
             <translation>Selecione o que será gravado: um esboço, um arame, uma B-spline ou uma linha à mão livre</translation>
         </message>
         <message>
@@ -5295,8 +6587,20 @@
             <translation>Enviado à frente no máximo</translation>
         </message>
         <message>
+            <source>Setting</source>
+            <translation>Composição</translation>
+        </message>
+        <message>
             <source>Shape</source>
             <translation>Forma</translation>
+        </message>
+        <message>
+            <source>Shape of the raw material</source>
+            <translation>Como é a matéria-prima</translation>
+        </message>
+        <message>
+            <source>Shapes</source>
+            <translation>Formas</translation>
         </message>
         <message>
             <source>Sheet cut</source>
@@ -5311,8 +6615,16 @@
             <translation>Chapa, Y</translation>
         </message>
         <message>
+            <source>Shield</source>
+            <translation>Escudo</translation>
+        </message>
+        <message>
             <source>Shorter than</source>
             <translation>Mais curtos que</translation>
+        </message>
+        <message>
+            <source>Show how far the last unfinished job came, and restart it there.</source>
+            <translation>Diz até onde chegou o último trabalho que não foi cortado até o fim, e o reinicia ali.</translation>
         </message>
         <message>
             <source>Show the tool's path</source>
@@ -5335,8 +6647,16 @@
             <translation>Lado em Y</translation>
         </message>
         <message>
+            <source>Sides</source>
+            <translation>Lados</translation>
+        </message>
+        <message>
             <source>Signals and pins</source>
             <translation>Sinais e pinos</translation>
+        </message>
+        <message>
+            <source>Simplified</source>
+            <translation>Simplificado</translation>
         </message>
         <message>
             <source>Simplify</source>
@@ -5355,6 +6675,18 @@
             <translation>Tamanho do quadrado e do círculo</translation>
         </message>
         <message>
+            <source>Slant</source>
+            <translation>Inclinação</translation>
+        </message>
+        <message>
+            <source>Slot</source>
+            <translation>Rasgo</translation>
+        </message>
+        <message>
+            <source>Slots and holes</source>
+            <translation>Rasgos e furos</translation>
+        </message>
+        <message>
             <source>Slower than published</source>
             <translation>Mais lento que o publicado</translation>
         </message>
@@ -5365,6 +6697,14 @@
         <message>
             <source>Small holes at a feed of their own</source>
             <translation>Furos pequenos com avanço próprio</translation>
+        </message>
+        <message>
+            <source>Smaller areas, in mm², are left out; 0: four pixels</source>
+            <translation>Áreas menores, em mm², são deixadas de fora; 0: quatro pixels</translation>
+        </message>
+        <message>
+            <source>Smooth</source>
+            <translation>Suavizar</translation>
         </message>
         <message>
             <source>Solids that hold the work down, which the tool must not touch</source>
@@ -5381,6 +6721,10 @@
         <message>
             <source>Spacing</source>
             <translation>Espaçamento</translation>
+        </message>
+        <message>
+            <source>Specks</source>
+            <translation>Manchas</translation>
         </message>
         <message>
             <source>Speed</source>
@@ -5415,8 +6759,16 @@
             <translation>Quadrado</translation>
         </message>
         <message>
+            <source>Square flange</source>
+            <translation>Flange quadrado</translation>
+        </message>
+        <message>
             <source>Squareness</source>
             <translation>Esquadro</translation>
+        </message>
+        <message>
+            <source>Star</source>
+            <translation>Estrela</translation>
         </message>
         <message>
             <source>Start</source>
@@ -5433,6 +6785,10 @@
         <message>
             <source>Starting</source>
             <translation>Iniciando</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>Estado</translation>
         </message>
         <message>
             <source>Steepest ramp</source>
@@ -5483,6 +6839,10 @@
             <translation>Sobremetal</translation>
         </message>
         <message>
+            <source>Stock to leave at the wall for another operation</source>
+            <translation>O que fica na parede para outra operação tirar</translation>
+        </message>
+        <message>
             <source>Stop</source>
             <translation>Parar</translation>
         </message>
@@ -5491,7 +6851,7 @@
             <translation>Parar o corte e fechar</translation>
         </message>
         <message>
-            <source>Stop: slow down, stand still, spindle off; the rest of the job is not cut. This is not an emergency stop: the emergency stop is on the machine.</source>
+            <source>Stop: slow down, stop, spindle off; the rest of the job is not cut. This is not an emergency stop: the emergency stop is on the machine.</source>
             <translation>Parar: desacelera, para e desliga o spindle; o resto do trabalho não é usinado. Isto não é uma parada de emergência: a parada de emergência fica na máquina.</translation>
         </message>
         <message>
@@ -5501,6 +6861,14 @@
         <message>
             <source>Stopping…</source>
             <translation>Parando…</translation>
+        </message>
+        <message>
+            <source>Style</source>
+            <translation>Estilo</translation>
+        </message>
+        <message>
+            <source>Sweep</source>
+            <translation>Abertura</translation>
         </message>
         <message>
             <source>Switch it on or off.</source>
@@ -5519,8 +6887,20 @@
             <translation>S{0} anti-horário</translation>
         </message>
         <message>
+            <source>T-bracket</source>
+            <translation>Suporte em T</translation>
+        </message>
+        <message>
+            <source>T-slot</source>
+            <translation>Rasgo em T</translation>
+        </message>
+        <message>
             <source>Tabs</source>
             <translation>Pontes</translation>
+        </message>
+        <message>
+            <source>Tag</source>
+            <translation>Etiqueta</translation>
         </message>
         <message>
             <source>Take into the program</source>
@@ -5533,10 +6913,6 @@
         <message>
             <source>Take selected</source>
             <translation>Usar seleção</translation>
-        </message>
-        <message>
-            <source>Take the alarm away without homing: only when the position is surely right.</source>
-            <translation>Retira o alarme sem referenciar: só quando a posição está certa com certeza.</translation>
         </message>
         <message>
             <source>Take the chart's value again</source>
@@ -5559,8 +6935,24 @@
             <translation>Usa como grampos os sólidos selecionados</translation>
         </message>
         <message>
+            <source>Taken out, drawn twice</source>
+            <translation>Retirado, desenhado duas vezes</translation>
+        </message>
+        <message>
+            <source>Taken out, tiny</source>
+            <translation>Retirado, minúsculo</translation>
+        </message>
+        <message>
             <source>Taper</source>
             <translation>Conicidade</translation>
+        </message>
+        <message>
+            <source>Teeth</source>
+            <translation>Dentes</translation>
+        </message>
+        <message>
+            <source>Text</source>
+            <translation>Texto</translation>
         </message>
         <message>
             <source>The G-code file that it is, which has nothing to do with the operations of its job</source>
@@ -5575,7 +6967,7 @@
             <translation>O ângulo entre X e Y é {0:.4f}°: {1:.3f} mm em um metro.</translation>
         </message>
         <message>
-            <source>The axis of each motor in turn; -y is one that is mounted the other way round: x y -y z</source>
+            <source>The axis of each motor in order; -y is mounted the other way round: x y -y z</source>
             <translation>O eixo de cada motor em ordem; -y é um montado ao contrário: x y -y z</translation>
         </message>
         <message>
@@ -5601,6 +6993,10 @@
         <message>
             <source>The clamps seen from above, at the height of their tops</source>
             <translation>Os grampos vistos de cima, na altura dos seus topos</translation>
+        </message>
+        <message>
+            <source>The colour in the file</source>
+            <translation>A cor no arquivo</translation>
         </message>
         <message>
             <source>The connection is being made.</source>
@@ -5631,12 +7027,12 @@
             <translation>O canto onde a grade começa, a partir do zero da peça</translation>
         </message>
         <message>
-            <source>The cut chart gives this value; change it in the job</source>
-            <translation>A tabela de corte dá este valor; altere-o no trabalho</translation>
+            <source>The current set at the power source; 0: from the chart</source>
+            <translation>O que se ajusta na fonte; 0: a corrente da tabela</translation>
         </message>
         <message>
-            <source>The cut goes on without FreeCAD; the controller's panel finds it again the next time it is opened.</source>
-            <translation>O corte continua sem o FreeCAD; o painel do controlador o reencontra na próxima vez que for aberto.</translation>
+            <source>The cut chart gives this value; change it in the job</source>
+            <translation>A tabela de corte dá este valor; altere-o no trabalho</translation>
         </message>
         <message>
             <source>The cut is simulated and checked.</source>
@@ -5663,7 +7059,7 @@
             <translation>O diâmetro da fresa</translation>
         </message>
         <message>
-            <source>The diameter of what holds the tool; 0: not given</source>
+            <source>The diameter of the tool holder; 0: not given</source>
             <translation>O diâmetro do que segura a ferramenta; 0: não informado</translation>
         </message>
         <message>
@@ -5679,8 +7075,16 @@
             <translation>O desenho que ela seguia, se foi excluído</translation>
         </message>
         <message>
-            <source>The edge of the sheet through which the wire comes in</source>
+            <source>The drawing that the objects follow</source>
+            <translation>O desenho que os objetos seguem</translation>
+        </message>
+        <message>
+            <source>The edge of the sheet at which the wire enters</source>
             <translation>A borda da chapa por onde o fio entra</translation>
+        </message>
+        <message>
+            <source>The feed of a program without F, and the cutting speed of a language without F</source>
+            <translation>O que vale num programa sem F, e a velocidade de corte de uma linguagem sem F</translation>
         </message>
         <message>
             <source>The feed of marks; 0: that of the cut</source>
@@ -5723,8 +7127,16 @@
             <translation>A forma da fresa</translation>
         </message>
         <message>
+            <source>The groups around it in the file</source>
+            <translation>Os grupos em volta dele no arquivo</translation>
+        </message>
+        <message>
             <source>The height of the rapids between holes: G98 or G99</source>
             <translation>A altura dos rápidos entre furos: G98 ou G99</translation>
+        </message>
+        <message>
+            <source>The job continues without FreeCAD; the controller's panel shows it when it is opened again.</source>
+            <translation>O corte continua sem o FreeCAD; o painel do controlador o reencontra na próxima vez que for aberto.</translation>
         </message>
         <message>
             <source>The job is being cut.</source>
@@ -5739,15 +7151,15 @@
             <translation>O trabalho espera sobre o corte. Retomar continua o corte dali.</translation>
         </message>
         <message>
-            <source>The job whose machine, stock, tools and clamps the program is for</source>
-            <translation>O trabalho para cuja máquina, bloco, ferramentas e grampos o programa é feito</translation>
-        </message>
-        <message>
             <source>The job whose program is shown</source>
             <translation>O trabalho cujo programa é mostrado</translation>
         </message>
         <message>
-            <source>The last job of this machine, {0}, was not cut to its end. Unfinished job… says how far it came.</source>
+            <source>The job with the machine, stock, tools and clamps for the program</source>
+            <translation>O trabalho para cuja máquina, bloco, ferramentas e grampos o programa é feito</translation>
+        </message>
+        <message>
+            <source>The last job of this machine, {0}, was not cut to its end. Unfinished job… shows how far it came.</source>
             <translation>O último trabalho desta máquina, {0}, não foi cortado até o fim. Trabalho inacabado… diz até onde ele chegou.</translation>
         </message>
         <message>
@@ -5757,6 +7169,10 @@
         <message>
             <source>The last pass in depth, ap_acab; 0: none</source>
             <translation>O último passe em profundidade, ap_acab; 0: nenhum</translation>
+        </message>
+        <message>
+            <source>The layer in the file</source>
+            <translation>A camada no arquivo</translation>
         </message>
         <message>
             <source>The length of all cuts</source>
@@ -5771,16 +7187,28 @@
             <translation>O comprimento das arestas de corte; 0: não informado</translation>
         </message>
         <message>
+            <source>The length of the file's unit; 0: as the file says, or as its program usually means it</source>
+            <translation>O comprimento da unidade do arquivo; 0: como o arquivo diz, ou como seu programa costuma querer dizer</translation>
+        </message>
+        <message>
             <source>The length of the lead's line</source>
             <translation>O comprimento da linha de entrada ou saída</translation>
         </message>
         <message>
-            <source>The letters begin where the machine stands.</source>
+            <source>The letters start at the machine's position.</source>
             <translation>As letras começam onde a máquina está.</translation>
         </message>
         <message>
             <source>The link to the controller is being started.</source>
             <translation>A ligação com o controlador está sendo iniciada.</translation>
+        </message>
+        <message>
+            <source>The machine is at rest and waits.</source>
+            <translation>A máquina está parada e à espera.</translation>
+        </message>
+        <message>
+            <source>The machine is at rest; nothing is lost. Resume or stop.</source>
+            <translation>A máquina está parada; nada se perdeu. Retome ou pare.</translation>
         </message>
         <message>
             <source>The machine is cutting a job.</source>
@@ -5819,19 +7247,11 @@
             <translation>A máquina desacelera.</translation>
         </message>
         <message>
-            <source>The machine stands and waits.</source>
-            <translation>A máquina está parada e à espera.</translation>
-        </message>
-        <message>
-            <source>The machine stands; nothing is lost. Resume or stop.</source>
-            <translation>A máquina está parada; nada se perdeu. Retome ou pare.</translation>
-        </message>
-        <message>
             <source>The machine waits before each line of a job; Resume cuts the next one</source>
             <translation>A máquina espera antes de cada linha de um trabalho; Retomar corta a próxima</translation>
         </message>
         <message>
-            <source>The machine whose dialect the program is read in</source>
+            <source>The machine with the dialect in which the program is read</source>
             <translation>A máquina em cujo dialeto o programa é lido</translation>
         </message>
         <message>
@@ -5839,7 +7259,7 @@
             <translation>A posição da máquina é desconhecida: referencie-a, ou leve a ferramenta ao zero-peça e pressione Todos = 0.</translation>
         </message>
         <message>
-            <source>The machine's position is unknown: stop what it was doing, then home it or set the zero of all axes.</source>
+            <source>The machine's position is unknown: stop the job, then home the machine or set the zero of all axes.</source>
             <translation>A posição da máquina é desconhecida: pare o que ela fazia e depois referencie-a ou defina o zero de todos os eixos.</translation>
         </message>
         <message>
@@ -5863,8 +7283,16 @@
             <translation>O diâmetro menor que é cortado</translation>
         </message>
         <message>
+            <source>The name in the file</source>
+            <translation>O nome no arquivo</translation>
+        </message>
+        <message>
             <source>The nominal diameter; 0: that of each circle of the drawing</source>
             <translation>O diâmetro nominal; 0: o de cada círculo do desenho</translation>
+        </message>
+        <message>
+            <source>The operations, in their order</source>
+            <translation>O que é usinado, nesta ordem</translation>
         </message>
         <message>
             <source>The order in which the holes are made</source>
@@ -5879,6 +7307,10 @@
             <translation>A outra ponta da diagonal, antes de o retângulo ser girado</translation>
         </message>
         <message>
+            <source>The outline seen from above, or the faces or the section at a height</source>
+            <translation>O contorno visto de cima, ou as faces ou a seção a uma altura</translation>
+        </message>
+        <message>
             <source>The parts and bodies that the clamps move with</source>
             <translation>As peças e os corpos com que os grampos se movem</translation>
         </message>
@@ -5891,8 +7323,20 @@
             <translation>O caminho do último trabalho está sendo lido…</translation>
         </message>
         <message>
+            <source>The place of the work zero in this document</source>
+            <translation>Onde fica o zero-peça neste documento</translation>
+        </message>
+        <message>
+            <source>The place of the work zero on the stock</source>
+            <translation>Onde fica o zero-peça no bloco</translation>
+        </message>
+        <message>
             <source>The place on the cut is being looked for…</source>
             <translation>O lugar no corte está sendo procurado…</translation>
+        </message>
+        <message>
+            <source>The places of the holes</source>
+            <translation>Onde ficam os furos</translation>
         </message>
         <message>
             <source>The plunge feed of the program</source>
@@ -5903,6 +7347,10 @@
             <translation>Os pontos como foram desenhados</translation>
         </message>
         <message>
+            <source>The position of the table is unknown: home the machine, or set the work zero again.</source>
+            <translation>Não se sabe onde a mesa está: referencie a máquina ou defina de novo o zero-peça.</translation>
+        </message>
+        <message>
             <source>The profile has a value that is none: mend it first.</source>
             <translation>O perfil tem um valor inválido: corrija-o primeiro.</translation>
         </message>
@@ -5911,7 +7359,7 @@
             <translation>O perfil da máquina nesta porta: seus relés e como é acionada</translation>
         </message>
         <message>
-            <source>The program has changed since: what is shown is the one before.</source>
+            <source>The program has changed since: the view shows the earlier one.</source>
             <translation>O programa mudou desde então: o que se vê é o anterior.</translation>
         </message>
         <message>
@@ -5927,7 +7375,11 @@
             <translation>O programa é verificado de novo, com o zero-peça que a máquina tem agora.</translation>
         </message>
         <message>
-            <source>The program waits. Resume goes on.</source>
+            <source>The program that is shown, checked and sent, if the machine needs one for each tool</source>
+            <translation>Qual é mostrado, verificado e enviado, onde a máquina quer um por ferramenta</translation>
+        </message>
+        <message>
+            <source>The program waits; Resume continues it.</source>
             <translation>O programa espera. Retomar continua.</translation>
         </message>
         <message>
@@ -5951,6 +7403,18 @@
             <translation>O reinício está sendo criado e verificado…</translation>
         </message>
         <message>
+            <source>The retract along the cut is being calculated: wait, hold or stop.</source>
+            <translation>O caminho ao longo do corte está sendo determinado: espere, pause ou pare.</translation>
+        </message>
+        <message>
+            <source>The retract along the cut is being checked…</source>
+            <translation>O caminho ao longo do corte está sendo verificado…</translation>
+        </message>
+        <message>
+            <source>The section of a beam, about the zero.</source>
+            <translation>A seção de uma viga, em torno do zero.</translation>
+        </message>
+        <message>
             <source>The share of the feed there</source>
             <translation>A parte do avanço ali</translation>
         </message>
@@ -5971,11 +7435,11 @@
             <translation>O esboço, arame, B-spline ou linha à mão livre a seguir</translation>
         </message>
         <message>
-            <source>The sketch, wires or faces whose lines are cut: closed ones are parts and holes in turn</source>
+            <source>The sketch, wires or faces to cut: closed lines are parts and holes in turn</source>
             <translation>O esboço, arames ou faces cujas linhas são cortadas: as fechadas são alternadamente peças e furos</translation>
         </message>
         <message>
-            <source>The sketch, wires or faces whose lines are followed</source>
+            <source>The sketch, wires or faces to follow</source>
             <translation>O esboço, fios ou faces cujas linhas são seguidas</translation>
         </message>
         <message>
@@ -6027,7 +7491,7 @@
             <translation>O cavaco mais fino de um dente, abaixo do qual ele só atrita; 0: não informado</translation>
         </message>
         <message>
-            <source>The tool can go back along exactly the way by which it came.</source>
+            <source>The tool can retract along exactly the path by which it came.</source>
             <translation>A ferramenta pode voltar exatamente pelo caminho por onde veio.</translation>
         </message>
         <message>
@@ -6039,20 +7503,20 @@
             <translation>A ferramenta só avança de novo depois de ter voltado.</translation>
         </message>
         <message>
-            <source>The tool moves along the cut.</source>
-            <translation>A ferramenta se move ao longo do corte.</translation>
+            <source>The tool is at the end of the cut.</source>
+            <translation>A ferramenta está onde o corte chegou.</translation>
         </message>
         <message>
-            <source>The tool stands on line {0}, where the cut has come to.</source>
+            <source>The tool is on line {0}, at the end of the cut.</source>
             <translation>A ferramenta está na linha {0}, onde o corte chegou.</translation>
         </message>
         <message>
-            <source>The tool stands on line {0}, {1} behind where the cut has come to.</source>
+            <source>The tool is on line {0}, {1} behind the end of the cut.</source>
             <translation>A ferramenta está na linha {0}, {1} atrás de onde o corte chegou.</translation>
         </message>
         <message>
-            <source>The tool stands where the cut has come to.</source>
-            <translation>A ferramenta está onde o corte chegou.</translation>
+            <source>The tool moves along the cut.</source>
+            <translation>A ferramenta se move ao longo do corte.</translation>
         </message>
         <message>
             <source>The tool that cuts it</source>
@@ -6073,14 +7537,6 @@
         <message>
             <source>The waits between steps from rest, in ms, none longer than the one before it</source>
             <translation>As esperas entre passos a partir do repouso, em ms, nenhuma maior que a anterior</translation>
-        </message>
-        <message>
-            <source>The way along the cut is being checked…</source>
-            <translation>O caminho ao longo do corte está sendo verificado…</translation>
-        </message>
-        <message>
-            <source>The way along the cut is being found: wait, hold or stop.</source>
-            <translation>O caminho ao longo do corte está sendo determinado: espere, pause ou pare.</translation>
         </message>
         <message>
             <source>The width of one pass at most, ae</source>
@@ -6105,6 +7561,10 @@
         <message>
             <source>The width of the cut; 0: that of the cut chart or the tool</source>
             <translation>A largura do corte; 0: a da tabela de corte ou da ferramenta</translation>
+        </message>
+        <message>
+            <source>The width of the picture; 0: as its resolution says</source>
+            <translation>A largura da imagem; 0: como sua resolução diz</translation>
         </message>
         <message>
             <source>The wire stays this close to every drawn point; 0 keeps every point that bends the line</source>
@@ -6135,6 +7595,14 @@
             <translation>Espessura</translation>
         </message>
         <message>
+            <source>Thickness of the flanges</source>
+            <translation>Espessura das mesas</translation>
+        </message>
+        <message>
+            <source>Thickness of the web</source>
+            <translation>Espessura da alma</translation>
+        </message>
+        <message>
             <source>This is cut by: {0}. The job's process is: {1}</source>
             <translation>Isto se corta por: {0}. O processo do trabalho é: {1}</translation>
         </message>
@@ -6143,12 +7611,16 @@
             <translation>Esta máquina não tem fins de curso de referência configurados ($22=0).</translation>
         </message>
         <message>
-            <source>This takes a number without a unit, not '{0}'</source>
+            <source>This needs a number without a unit, not '{0}'</source>
             <translation>Aqui vai um número sem unidade, não '{0}'</translation>
         </message>
         <message>
             <source>Thread</source>
             <translation>Rosquear</translation>
+        </message>
+        <message>
+            <source>Threshold</source>
+            <translation>Limiar</translation>
         </message>
         <message>
             <source>Time</source>
@@ -6159,12 +7631,24 @@
             <translation>Tempo no programa</translation>
         </message>
         <message>
+            <source>Time of the tool at rest with power; 0: from the cut chart</source>
+            <translation>Quanto tempo a ferramenta fica parada com potência; 0: o da tabela de corte</translation>
+        </message>
+        <message>
             <source>Time that it is run</source>
             <translation>Vez em que é executada</translation>
         </message>
         <message>
             <source>Timing the moves…</source>
             <translation>Cronometrando os movimentos…</translation>
+        </message>
+        <message>
+            <source>Tiny</source>
+            <translation>Minúscula</translation>
+        </message>
+        <message>
+            <source>Tiny contour</source>
+            <translation>Contorno minúsculo</translation>
         </message>
         <message>
             <source>Tip</source>
@@ -6179,7 +7663,11 @@
             <translation>Diâmetro da ponta</translation>
         </message>
         <message>
-            <source>To get what is missing, type in a terminal, with Python {0}, and start FreeCAD again:</source>
+            <source>To</source>
+            <translation>Até</translation>
+        </message>
+        <message>
+            <source>To install the missing packages, type in a terminal, with Python {0}, and start FreeCAD again:</source>
             <translation>Para obter o que falta, digite em um terminal, com Python {0}, e reinicie o FreeCAD:</translation>
         </message>
         <message>
@@ -6207,6 +7695,10 @@
             <translation>Tolerância</translation>
         </message>
         <message>
+            <source>Tolerance of the cut line, which reduces the number of moves; 0: none</source>
+            <translation>Quanto a linha cortada pode se afastar da desenhada para ter menos movimentos; 0: nada</translation>
+        </message>
+        <message>
             <source>Tool</source>
             <translation>Ferramenta</translation>
         </message>
@@ -6231,12 +7723,16 @@
             <translation>Ferramentas ({0})</translation>
         </message>
         <message>
-            <source>Tools without feeds or speed take theirs from its table</source>
+            <source>Tools without feeds or speed use its table</source>
             <translation>Ferramentas sem avanço ou rotação tomam os da sua tabela</translation>
         </message>
         <message>
             <source>Toothed belt</source>
             <translation>Correia dentada</translation>
+        </message>
+        <message>
+            <source>Top</source>
+            <translation>Topo</translation>
         </message>
         <message>
             <source>Torch off before</source>
@@ -6245,6 +7741,14 @@
         <message>
             <source>Torque at speed</source>
             <translation>Torque por rotação</translation>
+        </message>
+        <message>
+            <source>Trace what is light instead of what is dark</source>
+            <translation>Traça o que é claro em vez do que é escuro</translation>
+        </message>
+        <message>
+            <source>Trapezoid</source>
+            <translation>Trapézio</translation>
         </message>
         <message>
             <source>Travel</source>
@@ -6259,12 +7763,20 @@
             <translation>Curso de</translation>
         </message>
         <message>
+            <source>Travel of the motor at a reversal before the axis moves</source>
+            <translation>O que o motor gira na inversão antes de o eixo se mover</translation>
+        </message>
+        <message>
             <source>Travel per turn</source>
             <translation>Avanço por volta</translation>
         </message>
         <message>
             <source>Travel to</source>
             <translation>Curso até</translation>
+        </message>
+        <message>
+            <source>Triangular plate</source>
+            <translation>Chapa triangular</translation>
         </message>
         <message>
             <source>Turns</source>
@@ -6279,12 +7791,36 @@
             <translation>Voltas do motor por volta do fuso ou da polia</translation>
         </message>
         <message>
+            <source>Twice from the middle to a side</source>
+            <translation>Duas vezes do centro a um lado</translation>
+        </message>
+        <message>
+            <source>Two eyes and the bar that joins them along X; the first eye's hole is at the zero.</source>
+            <translation>Dois olhais e a barra que os une ao longo de X; o furo do primeiro olhal está no zero.</translation>
+        </message>
+        <message>
+            <source>Two flanges that an offset web joins, its left lower corner at the zero; a hole in each flange.</source>
+            <translation>Duas abas unidas por uma alma deslocada, o canto inferior esquerdo no zero; um furo em cada aba.</translation>
+        </message>
+        <message>
+            <source>Two legs up from a base, the zero in the middle of the base's lower edge; a hole in each leg.</source>
+            <translation>Duas abas acima de uma base, o zero no meio da borda inferior da base; um furo em cada aba.</translation>
+        </message>
+        <message>
             <source>Type a line: $$, $#, G0 X10</source>
             <translation>Digite uma linha: $$, $#, G0 X10</translation>
         </message>
         <message>
+            <source>U-bracket</source>
+            <translation>Suporte em U</translation>
+        </message>
+        <message>
             <source>Unfinished job…</source>
             <translation>Trabalho inacabado…</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>Unidade</translation>
         </message>
         <message>
             <source>Units</source>
@@ -6293,6 +7829,10 @@
         <message>
             <source>Unlock</source>
             <translation>Destravar</translation>
+        </message>
+        <message>
+            <source>Unlock the alarm without homing: only if the position is certainly right.</source>
+            <translation>Retira o alarme sem referenciar: só quando a posição está certa com certeza.</translation>
         </message>
         <message>
             <source>Unreachable</source>
@@ -6335,72 +7875,48 @@
             <translation>Jato de água</translation>
         </message>
         <message>
-            <source>What a program without F takes, and the cutting speed of a language without F</source>
-            <translation>O que vale num programa sem F, e a velocidade de corte de uma linguagem sem F</translation>
-        </message>
-        <message>
-            <source>What happened to the job's own program since</source>
-            <translation>O que aconteceu desde então com o programa do próprio trabalho</translation>
-        </message>
-        <message>
-            <source>What is cut, in this order</source>
-            <translation>O que é usinado, nesta ordem</translation>
+            <source>What becomes one object</source>
+            <translation>O que vira um objeto</translation>
         </message>
         <message>
             <source>What is one step: a line of the program, a move, or a pulse of the motors</source>
             <translation>O que é um passo: uma linha do programa, um movimento ou um pulso dos motores</translation>
         </message>
         <message>
-            <source>What is set at the power source; 0: that of the chart</source>
-            <translation>O que se ajusta na fonte; 0: a corrente da tabela</translation>
+            <source>What is written; several lines are set below each other</source>
+            <translation>O que se escreve; várias linhas ficam uma abaixo da outra</translation>
         </message>
         <message>
-            <source>What is switched on while cutting</source>
-            <translation>O que fica ligado durante o corte</translation>
+            <source>What the height is measured of</source>
+            <translation>De que se mede a altura</translation>
         </message>
         <message>
-            <source>What stays at the wall, for another operation to take</source>
-            <translation>O que fica na parede para outra operação tirar</translation>
+            <source>What the letters stand on</source>
+            <translation>Sobre o que as letras ficam</translation>
         </message>
         <message>
-            <source>What the axis loses at a reversal, as the profile says; moves that are sent take it up</source>
-            <translation>O que o eixo perde em uma inversão, como diz o perfil; os movimentos enviados compensam</translation>
+            <source>What was found in it</source>
+            <translation>O que foi achado nele</translation>
         </message>
         <message>
-            <source>What the controller adds to Z, where the machine takes lengths from a table; 0: not given</source>
-            <translation>O que o controlador soma a Z, onde a máquina toma os comprimentos de uma tabela; 0: não informado</translation>
-        </message>
-        <message>
-            <source>What the cutter is made of</source>
-            <translation>De que a ferramenta é feita</translation>
-        </message>
-        <message>
-            <source>What the motor turns at a reversal before the axis moves</source>
-            <translation>O que o motor gira na inversão antes de o eixo se mover</translation>
-        </message>
-        <message>
-            <source>What the raw material looks like</source>
-            <translation>Como é a matéria-prima</translation>
-        </message>
-        <message>
-            <source>What the round tool must leave at the ends of the long axis</source>
-            <translation>O que a ferramenta redonda deixa nas pontas do eixo maior</translation>
-        </message>
-        <message>
-            <source>Where on the stock the work zero lies</source>
-            <translation>Onde fica o zero-peça no bloco</translation>
+            <source>What was read</source>
+            <translation>O que foi lido</translation>
         </message>
         <message>
             <source>Where rapids travel across the work</source>
             <translation>Altura dos movimentos rápidos sobre a peça</translation>
         </message>
         <message>
-            <source>Where the holes stand</source>
-            <translation>Onde ficam os furos</translation>
+            <source>Where the arc begins; counter-clockwise from X</source>
+            <translation>Onde o arco começa; anti-horário a partir de X</translation>
         </message>
         <message>
-            <source>Where the mirror stands, mm</source>
-            <translation>Onde fica o espelho, mm</translation>
+            <source>Where the line begins</source>
+            <translation>Onde a linha começa</translation>
+        </message>
+        <message>
+            <source>Where the line ends</source>
+            <translation>Onde a linha termina</translation>
         </message>
         <message>
             <source>Where the row begins, from the work zero</source>
@@ -6411,16 +7927,8 @@
             <translation>Onde a fileira termina</translation>
         </message>
         <message>
-            <source>Where the table stands is not known: home the machine, or set the work zero anew.</source>
-            <translation>Não se sabe onde a mesa está: referencie a máquina ou defina de novo o zero-peça.</translation>
-        </message>
-        <message>
-            <source>Where the way turns by less, the wire neither stands nor slows down</source>
-            <translation>Onde o caminho vira menos, o fio nem para nem vai mais devagar</translation>
-        </message>
-        <message>
-            <source>Where the work zero lies in this document</source>
-            <translation>Onde fica o zero-peça neste documento</translation>
+            <source>Where the text stands about its zero, or on its line</source>
+            <translation>Onde o texto fica em torno de seu zero, ou em sua linha</translation>
         </message>
         <message>
             <source>Whether a laser's power follows its speed (M4)</source>
@@ -6429,6 +7937,10 @@
         <message>
             <source>Whether a slit through the part leads the wire into a closed hole</source>
             <translation>Se uma fenda através da peça leva o fio a um furo fechado</translation>
+        </message>
+        <message>
+            <source>Whether all of its chains are closed</source>
+            <translation>Se todos os seus contornos são fechados</translation>
         </message>
         <message>
             <source>Whether form, kerf and feeds are those of the job's cut chart</source>
@@ -6443,16 +7955,20 @@
             <translation>Se a profundidade é a da ponta ou a do diâmetro pleno</translation>
         </message>
         <message>
+            <source>Whether the file fills it</source>
+            <translation>Se o arquivo o preenche</translation>
+        </message>
+        <message>
+            <source>Whether the file is as it was read</source>
+            <translation>Se o arquivo está como foi lido</translation>
+        </message>
+        <message>
             <source>Whether the last point joins the first</source>
             <translation>Se o último ponto se une ao primeiro</translation>
         </message>
         <message>
             <source>Whether the program holds it</source>
             <translation>Se o programa a contém</translation>
-        </message>
-        <message>
-            <source>Which one is shown, checked and sent, where the machine wants one a tool</source>
-            <translation>Qual é mostrado, verificado e enviado, onde a máquina quer um por ferramenta</translation>
         </message>
         <message>
             <source>While pressed</source>
@@ -6469,6 +7985,46 @@
         <message>
             <source>Width</source>
             <translation>Largura</translation>
+        </message>
+        <message>
+            <source>Width of each flange</source>
+            <translation>Largura de cada aba</translation>
+        </message>
+        <message>
+            <source>Width of the bar</source>
+            <translation>Largura da barra</translation>
+        </message>
+        <message>
+            <source>Width of the bars</source>
+            <translation>Largura das barras</translation>
+        </message>
+        <message>
+            <source>Width of the ears</source>
+            <translation>Largura das orelhas</translation>
+        </message>
+        <message>
+            <source>Width of the head</source>
+            <translation>Largura da cabeça</translation>
+        </message>
+        <message>
+            <source>Width of the key</source>
+            <translation>Largura da chaveta</translation>
+        </message>
+        <message>
+            <source>Width of the legs</source>
+            <translation>Largura das abas</translation>
+        </message>
+        <message>
+            <source>Width of the mouth</source>
+            <translation>Largura da boca</translation>
+        </message>
+        <message>
+            <source>Width of the shaft</source>
+            <translation>Largura da haste</translation>
+        </message>
+        <message>
+            <source>Width of the slot</source>
+            <translation>Largura do rasgo</translation>
         </message>
         <message>
             <source>Wire cut</source>
@@ -6535,12 +8091,20 @@
             <translation>Y, passos</translation>
         </message>
         <message>
+            <source>Z of the faces or of the section</source>
+            <translation>Z das faces ou da seção</translation>
+        </message>
+        <message>
             <source>Z times</source>
             <translation>Z vezes</translation>
         </message>
         <message>
             <source>Z, steps</source>
             <translation>Z, passos</translation>
+        </message>
+        <message>
+            <source>Z-bracket</source>
+            <translation>Suporte em Z</translation>
         </message>
         <message>
             <source>Zero's place</source>
@@ -6579,6 +8143,10 @@
             <translation>ae, recalculada para passes inteiros</translation>
         </message>
         <message>
+            <source>all</source>
+            <translation>todas</translation>
+        </message>
+        <message>
             <source>all stand out equally</source>
             <translation>todas salientes por igual</translation>
         </message>
@@ -6613,6 +8181,14 @@
         <message>
             <source>ap, recalculated to whole passes</source>
             <translation>ap, recalculada para passes inteiros</translation>
+        </message>
+        <message>
+            <source>applies a given tool length</source>
+            <translation>leva em conta um comprimento de ferramenta dado</translation>
+        </message>
+        <message>
+            <source>applies the tool's length</source>
+            <translation>leva em conta o comprimento da ferramenta</translation>
         </message>
         <message>
             <source>arc</source>
@@ -6679,6 +8255,10 @@
             <translation>como publicado na dissertação</translation>
         </message>
         <message>
+            <source>at a height</source>
+            <translation>a uma altura</translation>
+        </message>
+        <message>
             <source>at the lower end</source>
             <translation>no extremo inferior</translation>
         </message>
@@ -6687,11 +8267,15 @@
             <translation>no extremo superior</translation>
         </message>
         <message>
+            <source>automatic</source>
+            <translation>automático</translation>
+        </message>
+        <message>
             <source>back along the cut</source>
             <translation>volta pelo corte</translation>
         </message>
         <message>
-            <source>back the way it came</source>
+            <source>back along the entry</source>
             <translation>de volta pelo mesmo caminho</translation>
         </message>
         <message>
@@ -6723,12 +8307,24 @@
             <translation>fresa toroidal</translation>
         </message>
         <message>
+            <source>by contour</source>
+            <translation>por contorno</translation>
+        </message>
+        <message>
+            <source>by layer</source>
+            <translation>por camada</translation>
+        </message>
+        <message>
             <source>by numbers</source>
             <translation>por números</translation>
         </message>
         <message>
             <source>calls a subprogram</source>
             <translation>chama um subprograma</translation>
+        </message>
+        <message>
+            <source>cancels G92</source>
+            <translation>desfaz G92</translation>
         </message>
         <message>
             <source>canned cycles return to R</source>
@@ -6859,6 +8455,10 @@
             <translation>ferramenta de gravação</translation>
         </message>
         <message>
+            <source>exceeds the machine's travel; at most {0}</source>
+            <translation>vai além do curso da máquina; no máximo {0}</translation>
+        </message>
+        <message>
             <source>feed</source>
             <translation>avanço</translation>
         </message>
@@ -6919,10 +8519,6 @@
             <translation>vidro</translation>
         </message>
         <message>
-            <source>goes beyond what the machine can travel; at most {0}</source>
-            <translation>vai além do curso da máquina; no máximo {0}</translation>
-        </message>
-        <message>
             <source>goes far beyond the machine's fastest axis; at most {0}</source>
             <translation>vai muito além do eixo mais rápido da máquina; no máximo {0}</translation>
         </message>
@@ -6973,6 +8569,10 @@
         <message>
             <source>high-speed steel</source>
             <translation>aço rápido</translation>
+        </message>
+        <message>
+            <source>holes</source>
+            <translation>furos</translation>
         </message>
         <message>
             <source>how often, or which</source>
@@ -7057,6 +8657,10 @@
         <message>
             <source>make room in the folder for temporary files</source>
             <translation>libere espaço na pasta de arquivos temporários</translation>
+        </message>
+        <message>
+            <source>middle</source>
+            <translation>meio</translation>
         </message>
         <message>
             <source>mild steel</source>
@@ -7211,6 +8815,14 @@
             <translation>nosso planejador</translation>
         </message>
         <message>
+            <source>outline</source>
+            <translation>contorno</translation>
+        </message>
+        <message>
+            <source>outlines</source>
+            <translation>contornos</translation>
+        </message>
+        <message>
             <source>output</source>
             <translation>saída</translation>
         </message>
@@ -7251,12 +8863,12 @@
             <translation>pausa, à mão</translation>
         </message>
         <message>
-            <source>pauses until it is told to go on</source>
-            <translation>pausa até que mandem continuar</translation>
+            <source>pauses if optional stop is on</source>
+            <translation>pausa quando o operador quer</translation>
         </message>
         <message>
-            <source>pauses where the operator wants it</source>
-            <translation>pausa quando o operador quer</translation>
+            <source>pauses until cycle start</source>
+            <translation>pausa até que mandem continuar</translation>
         </message>
         <message>
             <source>place along U</source>
@@ -7295,11 +8907,11 @@
             <translation>policarbonato</translation>
         </message>
         <message>
-            <source>probes away until it lets go</source>
+            <source>probes away until the contact opens</source>
             <translation>sonda afastando até soltar</translation>
         </message>
         <message>
-            <source>probes away until it lets go, an alarm where it does not</source>
+            <source>probes away until the contact opens; otherwise an alarm</source>
             <translation>sonda afastando até soltar; alarme se não soltar</translation>
         </message>
         <message>
@@ -7463,16 +9075,8 @@
             <translation>tabela de tempos de passo</translation>
         </message>
         <message>
-            <source>takes G92 back</source>
-            <translation>desfaz G92</translation>
-        </message>
-        <message>
-            <source>takes a given tool length into account</source>
-            <translation>leva em conta um comprimento de ferramenta dado</translation>
-        </message>
-        <message>
-            <source>takes the tool's length into account</source>
-            <translation>leva em conta o comprimento da ferramenta</translation>
+            <source>the capitals</source>
+            <translation>as maiúsculas</translation>
         </message>
         <message>
             <source>the cutter runs left of the path</source>
@@ -7481,6 +9085,10 @@
         <message>
             <source>the cutter runs right of the path</source>
             <translation>a fresa corre à direita da trajetória</translation>
+        </message>
+        <message>
+            <source>the em (font size)</source>
+            <translation>o corpo da fonte (em)</translation>
         </message>
         <message>
             <source>the machine's own</source>
@@ -7591,6 +9199,10 @@
             <translation>{0} (editado)</translation>
         </message>
         <message>
+            <source>{0} (single lines)</source>
+            <translation>{0} (linhas únicas)</translation>
+        </message>
+        <message>
             <source>{0} = 0</source>
             <translation>{0} = 0</translation>
         </message>
@@ -7611,7 +9223,7 @@
             <translation>{0} de baixo, {1} de cima</translation>
         </message>
         <message>
-            <source>{0} has changed in the document meanwhile; here is still what you typed</source>
+            <source>{0} has changed in the document; your typed values are kept here</source>
             <translation>{0} mudou no documento enquanto isso; aqui ainda está o que você digitou</translation>
         </message>
         <message>
@@ -7625,6 +9237,10 @@
         <message>
             <source>{0} has nothing to cut: add an operation</source>
             <translation>{0} não tem o que usinar: adicione uma operação</translation>
+        </message>
+        <message>
+            <source>{0} is as its file again</source>
+            <translation>{0} está de novo como seu arquivo</translation>
         </message>
         <message>
             <source>{0} is cut with it; choose another tool there first</source>
@@ -7667,6 +9283,14 @@
             <translation>{0} de {1} linhas, linha {2} do arquivo, enviado até a linha {3}</translation>
         </message>
         <message>
+            <source>{0} on layer '{1}' at X {2} Y {3}</source>
+            <translation>{0} na camada '{1}' em X {2} Y {3}</translation>
+        </message>
+        <message>
+            <source>{0} on layer '{1}' was left out: {2}</source>
+            <translation>{0} na camada '{1}' foi deixado de fora: {2}</translation>
+        </message>
+        <message>
             <source>{0} readings: mean {1:.4f} mm, standard deviation {2:.4f} mm</source>
             <translation>{0} leituras: média {1:.4f} mm, desvio padrão {2:.4f} mm</translation>
         </message>
@@ -7695,12 +9319,16 @@
             <translation>{0} ferramentas importadas</translation>
         </message>
         <message>
-            <source>{0} was not cut to its end, and its program, as it was sent, is in no open document.</source>
+            <source>{0} was not cut to its end, and no open document has the program that was sent.</source>
             <translation>{0} não foi cortado até o fim, e seu programa, como foi enviado, não está em nenhum documento aberto.</translation>
         </message>
         <message>
             <source>{0} ×</source>
             <translation>{0} ×</translation>
+        </message>
+        <message>
+            <source>{0} × {1} mm, layers: {2}, open contours: {3}, the file's unit: {4} mm</source>
+            <translation>{0} × {1} mm, camadas: {2}, contornos abertos: {3}, unidade do arquivo: {4} mm</translation>
         </message>
         <message>
             <source>{0}, cut until {1}</source>
@@ -7723,6 +9351,14 @@
             <translation>{0}:</translation>
         </message>
         <message>
+            <source>{0}: its file has changed; Reload in the tree takes it anew</source>
+            <translation>{0}: seu arquivo mudou; Recarregar na árvore o lê de novo</translation>
+        </message>
+        <message>
+            <source>{0}: its file is not there any more; what was read stays</source>
+            <translation>{0}: seu arquivo não está mais lá; o que foi lido fica</translation>
+        </message>
+        <message>
             <source>{0}: {1}</source>
             <translation>{0}: {1}</translation>
         </message>
@@ -7733,6 +9369,10 @@
         <message>
             <source>{0}× speed</source>
             <translation>velocidade {0}×</translation>
+        </message>
+        <message>
+            <source>… and {0} more</source>
+            <translation>… e mais {0}</translation>
         </message>
         <message>
             <source>… and {0} more lines</source>
@@ -7834,12 +9474,12 @@
             <translation>'{solid}' não é um sólido e não pode ser grampo</translation>
         </message>
         <message>
-            <source>'{text}' is not a tool</source>
-            <translation>'{text}' não é uma ferramenta</translation>
+            <source>'{text}' is a move whose end only the controller knows</source>
+            <translation>'{text}' move como só o controlador sabe</translation>
         </message>
         <message>
-            <source>'{text}' moves as only the controller knows</source>
-            <translation>'{text}' move como só o controlador sabe</translation>
+            <source>'{text}' is not a tool</source>
+            <translation>'{text}' não é uma ferramenta</translation>
         </message>
         <message>
             <source>'{value}' is no feed for programs without F</source>
@@ -8290,7 +9930,7 @@
             <translation>G5.3 termina uma NURBS: nenhum outro movimento pode ficar na mesma linha</translation>
         </message>
         <message>
-            <source>G5.3 ends what no G5.2 began</source>
+            <source>G5.3 without a G5.2 before it</source>
             <translation>G5.3 termina o que nenhum G5.2 começou</translation>
         </message>
         <message>
@@ -8514,7 +10154,7 @@
             <translation>Tamanho NEMA</translation>
         </message>
         <message>
-            <source>NOT cut on any stock: the machine's limits are checked, but nobody sees whether a rapid meets material; give --job, or --stock and --tool</source>
+            <source>NOT simulated on a stock: the machine's limits are checked, but not whether a rapid meets material; give --job, or --stock and --tool</source>
             <translation>NÃO cortado em nenhum material: os limites da máquina são verificados, mas ninguém vê se um avanço rápido encontra material; dê --job, ou --stock e --tool</translation>
         </message>
         <message>
@@ -8790,7 +10430,7 @@
             <translation>falta um valor P ou L</translation>
         </message>
         <message>
-            <source>a `%` stands where no file begins or ends</source>
+            <source>a `%` is neither at the begin nor at the end of the file</source>
             <translation>há um `%` onde nenhum arquivo começa nem termina</translation>
         </message>
         <message>
@@ -8870,7 +10510,7 @@
             <translation>uma tabela de corte contém tabelas [[cut]] e nada mais</translation>
         </message>
         <message>
-            <source>a cut goes into stock while the spindle stands</source>
+            <source>a cut goes into stock while the spindle is off</source>
             <translation>um corte entra no material com o spindle parado</translation>
         </message>
         <message>
@@ -8970,7 +10610,7 @@
             <translation>um trabalho está em curso</translation>
         </message>
         <message>
-            <source>a job runs, and the machine does not stand</source>
+            <source>a job runs, and the machine is not at standstill</source>
             <translation>um trabalho está em andamento, e a máquina não está parada</translation>
         </message>
         <message>
@@ -9058,7 +10698,7 @@
             <translation>cada linha de um arquivo de parâmetros é o número de um parâmetro e o seu valor</translation>
         </message>
         <message>
-            <source>a line of a tool table names one tool, which stands in it once</source>
+            <source>a line of a tool table names one tool, and no other line names it</source>
             <translation>uma linha da tabela de ferramentas indica uma ferramenta, que aparece nela uma só vez</translation>
         </message>
         <message>
@@ -9070,7 +10710,7 @@
             <translation>uma linha que troca a ferramenta faz mais do que isso</translation>
         </message>
         <message>
-            <source>a line that runs by itself at every start moves without anybody who looks</source>
+            <source>a line that runs at every start moves the machine while nobody watches</source>
             <translation>uma linha que roda sozinha a cada partida move a máquina sem ninguém olhando</translation>
         </message>
         <message>
@@ -9106,7 +10746,7 @@
             <translation>um arquivo de materiais não contém linhas de {process}</translation>
         </message>
         <message>
-            <source>a material number stands twice</source>
+            <source>a material number is used twice</source>
             <translation>um número de material aparece duas vezes</translation>
         </message>
         <message>
@@ -9124,10 +10764,6 @@
         <message>
             <source>a motor driver reports a fault</source>
             <translation>um driver de motor acusa falha</translation>
-        </message>
-        <message>
-            <source>a move that the lathe has begun goes on: switch it off, then set its zero again</source>
-            <translation>um movimento que o torno começou continua: desligue-o e depois defina o zero de novo</translation>
         </message>
         <message>
             <source>a move would end outside the travel (soft limit)</source>
@@ -9326,7 +10962,7 @@
             <translation>uma escala deve ser positiva</translation>
         </message>
         <message>
-            <source>a session's file belongs to {user} and cannot be opened, so that nobody can tell its port</source>
+            <source>a session's file belongs to {user} and cannot be opened, so that its port is unknown</source>
             <translation>o arquivo de uma sessão pertence a {user} e não pode ser aberto, de modo que ninguém sabe qual é a sua porta</translation>
         </message>
         <message>
@@ -9494,7 +11130,7 @@
             <translation>uma palavra é uma letra e um número</translation>
         </message>
         <message>
-            <source>a word stands twice in one line</source>
+            <source>a word is twice in one line</source>
             <translation>uma palavra aparece duas vezes na linha</translation>
         </message>
         <message>
@@ -9862,7 +11498,7 @@
             <translation>ligue-se de novo à sessão</translation>
         </message>
         <message>
-            <source>automatic mode: from here on nothing stops the lathe over its link, and there is no way back to manual mode until it is switched off</source>
+            <source>automatic mode: from here on the link cannot stop the lathe, and only switching it off returns it to manual mode</source>
             <translation>modo automático: daqui em diante nada para o torno pela sua ligação, e não há volta ao modo manual até que ele seja desligado</translation>
         </message>
         <message>
@@ -9886,12 +11522,28 @@
             <translation>volta pelo corte</translation>
         </message>
         <message>
-            <source>back along the cut: go on back, forward, or resume from here</source>
-            <translation>de volta ao longo do corte: continue para trás, para a frente, ou retome daqui</translation>
-        </message>
-        <message>
             <source>back to where the program paused: up, over, down</source>
             <translation>volta ao ponto em que o programa pausou: sobe, desloca, desce</translation>
+        </message>
+        <message>
+            <source>backlash cannot be compensated in an arc with an absolute centre</source>
+            <translation>a folga dos eixos não pode ser compensada em um arco com centro absoluto</translation>
+        </message>
+        <message>
+            <source>backlash cannot be compensated in rotated coordinates</source>
+            <translation>a folga dos eixos não pode ser compensada em coordenadas giradas</translation>
+        </message>
+        <message>
+            <source>backlash cannot be compensated in the dialect {dialect}</source>
+            <translation>na linguagem de {dialect} não há como compensar a folga</translation>
+        </message>
+        <message>
+            <source>backlash cannot be compensated within this line</source>
+            <translation>a folga dos eixos não pode ser compensada dentro desta linha</translation>
+        </message>
+        <message>
+            <source>backlash has three values, one for each axis</source>
+            <translation>a folga é informada para três eixos</translation>
         </message>
         <message>
             <source>backlash_mm must be below the travel of the axis</source>
@@ -9986,6 +11638,10 @@
             <translation>divida a linha</translation>
         </message>
         <message>
+            <source>bring it back, or choose another file</source>
+            <translation>traga-o de volta, ou escolha outro arquivo</translation>
+        </message>
+        <message>
             <source>bring it to Idle first</source>
             <translation>deixe-a antes em Idle (pronta)</translation>
         </message>
@@ -10066,7 +11722,7 @@
             <translation>verifique cabo e alimentação; referencie a máquina ou defina o zero de novo antes do próximo corte</translation>
         </message>
         <message>
-            <source>check cable, grounding and baud rate, and that the firmware is one that this program knows</source>
+            <source>check cable, grounding and baud rate, and that this program supports the firmware</source>
             <translation>verifique o cabo, o aterramento e a velocidade (baud), e se o firmware é um dos que este programa conhece</translation>
         </message>
         <message>
@@ -10106,6 +11762,10 @@
             <translation>verifique a taxa (baud) e o que está conectado</translation>
         </message>
         <message>
+            <source>check the baud rate, and which reports the controller sends unasked</source>
+            <translation>verifique a velocidade (baud) e quais relatórios o controlador envia por conta própria</translation>
+        </message>
+        <message>
             <source>check the cable</source>
             <translation>verifique o cabo</translation>
         </message>
@@ -10124,6 +11784,10 @@
         <message>
             <source>check the program again, and send it with the certificate that this gives</source>
             <translation>verifique o programa de novo e envie-o com o certificado que isso gera</translation>
+        </message>
+        <message>
+            <source>check the state of the machine now, then answer again</source>
+            <translation>veja como a máquina está agora e responda a isso</translation>
         </message>
         <message>
             <source>check the switches, and max_travel_mm in its configuration</source>
@@ -10272,6 +11936,10 @@
         <message>
             <source>circles and points of several drawings that stand about the same centre, one hole each: {twice}</source>
             <translation>círculos e pontos de vários desenhos em torno do mesmo centro, um furo para cada: {twice}</translation>
+        </message>
+        <message>
+            <source>clamp the tool with more stickout</source>
+            <translation>deixe a ferramenta mais para fora do porta-ferramenta</translation>
         </message>
         <message>
             <source>clear the cause, then reset the controller</source>
@@ -10622,10 +12290,6 @@
             <translation>cortado no material que os movimentos anteriores deixaram, e julgado pelas formas do trabalho</translation>
         </message>
         <message>
-            <source>cut on the stock that the moves before it have left; the wanted shape is not known, so it is not judged</source>
-            <translation>cortado no material que os movimentos anteriores deixaram; a forma desejada não é conhecida, por isso não é julgado</translation>
-        </message>
-        <message>
             <source>cut some of the curves in an operation of their own</source>
             <translation>corte algumas das curvas em uma operação própria</translation>
         </message>
@@ -10674,7 +12338,7 @@
             <translation>não é plano</translation>
         </message>
         <message>
-            <source>dog-bones or a smaller tool take it away</source>
+            <source>dog-bones or a smaller tool remove it</source>
             <translation>alívio de cantos ou uma ferramenta menor o tira</translation>
         </message>
         <message>
@@ -10814,10 +12478,6 @@
             <translation>entre em hélice ou rampa, ou no meio de um furo já aberto</translation>
         </message>
         <message>
-            <source>entered here, the program does not stand alone: {error}</source>
-            <translation>retomado aqui, o programa não se sustenta sozinho: {error}</translation>
-        </message>
-        <message>
             <source>entered here, the program would do something else than when it is run whole</source>
             <translation>retomado aqui, o programa faria algo diferente do que faz quando executado inteiro</translation>
         </message>
@@ -10852,6 +12512,10 @@
         <message>
             <source>exclusively lock</source>
             <translation>exclusively lock</translation>
+        </message>
+        <message>
+            <source>expand it first: cncstepper convert</source>
+            <translation>escreva antes por extenso o que ele faz: cncstepper convert</translation>
         </message>
         <message>
             <source>expand it into plain moves</source>
@@ -10932,6 +12596,10 @@
         <message>
             <source>formats inside MTEXT are not applied</source>
             <translation>as formatações dentro do MTEXT não são aplicadas</translation>
+        </message>
+        <message>
+            <source>free space on its disk, and resume when the journal is written again</source>
+            <translation>libere espaço no disco dele, e continue quando for dito que ele é gravado de novo</translation>
         </message>
         <message>
             <source>free the machine from the switch, then home it</source>
@@ -11158,6 +12826,10 @@
             <translation>informe o número e o nome do material</translation>
         </message>
         <message>
+            <source>give the number of the run</source>
+            <translation>diga em qual das vezes em que ela é executada</translation>
+        </message>
+        <message>
             <source>give the path of a file</source>
             <translation>dê o caminho de um arquivo</translation>
         </message>
@@ -11240,10 +12912,6 @@
         <message>
             <source>go line by line while a job runs</source>
             <translation>avance linha por linha enquanto um trabalho está em execução</translation>
-        </message>
-        <message>
-            <source>go on with it or stop it where it was started, or with: cncstepper back --session {file}</source>
-            <translation>continue-o ou pare-o onde foi iniciado, ou com: cncstepper back --session {file}</translation>
         </message>
         <message>
             <source>go on, or stop the job</source>
@@ -11402,20 +13070,12 @@
             <translation>se estava cortando, a posição é desconhecida: olhe a máquina e depois veja {session_file}</translation>
         </message>
         <message>
-            <source>import importlib.util, sys; sys.exit(importlib.util.find_spec({0}) is None)</source>
-            <translation>import importlib.util, sys; sys.exit(importlib.util.find_spec({0}) is None)</translation>
-        </message>
-        <message>
             <source>in absolute mode the control drives an axis without a word to 0</source>
             <translation>no modo absoluto o comando leva para 0 um eixo sem palavra</translation>
         </message>
         <message>
             <source>in inverse time every {name} needs its own F above 0</source>
             <translation>em tempo inverso cada {name} precisa do seu próprio F maior que 0</translation>
-        </message>
-        <message>
-            <source>in the language of {dialect} no play can be taken up</source>
-            <translation>na linguagem de {dialect} não há como compensar a folga</translation>
         </message>
         <message>
             <source>in the operation {span}</source>
@@ -11458,6 +13118,10 @@
             <translation>é lido em uma linha própria, em um programa inteiro, onde o dialeto tem sub-rotinas</translation>
         </message>
         <message>
+            <source>it appears when that is done</source>
+            <translation>ele aparece sozinho quando estiver pronto</translation>
+        </message>
+        <message>
             <source>it begins with {0}</source>
             <translation>começa com {0}</translation>
         </message>
@@ -11470,8 +13134,16 @@
             <translation>ele fechou a conexão</translation>
         </message>
         <message>
+            <source>it contains a file that no bundle has: {name}</source>
+            <translation>contém o que nenhum pacote tem: {name}</translation>
+        </message>
+        <message>
             <source>it cuts upwards on a helix, as thread mills do, and is entered at its begin, line {begin}</source>
             <translation>o corte sobe em hélice, como fazem as fresas de roscar, e é retomado no seu início, linha {begin}</translation>
+        </message>
+        <message>
+            <source>it does not answer</source>
+            <translation>ele não diz nada</translation>
         </message>
         <message>
             <source>it does not begin with M</source>
@@ -11494,8 +13166,8 @@
             <translation>termina com {0}: {1}</translation>
         </message>
         <message>
-            <source>it goes on by itself</source>
-            <translation>continua sozinho</translation>
+            <source>it has accepted nothing for {limit:g} s</source>
+            <translation>não aceita nada há {limit:g} s</translation>
         </message>
         <message>
             <source>it has chains on {known}</source>
@@ -11570,10 +13242,6 @@
             <translation>contém mais do que um pacote</translation>
         </message>
         <message>
-            <source>it holds what no bundle does: {name}</source>
-            <translation>contém o que nenhum pacote tem: {name}</translation>
-        </message>
-        <message>
             <source>it is a device</source>
             <translation>é um dispositivo</translation>
         </message>
@@ -11610,12 +13278,12 @@
             <translation>é um só programa</translation>
         </message>
         <message>
-            <source>it is there by itself when that is done</source>
-            <translation>ele aparece sozinho quando estiver pronto</translation>
-        </message>
-        <message>
             <source>it is too long for its tolerance</source>
             <translation>é longa demais para a sua tolerância</translation>
+        </message>
+        <message>
+            <source>it is uncertain which of several passes was cut, so the earliest possible one is used: line {file_line}, not {file_line2}</source>
+            <translation>não se pode dizer com certeza qual de vários passes foi cortado, por isso vale o primeiro que se ajusta: linha {file_line}, não {file_line2}</translation>
         </message>
         <message>
             <source>it is within a way into the cut, which begins at line {file_line}</source>
@@ -11658,8 +13326,8 @@
             <translation>ele renomeia um arquivo</translation>
         </message>
         <message>
-            <source>it says nothing</source>
-            <translation>ele não diz nada</translation>
+            <source>it resumes without a person</source>
+            <translation>continua sozinho</translation>
         </message>
         <message>
             <source>it should be *{summed}</source>
@@ -11682,10 +13350,6 @@
             <translation>ocupa mais memória do que pode</translation>
         </message>
         <message>
-            <source>it takes nothing for {limit:g} s</source>
-            <translation>não aceita nada há {limit:g} s</translation>
-        </message>
-        <message>
             <source>it takes too long</source>
             <translation>demora demais</translation>
         </message>
@@ -11706,7 +13370,7 @@
             <translation>foi comprimido ou cifrado novamente</translation>
         </message>
         <message>
-            <source>it would forget the settings: write the settings that are to change one by one</source>
+            <source>it would erase the settings: write the settings that you want to change one by one</source>
             <translation>ele esqueceria as configurações: escreva uma a uma as que devem mudar</translation>
         </message>
         <message>
@@ -11732,6 +13396,10 @@
         <message>
             <source>its directory is too large</source>
             <translation>seu diretório é grande demais</translation>
+        </message>
+        <message>
+            <source>its effect depends on the machine: leave it out</source>
+            <translation>o que ela faz depende da máquina: omita-a</translation>
         </message>
         <message>
             <source>its file '{name}' is neither here nor in ../Bit</source>
@@ -11850,7 +13518,7 @@
             <translation>mova de novo se ainda for preciso</translation>
         </message>
         <message>
-            <source>jog it down to that height where you see what is below it, or restart with the height {here_mm:.1f} (--height), from which it goes over the place at once</source>
+            <source>jog it down to that height where the way below is free, or restart with the height {here_mm:.1f} (--height), at which it moves over the place directly</source>
             <translation>desça-a à mão até essa altura onde você vê o que há embaixo, ou reinicie com a altura {here_mm:.1f} (--height), da qual ela vai logo para cima do lugar</translation>
         </message>
         <message>
@@ -11874,7 +13542,7 @@
             <translation>fique meia largura de corte ao lado da peça</translation>
         </message>
         <message>
-            <source>kept only if the controller has had power ever since and was not reset in motion; a greeting, an alarm or a place that is not right says that it was: then {home}; {until_homed}</source>
+            <source>kept only if the controller stayed powered and was not reset in motion; a greeting, an alarm or a wrong position shows that it was: then {home}; {until_homed}</source>
             <translation>mantida só se o controlador ficou ligado desde então e não foi reiniciado em movimento; uma saudação, um alarme ou um lugar errado dizem que foi: então {home}; {until_homed}</translation>
         </message>
         <message>
@@ -11924,10 +13592,6 @@
         <message>
             <source>lead in and out through scrap</source>
             <translation>entre e saia pelo retalho</translation>
-        </message>
-        <message>
-            <source>lead it round the part, through what becomes scrap</source>
-            <translation>passe o fio em volta da peça, pelo que vira retalho</translation>
         </message>
         <message>
             <source>leads had to be made smaller to stay in the scrap, down to {smallest:.0%} of their size</source>
@@ -12042,14 +13706,6 @@
             <translation>faça-a mergulhar no início do contorno</translation>
         </message>
         <message>
-            <source>let the tool stick out farther</source>
-            <translation>deixe a ferramenta mais para fora do porta-ferramenta</translation>
-        </message>
-        <message>
-            <source>let them coincide, or keep them {small_mm:g} mm apart</source>
-            <translation>faça-os coincidir ou mantenha-os a {small_mm:g} mm um do outro</translation>
-        </message>
-        <message>
             <source>lift the head higher, or go round the piece</source>
             <translation>levante mais o cabeçote, ou contorne a peça</translation>
         </message>
@@ -12106,7 +13762,7 @@
             <translation>a linha {place} do diário não é a que foi gravada ali</translation>
         </message>
         <message>
-            <source>lines of '{drawing}' that are no whole circles and want no holes: {lines}</source>
+            <source>lines of '{drawing}' that are not whole circles, so that no hole is drilled: {lines}</source>
             <translation>linhas de '{drawing}' que não são círculos inteiros e não pedem furos: {lines}</translation>
         </message>
         <message>
@@ -12114,7 +13770,7 @@
             <translation>linhas com / estão {word}: nenhuma chave as omite mais</translation>
         </message>
         <message>
-            <source>load the module ppdev, and let your user use the device</source>
+            <source>load the module ppdev, and give your user access to the device</source>
             <translation>carregue o módulo ppdev e dê ao seu usuário acesso ao dispositivo</translation>
         </message>
         <message>
@@ -12122,7 +13778,7 @@
             <translation>entre de novo</translation>
         </message>
         <message>
-            <source>log in as a user who may do it</source>
+            <source>log in as a user with that permission</source>
             <translation>entre como um usuário que possa fazê-lo</translation>
         </message>
         <message>
@@ -12166,10 +13822,6 @@
             <translation>verifique as configurações de Bluetooth</translation>
         </message>
         <message>
-            <source>look at the baud rate, and at what reports the controller sends by itself</source>
-            <translation>verifique a velocidade (baud) e quais relatórios o controlador envia por conta própria</translation>
-        </message>
-        <message>
             <source>look at the controller's file system, then try again</source>
             <translation>verifique o sistema de arquivos do controlador e tente de novo</translation>
         </message>
@@ -12190,24 +13842,8 @@
             <translation>verifique a rede do controlador</translation>
         </message>
         <message>
-            <source>look at what it says, and correct that line</source>
-            <translation>veja o que ele diz e corrija essa linha</translation>
-        </message>
-        <message>
-            <source>look at what it says, end other programs, or choose lower speeds</source>
-            <translation>veja o que ele diz, encerre outros programas, ou escolha velocidades menores</translation>
-        </message>
-        <message>
             <source>look for a pendant or another program that is connected, set the zero again, then send again</source>
             <translation>procure um pendente ou outro programa conectado, defina o zero de novo e envie outra vez</translation>
-        </message>
-        <message>
-            <source>look how the machine stands now, then answer to that</source>
-            <translation>veja como a máquina está agora e responda a isso</translation>
-        </message>
-        <message>
-            <source>look that the axes stand, check cable and grounding, and home again</source>
-            <translation>veja se os eixos estão parados, verifique o cabo e o aterramento e referencie a máquina de novo</translation>
         </message>
         <message>
             <source>look that the tool is off, and start the job again</source>
@@ -12302,12 +13938,12 @@
             <translation>aumente o lado dele</translation>
         </message>
         <message>
-            <source>make resolution_mm larger</source>
-            <translation>aumente resolution_mm</translation>
+            <source>make one object of each layer</source>
+            <translation>faça um objeto de cada camada</translation>
         </message>
         <message>
-            <source>make room on its disk, and resume when it is said to be written again</source>
-            <translation>libere espaço no disco dele, e continue quando for dito que ele é gravado de novo</translation>
+            <source>make resolution_mm larger</source>
+            <translation>aumente resolution_mm</translation>
         </message>
         <message>
             <source>make room on the disk of {folder}, and see that you may write there; then send again</source>
@@ -12332,6 +13968,10 @@
         <message>
             <source>make stepover_mm larger</source>
             <translation>aumente stepover_mm</translation>
+        </message>
+        <message>
+            <source>make sure that the axes are at rest, check cable and grounding, and home again</source>
+            <translation>veja se os eixos estão parados, verifique o cabo e o aterramento e referencie a máquina de novo</translation>
         </message>
         <message>
             <source>make the corner radius smaller</source>
@@ -12374,6 +14014,10 @@
             <translation>diminua o texto, mude o seu início ou alongue a curva</translation>
         </message>
         <message>
+            <source>make them coincide, or keep them {small_mm:g} mm apart</source>
+            <translation>faça-os coincidir ou mantenha-os a {small_mm:g} mm um do outro</translation>
+        </message>
+        <message>
             <source>make them lower</source>
             <translation>baixe-as</translation>
         </message>
@@ -12394,8 +14038,12 @@
             <translation>sobra material onde deveria ser removido{islands}</translation>
         </message>
         <message>
-            <source>material stays in {gaps} gap(s) between walls that are narrower than the tool, the deepest one before X{x:.3f} Y{y:.3f}; a smaller tool takes it away</source>
+            <source>material stays in {gaps} gap(s) between walls that are narrower than the tool, the deepest one before X{x:.3f} Y{y:.3f}; a smaller tool removes it</source>
             <translation>fica material em {gaps} fresta(s) entre paredes mais estreita(s) que a ferramenta, a mais funda diante de X{x:.3f} Y{y:.3f}; uma ferramenta menor o remove</translation>
+        </message>
+        <message>
+            <source>material that is cut off</source>
+            <translation>o que é cortado</translation>
         </message>
         <message>
             <source>material {number} has no {key}</source>
@@ -12846,14 +14494,6 @@
             <translation>nenhum caminho pelo retalho leva ao que fica em X{x:.3f} Y{y:.3f}</translation>
         </message>
         <message>
-            <source>nobody has confirmed the work zero</source>
-            <translation>ninguém confirmou o zero-peça</translation>
-        </message>
-        <message>
-            <source>nobody leads the tool along its cut; the program's lines for that are not at the controller</source>
-            <translation>ninguém conduz a ferramenta ao longo do seu corte; as linhas do programa para isso não estão no controlador</translation>
-        </message>
-        <message>
             <source>none of the selected drawings can be followed</source>
             <translation>nenhum dos desenhos selecionados pode ser seguido</translation>
         </message>
@@ -12970,7 +14610,7 @@
             <translation>não é um objeto JSON</translation>
         </message>
         <message>
-            <source>not an outcome: it does not say how it ended</source>
+            <source>not an outcome: it has no end state</source>
             <translation>não é um resultado: não diz como terminou</translation>
         </message>
         <message>
@@ -13142,6 +14782,10 @@
             <translation>só arcos de G17 podem ser girados em torno de Z</translation>
         </message>
         <message>
+            <source>only the controller knows where a probe stops</source>
+            <translation>onde um apalpador para, só o controlador sabe</translation>
+        </message>
+        <message>
             <source>only the first control point goes without X and Y</source>
             <translation>só o primeiro ponto de controle dispensa X e Y</translation>
         </message>
@@ -13150,7 +14794,7 @@
             <translation>só há {free} kB livres</translation>
         </message>
         <message>
-            <source>only {written} of {data} bytes were taken</source>
+            <source>only {written} of {data} bytes were accepted</source>
             <translation>só {written} de {data} bytes foram aceitos</translation>
         </message>
         <message>
@@ -13168,6 +14812,10 @@
         <message>
             <source>operation {number} ({cycle}) will take long: about {length_mm:.0f} m of cut in {levels} levels</source>
             <translation>a operação {number} ({cycle}) vai demorar: cerca de {length_mm:.0f} m de corte em {levels} níveis</translation>
+        </message>
+        <message>
+            <source>otherwise the move would be bent</source>
+            <translation>o trajeto seria curvado de outro modo</translation>
         </message>
         <message>
             <source>outlines and islands lie too close to each other to be told apart</source>
@@ -13198,7 +14846,7 @@
             <translation>peça '{name}': {what}</translation>
         </message>
         <message>
-            <source>part of the drawn shape lies beside the stock</source>
+            <source>part of the drawn shape is beside the stock</source>
             <translation>parte da forma desenhada fica fora do bloco</translation>
         </message>
         <message>
@@ -13282,8 +14930,8 @@
             <translation>o platformdirs não está instalado</translation>
         </message>
         <message>
-            <source>play is told of three axes</source>
-            <translation>a folga é informada para três eixos</translation>
+            <source>please report it, with the drawing</source>
+            <translation>por favor relate isso, com o desenho</translation>
         </message>
         <message>
             <source>please report it, with the program</source>
@@ -13354,12 +15002,12 @@
             <translation>pulsos só são descartados em repouso, não no estado {state}</translation>
         </message>
         <message>
-            <source>pulses are taken back in a hold only, not in state {state}</source>
-            <translation>só se volta pelos pulsos em pausa, não no estado {state}</translation>
-        </message>
-        <message>
             <source>pulses are those of a machine</source>
             <translation>os pulsos são os de uma máquina</translation>
+        </message>
+        <message>
+            <source>pulses can be retracted only in a hold, not in state {state}</source>
+            <translation>só se volta pelos pulsos em pausa, não no estado {state}</translation>
         </message>
         <message>
             <source>put in tool {tool:g}</source>
@@ -13434,6 +15082,22 @@
             <translation>os rápidos usam o avanço em vigor: nenhum F foi dado para eles</translation>
         </message>
         <message>
+            <source>read as a flat mill: '{name}' does not name a shape</source>
+            <translation>tida como fresa de topo: '{name}' não nomeia uma forma que as palavras de uma tabela digam</translation>
+        </message>
+        <message>
+            <source>read its message, and correct that line</source>
+            <translation>veja o que ele diz e corrija essa linha</translation>
+        </message>
+        <message>
+            <source>read its message, close other programs, or choose lower speeds</source>
+            <translation>veja o que ele diz, encerre outros programas, ou escolha velocidades menores</translation>
+        </message>
+        <message>
+            <source>read its output, and report it</source>
+            <translation>veja o que ele imprimiu e relate</translation>
+        </message>
+        <message>
             <source>read the controller's start-up messages ($SS) and correct its configuration</source>
             <translation>leia as mensagens de partida do controlador ($SS) e corrija a configuração</translation>
         </message>
@@ -13446,7 +15110,7 @@
             <translation>leia o programa inteiro</translation>
         </message>
         <message>
-            <source>reading '{suffix}' files takes {programs}, which is not here</source>
+            <source>reading '{suffix}' files needs {programs}, which is not installed</source>
             <translation>para ler arquivos '{suffix}' é preciso {programs}, que não está aqui</translation>
         </message>
         <message>
@@ -13488,6 +15152,10 @@
         <message>
             <source>release_line goes with line</source>
             <translation>release_line acompanha line</translation>
+        </message>
+        <message>
+            <source>reload it</source>
+            <translation>recarregue-o</translation>
         </message>
         <message>
             <source>remove it as {user}; until then the position is unknown again at each connection</source>
@@ -13550,20 +15218,24 @@
             <translation>retomadas são escritas para grbl, grblHAL, FluidNC, LinuxCNC e Mach: converta-o, ou execute-o inteiro</translation>
         </message>
         <message>
-            <source>resume again, or set the zero so that the way there lies within the travel</source>
+            <source>resume again, or set the zero so that the move to it is within the travel</source>
             <translation>retome de novo, ou defina o zero de modo que o caminho fique dentro do curso</translation>
         </message>
         <message>
-            <source>resume again; where $341 is not 0, do first what the controller itself wants at a change of tools</source>
+            <source>resume again; if $341 is not 0, finish the controller's own tool change first</source>
             <translation>continue de novo; onde $341 não é 0, faça antes o que o próprio controlador pede na troca de ferramenta</translation>
         </message>
         <message>
-            <source>resume once it stands</source>
-            <translation>continue quando ela estiver parada</translation>
+            <source>resume or stop it where it was started, or with: cncstepper back --session {file}</source>
+            <translation>continue-o ou pare-o onde foi iniciado, ou com: cncstepper back --session {file}</translation>
         </message>
         <message>
             <source>resume what it was doing, or reset it</source>
             <translation>retome o que fazia, ou reinicie-a</translation>
+        </message>
+        <message>
+            <source>resume when it is at standstill</source>
+            <translation>continue quando ela estiver parada</translation>
         </message>
         <message>
             <source>resume, and hold at a later move</source>
@@ -13584,6 +15256,14 @@
         <message>
             <source>retract mode set to r_plane</source>
             <translation>modo de recuo: plano R</translation>
+        </message>
+        <message>
+            <source>retracted along the cut: go further back, forward, or resume from here</source>
+            <translation>de volta ao longo do corte: continue para trás, para a frente, ou retome daqui</translation>
+        </message>
+        <message>
+            <source>route it around the part, through scrap</source>
+            <translation>passe o fio em volta da peça, pelo que vira retalho</translation>
         </message>
         <message>
             <source>rows must be a list of tables</source>
@@ -13634,14 +15314,6 @@
             <translation>salve o arquivo como texto UTF-8</translation>
         </message>
         <message>
-            <source>say it with M61 Q and the tool's number</source>
-            <translation>informe-a com M61 Q e o número da ferramenta</translation>
-        </message>
-        <message>
-            <source>say which time it is run</source>
-            <translation>diga em qual das vezes em que ela é executada</translation>
-        </message>
-        <message>
             <source>scale all axes alike</source>
             <translation>use a mesma escala em todos os eixos</translation>
         </message>
@@ -13674,10 +15346,6 @@
             <translation>veja se o relógio conta no sentido do eixo e meça de novo</translation>
         </message>
         <message>
-            <source>see what it printed, and report it</source>
-            <translation>veja o que ele imprimiu e relate</translation>
-        </message>
-        <message>
             <source>see whether it is whole</source>
             <translation>veja se está completo</translation>
         </message>
@@ -13702,7 +15370,7 @@
             <translation>envie de novo</translation>
         </message>
         <message>
-            <source>send the file anew</source>
+            <source>send the file again</source>
             <translation>envie o arquivo de novo</translation>
         </message>
         <message>
@@ -13750,7 +15418,7 @@
             <translation>defina um lead_in, ou pierce_mm como metade da largura de corte, {half_mm:g}</translation>
         </message>
         <message>
-            <source>set again at the pause at line {line}: {places} (machine, mm); what comes after counts from there, what was before from the old one</source>
+            <source>set again at the pause at line {line}: {places} (machine, mm); later lines use this zero, earlier ones the old one</source>
             <translation>definido de novo na pausa da linha {line}: {places} (máquina, mm); o que vem depois conta a partir daí, o que veio antes, a partir do antigo</translation>
         </message>
         <message>
@@ -13768,6 +15436,10 @@
         <message>
             <source>set it again, and do not start before it is right</source>
             <translation>defina-o de novo, e não inicie antes que esteja certo</translation>
+        </message>
+        <message>
+            <source>set it with M61 Q and the tool's number</source>
+            <translation>informe-a com M61 Q e o número da ferramenta</translation>
         </message>
         <message>
             <source>set its zero again</source>
@@ -13886,8 +15558,16 @@
             <translation>encurte a linha de partida</translation>
         </message>
         <message>
+            <source>simplify it, or divide it</source>
+            <translation>simplifique-o, ou divida-o</translation>
+        </message>
+        <message>
             <source>simplify the solid, or end the script's loop</source>
             <translation>simplifique o sólido ou termine o laço do script</translation>
+        </message>
+        <message>
+            <source>simulated on the stock that the earlier moves have left; the wanted shape is unknown and was not compared</source>
+            <translation>cortado no material que os movimentos anteriores deixaram; a forma desejada não é conhecida, por isso não é julgado</translation>
         </message>
         <message>
             <source>smooth_mm belongs to points</source>
@@ -14014,7 +15694,7 @@
             <translation>pare o trabalho: passos podem ter-se perdido, ou a máquina foi movida à mão</translation>
         </message>
         <message>
-            <source>stop the machine with its own buttons where it must stand now</source>
+            <source>stop the machine with its own buttons if it must stop now</source>
             <translation>pare a máquina com os botões dela se ela precisa parar agora</translation>
         </message>
         <message>
@@ -14202,10 +15882,6 @@
             <translation>use até 60 letras de a a z, algarismos, - e _, primeiro letra ou algarismo</translation>
         </message>
         <message>
-            <source>taken as a flat mill: '{name}' names no shape that a table's words can tell</source>
-            <translation>tida como fresa de topo: '{name}' não nomeia uma forma que as palavras de uma tabela digam</translation>
-        </message>
-        <message>
             <source>tapping became plain moves: the feed may be overridden, and nothing keeps it to the spindle</source>
             <translation>o rosqueamento virou movimentos simples: o avanço pode ser ajustado e nada o prende ao spindle</translation>
         </message>
@@ -14256,6 +15932,10 @@
         <message>
             <source>the USB board's controller</source>
             <translation>o controlador da placa USB</translation>
+        </message>
+        <message>
+            <source>the actions between the moves would change</source>
+            <translation>o que acontece entre os movimentos não seria o mesmo</translation>
         </message>
         <message>
             <source>the angle is not known at the zero of the work system</source>
@@ -14338,7 +16018,7 @@
             <translation>a da base</translation>
         </message>
         <message>
-            <source>the beam is never on where it is to cut</source>
+            <source>the beam is never on during a cut</source>
             <translation>o feixe nunca está ligado onde deveria cortar</translation>
         </message>
         <message>
@@ -14362,7 +16042,7 @@
             <translation>o certificado não pode ser lido</translation>
         </message>
         <message>
-            <source>the certificate holds what no proof has</source>
+            <source>the certificate has an entry that no proof has</source>
             <translation>o certificado contém o que nenhuma prova tem</translation>
         </message>
         <message>
@@ -14370,7 +16050,7 @@
             <translation>o certificado é de outra versão</translation>
         </message>
         <message>
-            <source>the certificate lacks what a sender needs</source>
+            <source>the certificate lacks an entry that a sender needs</source>
             <translation>falta no certificado o que o envio precisa</translation>
         </message>
         <message>
@@ -14426,6 +16106,10 @@
             <translation>a soma de verificação está errada</translation>
         </message>
         <message>
+            <source>the circle's share of it</source>
+            <translation>o que o círculo toma dela</translation>
+        </message>
+        <message>
             <source>the columns of MTEXT are set one below the other</source>
             <translation>as colunas do MTEXT são postas uma abaixo da outra</translation>
         </message>
@@ -14458,12 +16142,16 @@
             <translation>a ferramenta compensada não alcança este canto sem invadir a peça</translation>
         </message>
         <message>
-            <source>the computer came too late with a pulse and stopped after {written} writes in time, {at_ns:.3f} s from the begin; spindle, beam and drives are off, and steps may be lost</source>
+            <source>the computer was late with a pulse and stopped after {written} writes, {at_ns:.3f} s from the begin; spindle, beam and drives are off, and steps may be lost</source>
             <translation>o computador se atrasou com um pulso e parou após {written} escritas no prazo, {at_ns:.3f} s depois do início; spindle, feixe e motores estão desligados, e passos podem ter sido perdidos</translation>
         </message>
         <message>
             <source>the configuration is not valid</source>
             <translation>a configuração não é válida</translation>
+        </message>
+        <message>
+            <source>the connection service does not start</source>
+            <translation>o processo da mesa de controle não inicia</translation>
         </message>
         <message>
             <source>the connection {session_file} is open, but its process does not answer</source>
@@ -14476,6 +16164,18 @@
         <message>
             <source>the contour goes through the stock and sets a piece free that no tab holds</source>
             <translation>o contorno atravessa o bloco e solta um pedaço que nenhuma ponte segura</translation>
+        </message>
+        <message>
+            <source>the controller accepts no jog while it is held</source>
+            <translation>o controlador não aceita movimento manual enquanto está em pausa</translation>
+        </message>
+        <message>
+            <source>the controller asks for a login</source>
+            <translation>o controlador quer saber quem é você</translation>
+        </message>
+        <message>
+            <source>the controller did not store the zero of {axis} in {system}</source>
+            <translation>o zero de {axis} em {system} não foi aceito</translation>
         </message>
         <message>
             <source>the controller does not accept the password</source>
@@ -14506,24 +16206,24 @@
             <translation>o controlador não informa ${number}: não foi comparado</translation>
         </message>
         <message>
+            <source>the controller does not report its modes</source>
+            <translation>o controlador não diz seus modos</translation>
+        </message>
+        <message>
+            <source>the controller does not report its state</source>
+            <translation>o controlador não informa o seu estado</translation>
+        </message>
+        <message>
+            <source>the controller does not report its work system: {modes}</source>
+            <translation>o controlador não informa o sistema de coordenadas: {modes}</translation>
+        </message>
+        <message>
             <source>the controller does not report its {system}</source>
             <translation>o controlador não informa: {system}</translation>
         </message>
         <message>
-            <source>the controller does not say its modes</source>
-            <translation>o controlador não diz seus modos</translation>
-        </message>
-        <message>
-            <source>the controller does not say its work system: {modes}</source>
-            <translation>o controlador não informa o sistema de coordenadas: {modes}</translation>
-        </message>
-        <message>
-            <source>the controller does not say whether it reports in mm or in inches</source>
+            <source>the controller does not report whether it uses mm or inches</source>
             <translation>o controlador não diz se informa em mm ou em polegadas</translation>
-        </message>
-        <message>
-            <source>the controller does not tell its state</source>
-            <translation>o controlador não informa o seu estado</translation>
         </message>
         <message>
             <source>the controller has just started</source>
@@ -14582,6 +16282,14 @@
             <translation>o controlador recusou {line}: {meaning} (error:{error})</translation>
         </message>
         <message>
+            <source>the controller reported: {report}</source>
+            <translation>o controlador disse: {report}</translation>
+        </message>
+        <message>
+            <source>the controller reports that it is homed, but too soon: another line than $H reached it</source>
+            <translation>o controlador diz que a máquina está referenciada, mas cedo demais: chegou a ele outra linha em vez de $H</translation>
+        </message>
+        <message>
             <source>the controller restarted in the middle of the job</source>
             <translation>o controlador reiniciou no meio do trabalho</translation>
         </message>
@@ -14590,20 +16298,12 @@
             <translation>o controlador reiniciou ao abrir a porta, por isso a posição da máquina é desconhecida: {why}</translation>
         </message>
         <message>
-            <source>the controller restarted when its port was opened; it counts from where it stands</source>
+            <source>the controller restarted when its port was opened; it counts from its present position</source>
             <translation>o controlador reiniciou quando a porta foi aberta; ele conta a partir de onde está</translation>
         </message>
         <message>
-            <source>the controller restarted when its port was opened; it counts from where it stands. Until it is unplugged no later opening restarts it</source>
+            <source>the controller restarted when its port was opened; it counts from its present position. Until it is unplugged no later opening restarts it</source>
             <translation>o controlador reiniciou quando sua porta foi aberta; ele conta a partir de onde está. Até ser desligado do cabo, nenhuma abertura seguinte o reinicia</translation>
-        </message>
-        <message>
-            <source>the controller said: {report}</source>
-            <translation>o controlador disse: {report}</translation>
-        </message>
-        <message>
-            <source>the controller says that it is homed, but too soon: another line than $H reached it</source>
-            <translation>o controlador diz que a máquina está referenciada, mas cedo demais: chegou a ele outra linha em vez de $H</translation>
         </message>
         <message>
             <source>the controller sleeps and its motors are off: unlock it, then home it or set its zero again</source>
@@ -14618,16 +16318,8 @@
             <translation>o controlador parou por uma falha crítica</translation>
         </message>
         <message>
-            <source>the controller takes no jog while it is held</source>
-            <translation>o controlador não aceita movimento manual enquanto está em pausa</translation>
-        </message>
-        <message>
             <source>the controller waits for its new tool</source>
             <translation>o controlador espera pela nova ferramenta</translation>
-        </message>
-        <message>
-            <source>the controller wants to know who you are</source>
-            <translation>o controlador quer saber quem é você</translation>
         </message>
         <message>
             <source>the controller was reset before it could do that</source>
@@ -14650,11 +16342,11 @@
             <translation>a memória permanente do controlador falhou</translation>
         </message>
         <message>
-            <source>the converted program would go on after this</source>
+            <source>the converted program would continue after this</source>
             <translation>o programa convertido continuaria depois deste ponto</translation>
         </message>
         <message>
-            <source>the converted program would not come by this point</source>
+            <source>the converted program would not pass this point</source>
             <translation>o programa convertido não passaria por este ponto</translation>
         </message>
         <message>
@@ -14686,6 +16378,10 @@
             <translation>a curva está aberta, é preciso uma fechada</translation>
         </message>
         <message>
+            <source>the curve that {kind} follows is unknown</source>
+            <translation>não se sabe o que {kind} segue</translation>
+        </message>
+        <message>
             <source>the curves of the drawing are too many and too wild for the tolerance</source>
             <translation>as curvas do desenho são muitas e irregulares demais para a tolerância</translation>
         </message>
@@ -14700,10 +16396,6 @@
         <message>
             <source>the cut begins without waiting for the spindle</source>
             <translation>o corte começa sem esperar o spindle</translation>
-        </message>
-        <message>
-            <source>the cut comes too near to the sheet's edge</source>
-            <translation>o corte chega perto demais da borda da chapa</translation>
         </message>
         <message>
             <source>the cut failed by a fault of its own: {kind}: {fault}</source>
@@ -14722,8 +16414,8 @@
             <translation>a altura de corte não é a da tabela de corte</translation>
         </message>
         <message>
-            <source>the cut is taken to be {kerf_mm:g} mm wide, the simulation cuts with the tool's {diameter_mm:g} mm</source>
-            <translation>o corte é tido como de {kerf_mm:g} mm de largura, a simulação corta com os {diameter_mm:g} mm da ferramenta</translation>
+            <source>the cut is too close to the sheet's edge</source>
+            <translation>o corte chega perto demais da borda da chapa</translation>
         </message>
         <message>
             <source>the cut leads through the edge of a part that a contour leaves standing, {where}</source>
@@ -14740,6 +16432,10 @@
         <message>
             <source>the cycle takes too many passes</source>
             <translation>o ciclo usa passes demais</translation>
+        </message>
+        <message>
+            <source>the cycle uses a kerf of {kerf_mm:g} mm, the simulation the tool's diameter of {diameter_mm:g} mm</source>
+            <translation>o corte é tido como de {kerf_mm:g} mm de largura, a simulação corta com os {diameter_mm:g} mm da ferramenta</translation>
         </message>
         <message>
             <source>the degree of the spline is out of bounds</source>
@@ -14770,11 +16466,7 @@
             <translation>a mesa de controle de {port} não existe ou foi encerrada</translation>
         </message>
         <message>
-            <source>the desk's process does not come up</source>
-            <translation>o processo da mesa de controle não inicia</translation>
-        </message>
-        <message>
-            <source>the device takes nothing for {limit:g} s; steps may be lost</source>
+            <source>the device has accepted nothing for {limit:g} s; steps may be lost</source>
             <translation>o dispositivo não aceita nada há {limit:g} s; pode haver perda de passos</translation>
         </message>
         <message>
@@ -14842,8 +16534,12 @@
             <translation>o desenho '{label}' tem uma linha que não é elipse</translation>
         </message>
         <message>
-            <source>the drawing declares entities that stand for more than a short text</source>
+            <source>the drawing declares XML entities that are longer than a short text</source>
             <translation>o desenho declara entidades que representam mais do que um texto curto</translation>
+        </message>
+        <message>
+            <source>the drawing failed by a fault of ours: {kind}: {fault}</source>
+            <translation>o desenho falhou por uma falha nossa: {kind}: {fault}</translation>
         </message>
         <message>
             <source>the drawing has no closed outline</source>
@@ -14882,6 +16578,14 @@
             <translation>o desenho passa do material</translation>
         </message>
         <message>
+            <source>the drawing takes more memory than there is</source>
+            <translation>o desenho precisa de mais memória do que há</translation>
+        </message>
+        <message>
+            <source>the drawing would become too many objects</source>
+            <translation>o desenho viraria objetos demais</translation>
+        </message>
+        <message>
             <source>the drawing {file} has no chains for the shape '{name}': {words}</source>
             <translation>o desenho {file} não tem cadeias para a forma '{name}': {words}</translation>
         </message>
@@ -14908,6 +16612,10 @@
         <message>
             <source>the edited program has no job</source>
             <translation>o programa editado não tem trabalho</translation>
+        </message>
+        <message>
+            <source>the elements picked of '{drawing}' no longer exist</source>
+            <translation>o que foi escolhido de '{drawing}' não existe mais</translation>
         </message>
         <message>
             <source>the ellipse in '{drawing}' is open</source>
@@ -15022,7 +16730,7 @@
             <translation>o arquivo não pôde ser entregue</translation>
         </message>
         <message>
-            <source>the file could not be taken over</source>
+            <source>the file could not be loaded</source>
             <translation>o arquivo não pôde ser recebido</translation>
         </message>
         <message>
@@ -15034,7 +16742,7 @@
             <translation>o arquivo terminou</translation>
         </message>
         <message>
-            <source>the file gives no size in mm or inches: {dpi:g} pixels an inch are taken</source>
+            <source>the file gives no size in mm or inches: {dpi:g} pixels an inch are assumed</source>
             <translation>o arquivo não dá um tamanho em mm ou polegadas: são usados {dpi:g} pixels por polegada</translation>
         </message>
         <message>
@@ -15072,6 +16780,14 @@
         <message>
             <source>the file needs a strip_height above 0 and a list of items</source>
             <translation>o arquivo precisa de um strip_height maior que 0 e de uma lista de items</translation>
+        </message>
+        <message>
+            <source>the file of the drawing has changed</source>
+            <translation>o arquivo do desenho mudou</translation>
+        </message>
+        <message>
+            <source>the file of the drawing is not there any more</source>
+            <translation>o arquivo do desenho não está mais lá</translation>
         </message>
         <message>
             <source>the file system can only be read</source>
@@ -15214,7 +16930,7 @@
             <translation>o trabalho tem {of_what}</translation>
         </message>
         <message>
-            <source>the job is about to go on</source>
+            <source>the job is about to resume</source>
             <translation>o trabalho está prestes a continuar</translation>
         </message>
         <message>
@@ -15282,7 +16998,7 @@
             <translation>o diário não pode ser gravado ({trouble}): o trabalho segue até {place} e fica retido ali; libere espaço no disco de {folder}</translation>
         </message>
         <message>
-            <source>the journal could not be ended ({error}): it will tell of a killed job</source>
+            <source>the journal could not be closed ({error}): the job will be listed as killed</source>
             <translation>o diário não pôde ser encerrado ({error}): ele falará de um trabalho interrompido à força</translation>
         </message>
         <message>
@@ -15330,7 +17046,7 @@
             <translation>o teste da largura do corte é pequeno demais para o corte e para as entradas e saídas</translation>
         </message>
         <message>
-            <source>the kernels are not compiled ahead: {said}</source>
+            <source>the kernels were not compiled in advance: {said}</source>
             <translation>o código rápido não foi compilado antes: {said}</translation>
         </message>
         <message>
@@ -15358,16 +17074,16 @@
             <translation>o torno não pode ser parado pela sua ligação: ele continua por {0} s, até X{1} Z{2}</translation>
         </message>
         <message>
+            <source>the lathe finishes a move that it has begun: switch it off, then set its zero again</source>
+            <translation>um movimento que o torno começou continua: desligue-o e depois defina o zero de novo</translation>
+        </message>
+        <message>
             <source>the lathe is in automatic mode and cannot be jogged: {0}</source>
             <translation>o torno está em modo automático e não pode ser movido à mão: {0}</translation>
         </message>
         <message>
             <source>the lathe jogs at up to {0} mm/min, or at {1}: it takes the slower one</source>
             <translation>o torno se move à mão a até {0} mm/min, ou a {1}: fica a menor</translation>
-        </message>
-        <message>
-            <source>the lathe takes a zero in manual mode only: {0}</source>
-            <translation>o torno aceita um zero só em modo manual: {0}</translation>
         </message>
         <message>
             <source>the leads fit nowhere in the scrap; the closest obstacle is {name} at X{x:.3f} Y{y:.3f}</source>
@@ -15386,7 +17102,7 @@
             <translation>o comprimento da ferramenta anterior está em vigor depois da troca</translation>
         </message>
         <message>
-            <source>the length offset of tool {tool_number} is not known, it is taken as 0</source>
+            <source>the length offset of tool {tool_number} is unknown; 0 is assumed</source>
             <translation>a correção de comprimento da ferramenta {tool_number} não é conhecida, vale como 0</translation>
         </message>
         <message>
@@ -15438,7 +17154,7 @@
             <translation>a linha não tem comprimento</translation>
         </message>
         <message>
-            <source>the line holds a byte that the controller acts upon wherever it stands</source>
+            <source>the line holds a real-time command byte</source>
             <translation>a linha tem um byte ao qual o controlador reage onde quer que esteja</translation>
         </message>
         <message>
@@ -15474,11 +17190,15 @@
             <translation>o número da linha está fora da faixa</translation>
         </message>
         <message>
-            <source>the line reads where the machine stands, which the edit would change</source>
+            <source>the line reads the machine's position, which the edit would change</source>
             <translation>a linha lê onde a máquina está, e a edição mudaria isso</translation>
         </message>
         <message>
-            <source>the lines after this tool change do not stand alone</source>
+            <source>the lines after it</source>
+            <translation>o que vem depois disso</translation>
+        </message>
+        <message>
+            <source>the lines after this tool change cannot run on their own</source>
             <translation>as linhas depois desta troca de ferramenta não se sustentam sozinhas</translation>
         </message>
         <message>
@@ -15488,6 +17208,10 @@
         <message>
             <source>the lines have different numbers of heights</source>
             <translation>as linhas têm quantidades diferentes de alturas</translation>
+        </message>
+        <message>
+            <source>the lines of a retract are not at the controller</source>
+            <translation>ninguém conduz a ferramenta ao longo do seu corte; as linhas do programa para isso não estão no controlador</translation>
         </message>
         <message>
             <source>the lines that would be sent mean another path than the program</source>
@@ -15522,18 +17246,6 @@
             <translation>a máquina não referencia: {meaning} (error:{error})</translation>
         </message>
         <message>
-            <source>the machine does not stand</source>
-            <translation>a máquina não está parada</translation>
-        </message>
-        <message>
-            <source>the machine does not stand on the way of the lines that it has</source>
-            <translation>a máquina não está no percurso das linhas que recebeu</translation>
-        </message>
-        <message>
-            <source>the machine does not stand where the way back begins</source>
-            <translation>a máquina não está onde o caminho de volta começa</translation>
-        </message>
-        <message>
             <source>the machine finds its own zero</source>
             <translation>a máquina procura o seu próprio zero</translation>
         </message>
@@ -15550,12 +17262,24 @@
             <translation>a máquina tem um só spindle, o de número 0</translation>
         </message>
         <message>
+            <source>the machine is at rest, spindle and outputs are off, its position is kept (the reset cleared G92 and tool length)</source>
+            <translation>a máquina está parada, spindle e saídas desligados, a posição se mantém (o reset apagou G92 e o comprimento da ferramenta)</translation>
+        </message>
+        <message>
             <source>the machine is homed</source>
             <translation>a máquina está referenciada</translation>
         </message>
         <message>
             <source>the machine is not at rest</source>
             <translation>a máquina não está em repouso</translation>
+        </message>
+        <message>
+            <source>the machine is not at standstill</source>
+            <translation>a máquina não está parada</translation>
+        </message>
+        <message>
+            <source>the machine is not at the begin of the retract</source>
+            <translation>a máquina não está onde o caminho de volta começa</translation>
         </message>
         <message>
             <source>the machine is not held</source>
@@ -15568,6 +17292,10 @@
         <message>
             <source>the machine is not in alarm</source>
             <translation>a máquina não está em alarme</translation>
+        </message>
+        <message>
+            <source>the machine is not on the path of the lines that it has</source>
+            <translation>a máquina não está no percurso das linhas que recebeu</translation>
         </message>
         <message>
             <source>the machine is not on the program's path: a line was damaged on its way</source>
@@ -15600,10 +17328,6 @@
         <message>
             <source>the machine must be homed first</source>
             <translation>a máquina precisa ser referenciada antes</translation>
-        </message>
-        <message>
-            <source>the machine stands, spindle and outputs are off, its position is kept (the reset cleared G92 and tool length)</source>
-            <translation>a máquina está parada, spindle e saídas desligados, a posição se mantém (o reset apagou G92 e o comprimento da ferramenta)</translation>
         </message>
         <message>
             <source>the machine was stopped at once</source>
@@ -15662,11 +17386,11 @@
             <translation>o movimento sai do curso de {name} por {over:.4g} mm</translation>
         </message>
         <message>
-            <source>the moves that are taken as done cut into the wanted part</source>
+            <source>the moves before the restart cut into the wanted part</source>
             <translation>os movimentos dados como feitos invadem a peça desejada</translation>
         </message>
         <message>
-            <source>the moves that are taken as done leave material that should be removed</source>
+            <source>the moves before the restart leave material that should be removed</source>
             <translation>os movimentos dados como feitos deixam material que deveria ser removido</translation>
         </message>
         <message>
@@ -15710,12 +17434,12 @@
             <translation>o diâmetro externo</translation>
         </message>
         <message>
-            <source>the outlines enclose nothing</source>
-            <translation>os contornos não encerram nada</translation>
+            <source>the outlines are beside the stock</source>
+            <translation>os contornos ficam ao lado do bloco</translation>
         </message>
         <message>
-            <source>the outlines lie beside the stock</source>
-            <translation>os contornos ficam ao lado do bloco</translation>
+            <source>the outlines enclose nothing</source>
+            <translation>os contornos não encerram nada</translation>
         </message>
         <message>
             <source>the outlines, less islands and stock to leave, leave nothing to cut</source>
@@ -15730,7 +17454,7 @@
             <translation>a sobreposição é de apenas {here_mm:.3g} mm: o corte começa ali</translation>
         </message>
         <message>
-            <source>the overrides are not what they were before the reset</source>
+            <source>the overrides differ from those before the reset</source>
             <translation>os ajustes de velocidade não são os de antes do reinício</translation>
         </message>
         <message>
@@ -15746,12 +17470,20 @@
             <translation>os parâmetros do arquivo não estão na ordem de seus números</translation>
         </message>
         <message>
+            <source>the part at X{x:.3f} Y{y:.3f} would come loose before it is cut, in any order</source>
+            <translation>o que fica em X{x:.3f} Y{y:.3f} se soltaria antes de ser cortado, em qualquer ordem</translation>
+        </message>
+        <message>
             <source>the part may differ from it by as much: lower P, or follow the exact path with G61</source>
             <translation>a peça pode diferir dele por esse tanto: diminua P, ou siga o caminho exato com G61</translation>
         </message>
         <message>
-            <source>the path begins where the machine happens to stand: it is told by ways (G91) alone</source>
+            <source>the path begins at the machine's position: it has incremental moves (G91) only</source>
             <translation>o percurso começa onde a máquina estiver: ele é dado só por distâncias (G91)</translation>
+        </message>
+        <message>
+            <source>the path contains the tool's radius and is right for this tool only</source>
+            <translation>o raio da ferramenta entrou no percurso, que só vale para esta ferramenta</translation>
         </message>
         <message>
             <source>the path is entered above the height that is given</source>
@@ -15766,12 +17498,12 @@
             <translation>o padrão de busca não pode ser lido: {error}</translation>
         </message>
         <message>
-            <source>the picture does not say its size: {dpi:g} dpi are taken; give its width</source>
-            <translation>a imagem não diz o seu tamanho: tomam-se {dpi:g} dpi; dê a largura</translation>
-        </message>
-        <message>
             <source>the picture has no dark areas</source>
             <translation>a imagem não tem áreas escuras</translation>
+        </message>
+        <message>
+            <source>the picture has no size: {dpi:g} dpi are assumed; give its width</source>
+            <translation>a imagem não diz o seu tamanho: tomam-se {dpi:g} dpi; dê a largura</translation>
         </message>
         <message>
             <source>the picture has too many contours</source>
@@ -15826,18 +17558,6 @@
             <translation>o plano não pode ser mudado</translation>
         </message>
         <message>
-            <source>the play of the axes cannot be taken up in an arc with an absolute centre</source>
-            <translation>a folga dos eixos não pode ser compensada em um arco com centro absoluto</translation>
-        </message>
-        <message>
-            <source>the play of the axes cannot be taken up in coordinates that are turned</source>
-            <translation>a folga dos eixos não pode ser compensada em coordenadas giradas</translation>
-        </message>
-        <message>
-            <source>the play of the axes cannot be taken up within this line</source>
-            <translation>a folga dos eixos não pode ser compensada dentro desta linha</translation>
-        </message>
-        <message>
             <source>the pocket is so narrow that its way at this engagement would be too long beside parallels</source>
             <translation>o bolsão é tão estreito que seu caminho com este engajamento seria longo demais em relação às paralelas</translation>
         </message>
@@ -15874,11 +17594,11 @@
             <translation>a posição guardada para {code} não é conhecida</translation>
         </message>
         <message>
-            <source>the power stands at the pierce for much longer than the chart's delay</source>
+            <source>the power is on at the pierce for much longer than the chart's delay</source>
             <translation>a potência fica parada na perfuração muito mais do que o tempo da tabela</translation>
         </message>
         <message>
-            <source>the probe stands at its end already</source>
+            <source>the probe is at its target already</source>
             <translation>o apalpador já está no ponto final</translation>
         </message>
         <message>
@@ -15894,28 +17614,28 @@
             <translation>o apalpador não estava no estado inicial</translation>
         </message>
         <message>
-            <source>the process that cuts ended before it had an answer</source>
-            <translation>o processo que calcula o corte terminou antes de responder</translation>
-        </message>
-        <message>
-            <source>the process that finds the way back has ended</source>
+            <source>the process that calculates the retract has ended</source>
             <translation>o processo que acha o caminho de volta terminou</translation>
         </message>
         <message>
-            <source>the process that knows the part at every moment has ended</source>
-            <translation>o processo que conhece a peça em cada momento terminou</translation>
+            <source>the process that cuts ended before it had an answer</source>
+            <translation>o processo que calcula o corte terminou antes de responder</translation>
         </message>
         <message>
             <source>the process that plays the pulses has ended; steps may be lost</source>
             <translation>o processo que envia os pulsos terminou; passos podem ter sido perdidos</translation>
         </message>
         <message>
-            <source>the process that plays the pulses stood still: it was stopped, or the computer gave it no time; everything is off, and steps may be lost</source>
+            <source>the process that plays the pulses was stopped or got no processor time; all outputs are off, and steps may be lost</source>
             <translation>o processo que emite os pulsos ficou parado: foi suspenso, ou o computador não lhe deu tempo; tudo está desligado, e passos podem ter se perdido</translation>
         </message>
         <message>
             <source>the process that proves the program ended without an answer</source>
             <translation>o processo que verifica o programa terminou sem resposta</translation>
+        </message>
+        <message>
+            <source>the process that reads drawings has ended</source>
+            <translation>o processo que lê desenhos terminou</translation>
         </message>
         <message>
             <source>the process that reads the last job has ended</source>
@@ -15962,6 +17682,10 @@
             <translation>o programa não pode ser gravado: {error}</translation>
         </message>
         <message>
+            <source>the program cannot run from here on its own: {error}</source>
+            <translation>retomado aqui, o programa não se sustenta sozinho: {error}</translation>
+        </message>
+        <message>
             <source>the program changes no tool</source>
             <translation>o programa não troca de ferramenta</translation>
         </message>
@@ -15976,6 +17700,10 @@
         <message>
             <source>the program cuts nothing at a known place</source>
             <translation>o programa não corta nada em um lugar conhecido</translation>
+        </message>
+        <message>
+            <source>the program does not contain the values of the material that QtPlasmaC has selected</source>
+            <translation>o que diz o material escolhido pelo QtPlasmaC não está no texto</translation>
         </message>
         <message>
             <source>the program has no F word</source>
@@ -16130,6 +17858,10 @@
             <translation>a leitura</translation>
         </message>
         <message>
+            <source>the reading of the drawing</source>
+            <translation>a leitura do desenho</translation>
+        </message>
+        <message>
             <source>the reading of the last job</source>
             <translation>a leitura do último trabalho</translation>
         </message>
@@ -16148,6 +17880,22 @@
         <message>
             <source>the restart goes straight down first, from Z {high}, where the machine has homed, to Z {low}</source>
             <translation>o reinício primeiro desce reto, de Z {high}, onde a máquina se referenciou, até Z {low}</translation>
+        </message>
+        <message>
+            <source>the retract along the cut</source>
+            <translation>o caminho de volta ao longo do corte</translation>
+        </message>
+        <message>
+            <source>the retract cannot be read back: {error}</source>
+            <translation>o caminho de volta não pode ser lido: {error}</translation>
+        </message>
+        <message>
+            <source>the retract cannot be sent as it was written</source>
+            <translation>o caminho ao longo do corte não pode ser enviado como foi escrito</translation>
+        </message>
+        <message>
+            <source>the retract does not lead to that place</source>
+            <translation>o caminho de volta não leva até lá</translation>
         </message>
         <message>
             <source>the retract mode may not be changed</source>
@@ -16226,11 +17974,11 @@
             <translation>o envio falhou por um defeito próprio</translation>
         </message>
         <message>
-            <source>the sender or its computer stopped without a word; what the controller held it may have made</source>
+            <source>the sender or its computer stopped suddenly; the controller may have executed the lines in its buffer</source>
             <translation>o emissor ou seu computador parou sem avisar; o controlador pode ter executado o que tinha na memória</translation>
         </message>
         <message>
-            <source>the sender's process does not come up</source>
+            <source>the sender's process does not start</source>
             <translation>o processo de envio não inicia</translation>
         </message>
         <message>
@@ -16248,10 +17996,6 @@
         <message>
             <source>the session still runs</source>
             <translation>a sessão ainda está em curso</translation>
-        </message>
-        <message>
-            <source>the session {session_file} answers what this program does not understand</source>
-            <translation>a sessão {session_file} responde o que este programa não entende</translation>
         </message>
         <message>
             <source>the session {session_file} has ended, and its outcome cannot be read: {why}</source>
@@ -16310,6 +18054,10 @@
             <translation>o lado menor</translation>
         </message>
         <message>
+            <source>the simulation's process has ended</source>
+            <translation>o processo que conhece a peça em cada momento terminou</translation>
+        </message>
+        <message>
             <source>the slot's width</source>
             <translation>a largura do rasgo</translation>
         </message>
@@ -16338,7 +18086,7 @@
             <translation>o spindle não pode girar nesta rotação</translation>
         </message>
         <message>
-            <source>the spindle does not do as it is told</source>
+            <source>the spindle does not follow the program</source>
             <translation>o spindle não obedece</translation>
         </message>
         <message>
@@ -16350,7 +18098,7 @@
             <translation>o spindle não gira, mas o movimento depende das voltas dele</translation>
         </message>
         <message>
-            <source>the spindle is switched on at S0, since no speed was said before</source>
+            <source>the spindle is switched on at S0, since no S came before</source>
             <translation>o spindle é ligado com S0, pois nenhuma rotação foi indicada antes</translation>
         </message>
         <message>
@@ -16374,12 +18122,12 @@
             <translation>a pilha tem chapas demais</translation>
         </message>
         <message>
-            <source>the stand that this answers to is over</source>
-            <translation>a parada à qual isto responde já terminou</translation>
-        </message>
-        <message>
             <source>the stand-alone interpreter moves X Y Z A B C only</source>
             <translation>o interpretador autônomo só move X Y Z A B C</translation>
+        </message>
+        <message>
+            <source>the state of the machine's position cannot be stored: {error}</source>
+            <translation>o que se sabe da posição da máquina não pode ser guardado: {error}</translation>
         </message>
         <message>
             <source>the state of the stored settings cannot be read</source>
@@ -16514,7 +18262,7 @@
             <translation>a ferramenta não entra no furo</translation>
         </message>
         <message>
-            <source>the tool does not reach into {corners} corners or narrow places; what stays there: {told}</source>
+            <source>the tool does not reach into {corners} corners or narrow places; material left there: {told}</source>
             <translation>a ferramenta não alcança {corners} cantos ou lugares estreitos; o que fica lá: {told}</translation>
         </message>
         <message>
@@ -16522,12 +18270,16 @@
             <translation>a ferramenta não cabe em lugar nenhum da curva {number}, que começa em X{x:.3f} Y{y:.3f}</translation>
         </message>
         <message>
-            <source>the tool goes below the stock and cuts what lies under it</source>
+            <source>the tool goes below the stock and cuts the table under it</source>
             <translation>a ferramenta passa abaixo do bloco e corta o que está embaixo</translation>
         </message>
         <message>
             <source>the tool goes up or down while it cuts: backwards it would enter at the full depth</source>
             <translation>a ferramenta sobe ou desce enquanto corta: ao contrário ela entraria na profundidade total</translation>
+        </message>
+        <message>
+            <source>the tool is at Z {high}, and the restart first goes straight down to Z {low} as a rapid</source>
+            <translation>a ferramenta está em Z {high}, e o reinício primeiro desce reto até Z {low}, em avanço rápido</translation>
         </message>
         <message>
             <source>the tool is below the stock's top while its place in X or Y is not known</source>
@@ -16574,12 +18326,12 @@
             <translation>a correção da ferramenta não pode ser mudada</translation>
         </message>
         <message>
-            <source>the tool stands at Z {high}, and the restart goes straight down to Z {low} first, as a rapid</source>
-            <translation>a ferramenta está em Z {high}, e o reinício primeiro desce reto até Z {low}, em avanço rápido</translation>
-        </message>
-        <message>
             <source>the tool table cannot be read again</source>
             <translation>a tabela de ferramentas não pode ser lida de novo</translation>
+        </message>
+        <message>
+            <source>the tool's position is unknown here</source>
+            <translation>não se sabe onde a ferramenta está aqui</translation>
         </message>
         <message>
             <source>the tool's radius is compensated along this way (G41, G42)</source>
@@ -16590,15 +18342,15 @@
             <translation>o raio da ferramenta está compensado: começa na linha {file_line}, com G41 ou G42</translation>
         </message>
         <message>
-            <source>the tool's radius went into the path, which is right for this tool only</source>
-            <translation>o raio da ferramenta entrou no percurso, que só vale para esta ferramenta</translation>
-        </message>
-        <message>
             <source>the tool's width is not the cut chart's kerf</source>
             <translation>a largura da ferramenta não é a largura do corte da tabela</translation>
         </message>
         <message>
-            <source>the torch may not be taken off</source>
+            <source>the tool's {letter} is unknown here, and a rotation needs both coordinates</source>
+            <translation>a posição da ferramenta em {letter} não é conhecida aqui, e girar precisa das duas coordenadas</translation>
+        </message>
+        <message>
+            <source>the torch cannot be switched off</source>
             <translation>a tocha não pode ser desligada</translation>
         </message>
         <message>
@@ -16618,6 +18370,10 @@
             <translation>o valor deve ser um número inteiro</translation>
         </message>
         <message>
+            <source>the value of #{number} is known only when the program runs</source>
+            <translation>o valor de #{number} só é conhecido quando o programa é executado</translation>
+        </message>
+        <message>
             <source>the velocity may not be reduced</source>
             <translation>a velocidade não pode ser reduzida</translation>
         </message>
@@ -16632,26 +18388,6 @@
         <message>
             <source>the wall may be up to {promise_mm:.3f} mm off: an ellipse is no offset of an ellipse, and the resolution adds to it; method "tolerance" keeps to tolerance_mm</source>
             <translation>a parede pode desviar até {promise_mm:.3f} mm: uma elipse não é paralela a outra elipse, e a resolução se soma a isso; o método "tolerance" respeita tolerance_mm</translation>
-        </message>
-        <message>
-            <source>the way along the cut cannot be sent as it was written</source>
-            <translation>o caminho ao longo do corte não pode ser enviado como foi escrito</translation>
-        </message>
-        <message>
-            <source>the way back along the cut</source>
-            <translation>o caminho de volta ao longo do corte</translation>
-        </message>
-        <message>
-            <source>the way back cannot be read: {error}</source>
-            <translation>o caminho de volta não pode ser lido: {error}</translation>
-        </message>
-        <message>
-            <source>the way back does not lead there</source>
-            <translation>o caminho de volta não leva até lá</translation>
-        </message>
-        <message>
-            <source>the way would be bent otherwise</source>
-            <translation>o trajeto seria curvado de outro modo</translation>
         </message>
         <message>
             <source>the web's</source>
@@ -16694,7 +18430,7 @@
             <translation>o fio anda antes de estar quente</translation>
         </message>
         <message>
-            <source>the wire would stand too long at corners and melt a hole</source>
+            <source>the wire would stay too long at corners and melt a hole</source>
             <translation>o fio ficaria tempo demais parado nos cantos e derreteria um buraco</translation>
         </message>
         <message>
@@ -16714,7 +18450,7 @@
             <translation>os sistemas de coordenadas G59.1 a G59.3 não existem aqui</translation>
         </message>
         <message>
-            <source>the work zero cannot be set here: what lies behind was cut from another one</source>
+            <source>the work zero cannot be set here: the cut behind used another one</source>
             <translation>o zero da peça não pode ser definido aqui: o que ficou para trás foi cortado a partir de outro</translation>
         </message>
         <message>
@@ -16722,16 +18458,20 @@
             <translation>o zero da peça mudou durante a execução do programa, e não pelo programa</translation>
         </message>
         <message>
+            <source>the work zero is not confirmed</source>
+            <translation>ninguém confirmou o zero-peça</translation>
+        </message>
+        <message>
             <source>the work zero is not known, so the program's place on the table is unknown</source>
             <translation>o zero-peça não é conhecido, por isso o lugar do programa na mesa é desconhecido</translation>
         </message>
         <message>
-            <source>the work zero was set at a pause, so the way back along the cut is not known</source>
+            <source>the work zero was set at a pause, so that the retract along the cut is unknown</source>
             <translation>o zero da peça foi definido numa pausa, portanto o caminho de volta ao longo do corte não é conhecido</translation>
         </message>
         <message>
-            <source>the zero of {axis} in {system} was not taken over</source>
-            <translation>o zero de {axis} em {system} não foi aceito</translation>
+            <source>the zero of the lathe can be set in manual mode only: {0}</source>
+            <translation>o zero do torno só pode ser definido em modo manual: {0}</translation>
         </message>
         <message>
             <source>the {tool_shape} tool's form is not given, so it is judged as a flat one of its diameter</source>
@@ -16746,7 +18486,7 @@
             <translation>a ferramenta {tool} não corta sobre o centro: não pode descer reto em material cheio</translation>
         </message>
         <message>
-            <source>the {tool} tool does not say how many flutes it has; its feed is reckoned with {usual_flutes}</source>
+            <source>the {tool} tool has no number of flutes; its feed is calculated with {usual_flutes}</source>
             <translation>a ferramenta {tool} não diz quantos dentes tem; o avanço é calculado com {usual_flutes}</translation>
         </message>
         <message>
@@ -16762,7 +18502,7 @@
             <translation>a distância entre eles</translation>
         </message>
         <message>
-            <source>then runs {own} lines of the program as they are; all before them is taken as cut</source>
+            <source>then runs {own} lines of the program unchanged; everything before them counts as cut</source>
             <translation>depois executa {own} linhas do programa como estão; tudo antes delas é dado como cortado</translation>
         </message>
         <message>
@@ -16950,6 +18690,10 @@
             <translation>estas diagonais não são de um retângulo com estes lados</translation>
         </message>
         <message>
+            <source>this answer belongs to an earlier pause</source>
+            <translation>a parada à qual isto responde já terminou</translation>
+        </message>
+        <message>
             <source>this build of the controller has no such setting</source>
             <translation>esta versão do controlador não tem essa configuração</translation>
         </message>
@@ -16998,6 +18742,10 @@
             <translation>isto não é uma letra de pulso</translation>
         </message>
         <message>
+            <source>this is no word that can be edited</source>
+            <translation>o que está aqui não é uma palavra que possa ser editada</translation>
+        </message>
+        <message>
             <source>this is not allowed while an emergency stop or a limit is active</source>
             <translation>isto não é permitido com parada de emergência ou fim de curso ativo</translation>
         </message>
@@ -17022,15 +18770,15 @@
             <translation>esta linha é executada em modos que mudam de uma vez para outra</translation>
         </message>
         <message>
-            <source>this line is not executed (deleted, after the end or not led to): what it means is not known</source>
-            <translation>esta linha não é executada (bloco opcional, depois do fim ou nunca alcançada): não se sabe o que significa</translation>
-        </message>
-        <message>
-            <source>this line stands within a way that is to run backwards, and does more than move</source>
+            <source>this line is in the part that is to be reversed, and is not only a move</source>
             <translation>esta linha fica em um trecho a ser percorrido ao contrário e faz mais que mover</translation>
         </message>
         <message>
-            <source>this machine cannot be held while its program runs: its link takes no such command</source>
+            <source>this line is not executed (deleted, after the end, or never reached), so that its meaning is unknown</source>
+            <translation>esta linha não é executada (bloco opcional, depois do fim ou nunca alcançada): não se sabe o que significa</translation>
+        </message>
+        <message>
+            <source>this machine cannot be held while its program runs: its link has no such command</source>
             <translation>esta máquina não pode ser retida enquanto seu programa corre: sua ligação não aceita esse comando</translation>
         </message>
         <message>
@@ -17046,7 +18794,7 @@
             <translation>esta máquina não pode ser retomada por sua ligação</translation>
         </message>
         <message>
-            <source>this machine cannot be stopped while it runs what it was sent</source>
+            <source>this machine cannot be stopped while it runs the lines that it has</source>
             <translation>esta máquina não pode ser parada enquanto executa o que recebeu</translation>
         </message>
         <message>
@@ -17062,7 +18810,7 @@
             <translation>esta máquina não pode voltar ao longo de seu corte</translation>
         </message>
         <message>
-            <source>this machine does not report its position: it is counted from what was sent</source>
+            <source>this machine does not report its position: it is calculated from the lines sent</source>
             <translation>esta máquina não informa sua posição: ela é contada pelo que foi enviado</translation>
         </message>
         <message>
@@ -17074,16 +18822,16 @@
             <translation>esta máquina não tem eixo Z: retire-o</translation>
         </message>
         <message>
+            <source>this machine has no output to switch (knife and point have no power): take it out</source>
+            <translation>esta máquina não tem nada que se ligue (faca e ponta não têm potência): retire-o</translation>
+        </message>
+        <message>
             <source>this machine has no probe</source>
             <translation>esta máquina não tem apalpador</translation>
         </message>
         <message>
             <source>this machine has no spindle whose speed is chosen: write M3 alone</source>
             <translation>esta máquina não tem fuso com rotação escolhida: escreva só M3</translation>
-        </message>
-        <message>
-            <source>this machine has nothing that is switched (knife and point have no power): take it out</source>
-            <translation>esta máquina não tem nada que se ligue (faca e ponta não têm potência): retire-o</translation>
         </message>
         <message>
             <source>this machine's speeds cannot be changed while its program runs</source>
@@ -17094,12 +18842,16 @@
             <translation>este número de material não é de um arquivo de materiais</translation>
         </message>
         <message>
-            <source>this one is made by itself when that is done, in about a minute</source>
+            <source>this one is made when that is done, in about a minute</source>
             <translation>este será feito por si mesmo quando isso terminar, em cerca de um minuto</translation>
         </message>
         <message>
             <source>this pin of the machine is not known to this reader</source>
             <translation>este leitor não conhece este pino da máquina</translation>
+        </message>
+        <message>
+            <source>this program does not understand the answers of the session {session_file}</source>
+            <translation>a sessão {session_file} responde o que este programa não entende</translation>
         </message>
         <message>
             <source>this reader knows no pockets</source>
@@ -17122,7 +18874,7 @@
             <translation>este sistema não tem sockets Unix</translation>
         </message>
         <message>
-            <source>this takes long, and is being made beside the window</source>
+            <source>this takes long and is calculated in the background</source>
             <translation>isto demora, e está sendo feito ao lado da janela</translation>
         </message>
         <message>
@@ -17174,7 +18926,7 @@
             <translation>linhas e arcos demais nos seus arquivos</translation>
         </message>
         <message>
-            <source>too many lines lie on each other</source>
+            <source>too many lines are on top of each other</source>
             <translation>linhas demais estão umas sobre as outras</translation>
         </message>
         <message>
@@ -17210,7 +18962,7 @@
             <translation>a ferramenta {number} continua o corte sem parada para trocar a ferramenta {number2}</translation>
         </message>
         <message>
-            <source>tool {number} is not known, so what it cuts is not checked</source>
+            <source>tool {number} is unknown, so that its cuts are not checked</source>
             <translation>a ferramenta {number} não é conhecida, por isso o que ela corta não é verificado</translation>
         </message>
         <message>
@@ -17222,7 +18974,7 @@
             <translation>a ferramenta {tool_number} não tem {name}</translation>
         </message>
         <message>
-            <source>tool {tool} does not stand in the tool table</source>
+            <source>tool {tool} is not in the tool table</source>
             <translation>a ferramenta {tool} não está na tabela de ferramentas</translation>
         </message>
         <message>
@@ -17244,6 +18996,10 @@
         <message>
             <source>try again; if it stays so, the program may need more memory than there is</source>
             <translation>tente de novo; se continuar assim, o programa talvez precise de mais memória do que há</translation>
+        </message>
+        <message>
+            <source>try it again</source>
+            <translation>tente de novo</translation>
         </message>
         <message>
             <source>turn the program instead</source>
@@ -17282,7 +19038,7 @@
             <translation>dois chanfros</translation>
         </message>
         <message>
-            <source>two commands of one line both want axis words</source>
+            <source>two commands of one line both use axis words</source>
             <translation>dois comandos de uma linha querem palavras de eixo</translation>
         </message>
         <message>
@@ -17326,7 +19082,7 @@
             <translation>duas ferramentas têm o mesmo número</translation>
         </message>
         <message>
-            <source>two words of one modal group stand in one line</source>
+            <source>two words of one modal group are in one line</source>
             <translation>duas palavras do mesmo grupo modal estão em uma linha</translation>
         </message>
         <message>
@@ -17622,6 +19378,10 @@
             <translation>espere até que tenha iniciado</translation>
         </message>
         <message>
+            <source>wait until it is at rest, or hold it</source>
+            <translation>espere até que pare, ou retenha-a</translation>
+        </message>
+        <message>
             <source>wait until it is homed</source>
             <translation>espere até que esteja referenciada</translation>
         </message>
@@ -17632,10 +19392,6 @@
         <message>
             <source>wait until it is idle; after an alarm home it or unlock it</source>
             <translation>espere até que esteja pronta; depois de um alarme, referencie ou destrave</translation>
-        </message>
-        <message>
-            <source>wait until it stands, or hold it</source>
-            <translation>espere até que pare, ou retenha-a</translation>
         </message>
         <message>
             <source>wait until the jog has ended</source>
@@ -17670,72 +19426,12 @@
             <translation>caminho de saída</translation>
         </message>
         <message>
-            <source>what #{number} will hold is known only when the program runs</source>
-            <translation>o valor de #{number} só é conhecido quando o programa é executado</translation>
-        </message>
-        <message>
-            <source>what comes after that</source>
-            <translation>o que vem depois disso</translation>
-        </message>
-        <message>
-            <source>what happens between the moves would not be the same</source>
-            <translation>o que acontece entre os movimentos não seria o mesmo</translation>
-        </message>
-        <message>
-            <source>what is cut off</source>
-            <translation>o que é cortado</translation>
-        </message>
-        <message>
-            <source>what is known of the machine's position cannot be kept: {error}</source>
-            <translation>o que se sabe da posição da máquina não pode ser guardado: {error}</translation>
-        </message>
-        <message>
-            <source>what it does is the machine's own: leave it out</source>
-            <translation>o que ela faz depende da máquina: omita-a</translation>
-        </message>
-        <message>
-            <source>what lies at X{x:.3f} Y{y:.3f} would come loose before it is cut, in any order</source>
-            <translation>o que fica em X{x:.3f} Y{y:.3f} se soltaria antes de ser cortado, em qualquer ordem</translation>
-        </message>
-        <message>
             <source>what lies inside an outline is faced with it</source>
             <translation>o que fica dentro de um contorno é faceado com ele</translation>
         </message>
         <message>
-            <source>what stands here is no word that can be edited</source>
-            <translation>o que está aqui não é uma palavra que possa ser editada</translation>
-        </message>
-        <message>
-            <source>what the circle takes of it</source>
-            <translation>o que o círculo toma dela</translation>
-        </message>
-        <message>
-            <source>what the material that QtPlasmaC has chosen says is not in the text</source>
-            <translation>o que diz o material escolhido pelo QtPlasmaC não está no texto</translation>
-        </message>
-        <message>
-            <source>what was picked of '{drawing}' is not there any more</source>
-            <translation>o que foi escolhido de '{drawing}' não existe mais</translation>
-        </message>
-        <message>
-            <source>what {kind} follows is not known</source>
-            <translation>não se sabe o que {kind} segue</translation>
-        </message>
-        <message>
-            <source>where a probe stops only the controller knows</source>
-            <translation>onde um apalpador para, só o controlador sabe</translation>
-        </message>
-        <message>
             <source>where the machine is cannot be seen: every report of the controller is damaged</source>
             <translation>não é possível ver onde a máquina está: todos os relatórios do controlador chegam danificados</translation>
-        </message>
-        <message>
-            <source>where the tool stands along {letter} is not known here, and turning needs both coordinates</source>
-            <translation>a posição da ferramenta em {letter} não é conhecida aqui, e girar precisa das duas coordenadas</translation>
-        </message>
-        <message>
-            <source>where the tool stands here is not known</source>
-            <translation>não se sabe onde a ferramenta está aqui</translation>
         </message>
         <message>
             <source>where this move began is not known, so there is no way back along it</source>
@@ -17748,10 +19444,6 @@
         <message>
             <source>where this way begins is not known</source>
             <translation>não se sabe onde este trecho começa</translation>
-        </message>
-        <message>
-            <source>which of several passes was cut cannot be told for certain, so the earliest that fits is taken: line {file_line}, not {file_line2}</source>
-            <translation>não se pode dizer com certeza qual de vários passes foi cortado, por isso vale o primeiro que se ajusta: linha {file_line}, não {file_line2}</translation>
         </message>
         <message>
             <source>which run of line {number} is meant is not clear</source>
@@ -18010,7 +19702,7 @@
             <translation>escreva os dois, como em: NAME = mild-steel 3 mm 45A</translation>
         </message>
         <message>
-            <source>write each program so that it stands alone</source>
+            <source>write each program so that it can run on its own</source>
             <translation>escreva cada programa de modo que funcione sozinho</translation>
         </message>
         <message>
@@ -18102,10 +19794,6 @@
             <translation>escreva um x,y em mm por linha</translation>
         </message>
         <message>
-            <source>write out what it does first: cncstepper convert</source>
-            <translation>escreva antes por extenso o que ele faz: cncstepper convert</translation>
-        </message>
-        <message>
             <source>write ph=, pd=, ch= and fr=</source>
             <translation>escreva ph=, pd=, ch= e fr=</translation>
         </message>
@@ -18138,12 +19826,20 @@
             <translation>escreva a curva como retas e arcos</translation>
         </message>
         <message>
+            <source>write the cuts as [[operation]]</source>
+            <translation>escreva o que deve ser cortado como [[operation]]</translation>
+        </message>
+        <message>
             <source>write the end point itself</source>
             <translation>escreva o próprio ponto final</translation>
         </message>
         <message>
             <source>write the motion word again</source>
             <translation>escreva de novo a palavra de movimento</translation>
+        </message>
+        <message>
+            <source>write the path of the tool's centre</source>
+            <translation>escreva o percurso do centro da ferramenta</translation>
         </message>
         <message>
             <source>write the program for the dialect fluidnc or grbl</source>
@@ -18170,10 +19866,6 @@
             <translation>escreva o próprio valor</translation>
         </message>
         <message>
-            <source>write the way of the tool's centre</source>
-            <translation>escreva o percurso do centro da ferramenta</translation>
-        </message>
-        <message>
             <source>write the words with plain numbers</source>
             <translation>escreva as palavras com números simples</translation>
         </message>
@@ -18188,10 +19880,6 @@
         <message>
             <source>write to another one</source>
             <translation>grave em outro</translation>
-        </message>
-        <message>
-            <source>write what is to be cut as [[operation]]</source>
-            <translation>escreva o que deve ser cortado como [[operation]]</translation>
         </message>
         <message>
             <source>write with G54 to G59</source>
@@ -18366,7 +20054,7 @@
             <translation>{count} caracteres</translation>
         </message>
         <message>
-            <source>{count} clip paths and masks are not applied: what they hide is read too</source>
+            <source>{count} clip paths and masks are not applied: the parts that they hide are read too</source>
             <translation>{count} recortes e máscaras não são aplicados: o que eles escondem também é lido</translation>
         </message>
         <message>
@@ -18482,7 +20170,7 @@
             <translation>{file}, {total} linhas a enviar</translation>
         </message>
         <message>
-            <source>{first_file}: restart that one again, what its restart has cut counts as cut</source>
+            <source>{first_file}: restart that one again; its restart's cuts count as cut</source>
             <translation>{first_file}: reinicie esse de novo; o que o reinício dele cortou conta como cortado</translation>
         </message>
         <message>
@@ -18570,6 +20258,10 @@
             <translation>{key} é longo demais</translation>
         </message>
         <message>
+            <source>{key} is twice in one material</source>
+            <translation>{key} aparece duas vezes em um material</translation>
+        </message>
+        <message>
             <source>{key} leads into a value that is no table</source>
             <translation>{key} leva a um valor que não é tabela</translation>
         </message>
@@ -18622,8 +20314,8 @@
             <translation>{key} do material {number} não pode ter esse valor</translation>
         </message>
         <message>
-            <source>{key} stands twice in one material</source>
-            <translation>{key} aparece duas vezes em um material</translation>
+            <source>{key}= is twice in a material's comment</source>
+            <translation>{key}= aparece duas vezes no comentário de um material</translation>
         </message>
         <message>
             <source>{key}= of a material has no such value</source>
@@ -18632,10 +20324,6 @@
         <message>
             <source>{key}= of a material is out of its bounds</source>
             <translation>{key}= de um material está fora de seus limites</translation>
-        </message>
-        <message>
-            <source>{key}= stands twice in a material's comment</source>
-            <translation>{key}= aparece duas vezes no comentário de um material</translation>
         </message>
         <message>
             <source>{kind} on layer '{layer}' at X{x:.3f} Y{y:.3f}, {size}</source>
@@ -18682,12 +20370,20 @@
             <translation>{length} caracteres, {text} com espaços</translation>
         </message>
         <message>
-            <source>{letter} goes on from the point before: neither with {other} nor under G91</source>
+            <source>{letter} continues from the last point: neither with {other} nor under G91</source>
             <translation>{letter} continua a partir do ponto anterior: nem com {other} nem sob G91</translation>
+        </message>
+        <message>
+            <source>{letter} has no meaning with G10 L{kind}</source>
+            <translation>{letter} não diz nada com G10 L{kind}</translation>
         </message>
         <message>
             <source>{letter} is out of range</source>
             <translation>{letter} está fora da faixa</translation>
+        </message>
+        <message>
+            <source>{letter} is twice on the line</source>
+            <translation>{letter} aparece duas vezes na linha</translation>
         </message>
         <message>
             <source>{letter} may not be negative</source>
@@ -18700,14 +20396,6 @@
         <message>
             <source>{letter} of {name} must be {word} 0</source>
             <translation>o {letter} de {name} deve ser {word} 0</translation>
-        </message>
-        <message>
-            <source>{letter} says nothing with G10 L{kind}</source>
-            <translation>{letter} não diz nada com G10 L{kind}</translation>
-        </message>
-        <message>
-            <source>{letter} stands twice on the line</source>
-            <translation>{letter} aparece duas vezes na linha</translation>
         </message>
         <message>
             <source>{limit_mm:g} mm high</source>
@@ -18730,11 +20418,11 @@
             <translation>{line} não tem antes um {keywords} com o rótulo {line2}</translation>
         </message>
         <message>
-            <source>{line} stands in line {index} of {known_file} already</source>
+            <source>{line} is in line {index} of {known_file} already</source>
             <translation>{line} já está na linha {index} de {known_file}</translation>
         </message>
         <message>
-            <source>{line} stands outside any subroutine</source>
+            <source>{line} is outside any subroutine</source>
             <translation>{line} está fora de qualquer sub-rotina</translation>
         </message>
         <message>
@@ -18746,7 +20434,7 @@
             <translation>{link} não responde a {line}</translation>
         </message>
         <message>
-            <source>{link} does not say its modes: question or answer was damaged</source>
+            <source>{link} does not report its modes: question or answer was damaged</source>
             <translation>{link} não informa seus modos: a pergunta ou a resposta foi danificada</translation>
         </message>
         <message>
@@ -18760,6 +20448,10 @@
         <message>
             <source>{link} sends no line ends</source>
             <translation>{link} não envia fins de linha</translation>
+        </message>
+        <message>
+            <source>{machine} accepts no pulse letters</source>
+            <translation>{machine} não aceita letras de pulso</translation>
         </message>
         <message>
             <source>{machine} at {port}, grbl {firmware}, begun {begin}</source>
@@ -18784,10 +20476,6 @@
         <message>
             <source>{machine} has no relay '{name}'</source>
             <translation>{machine} não tem o relé '{name}'</translation>
-        </message>
-        <message>
-            <source>{machine} takes no pulse letters</source>
-            <translation>{machine} não aceita letras de pulso</translation>
         </message>
         <message>
             <source>{match} is no number</source>
@@ -18870,6 +20558,10 @@
             <translation>{name} é uma porta paralela, e a máquina é uma placa</translation>
         </message>
         <message>
+            <source>{name} is between G5.2 and G5.3</source>
+            <translation>{name} está entre G5.2 e G5.3</translation>
+        </message>
+        <message>
             <source>{name} is in use</source>
             <translation>{name} está em uso</translation>
         </message>
@@ -18878,7 +20570,7 @@
             <translation>{name} não é um objeto</translation>
         </message>
         <message>
-            <source>{name} is no port that takes pulses</source>
+            <source>{name} is no port for pulses</source>
             <translation>{name} não é uma porta que receba pulsos</translation>
         </message>
         <message>
@@ -18954,12 +20646,8 @@
             <translation>{name} precisa do programa inteiro: o perfil é uma sub-rotina</translation>
         </message>
         <message>
-            <source>{name} says more than anybody asked for</source>
+            <source>{name} sends more than was asked for</source>
             <translation>{name} envia mais do que foi pedido</translation>
-        </message>
-        <message>
-            <source>{name} stands between G5.2 and G5.3</source>
-            <translation>{name} está entre G5.2 e G5.3</translation>
         </message>
         <message>
             <source>{name} takes no F: the spindle drives it</source>
@@ -19054,7 +20742,7 @@
             <translation>{pierce_mm:g} mm das peças e das bordas cortadas</translation>
         </message>
         <message>
-            <source>{places} of {wanted} tabs fit on the contour that begins at X{x:.3f} Y{y:.3f}; make them narrower to have more</source>
+            <source>{places} of {wanted} tabs fit on the contour that begins at X{x:.3f} Y{y:.3f}; make them narrower to fit more</source>
             <translation>{places} de {wanted} pontes cabem no contorno que começa em X{x:.3f} Y{y:.3f}; estreite-as para ter mais</translation>
         </message>
         <message>
@@ -19130,7 +20818,7 @@
             <translation>{says} não é um número</translation>
         </message>
         <message>
-            <source>{says} is out of its bounds</source>
+            <source>{says} is out of range</source>
             <translation>{says} está fora de seus limites</translation>
         </message>
         <message>
@@ -19190,7 +20878,7 @@
             <translation>{twice} curva(s) desenhada(s) duas vezes: o corte é feito uma só vez</translation>
         </message>
         <message>
-            <source>{twice} of the {drawn} holes stand where others do and are made once</source>
+            <source>{twice} of the {drawn} holes are at the place of others and are made once</source>
             <translation>{twice} dos {drawn} furos ficam onde outros estão e são feitos uma só vez</translation>
         </message>
         <message>
@@ -19206,7 +20894,7 @@
             <translation>{user} e {user2} usariam os dois as palavras de eixo</translation>
         </message>
         <message>
-            <source>{value:g} stands where a whole number must</source>
+            <source>{value:g} must be a whole number</source>
             <translation>{value:g} está onde deve haver um número inteiro</translation>
         </message>
         <message>
@@ -19384,6 +21072,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_ImportDrawing</name>
+        <message>
+            <source>Brings in SVG, DXF, STEP, STL, pictures, points or G-code, linked to the file</source>
+            <translation>Traz SVG, DXF, STEP, STL, imagens, pontos ou código G, ligados ao arquivo</translation>
+        </message>
+        <message>
+            <source>Import drawing…</source>
+            <translation>Importar desenho…</translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_ImportTools</name>
         <message>
             <source>Adds the tools of FreeCAD's library or of a tool table</source>
@@ -19494,6 +21193,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_Shapes</name>
+        <message>
+            <source>Adds a shape by its dimensions: holes, slots, flanges, brackets</source>
+            <translation>Insere uma forma por suas dimensões: furos, rasgos, flanges, suportes</translation>
+        </message>
+        <message>
+            <source>Shapes…</source>
+            <translation>Formas…</translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_SheetCut</name>
         <message>
             <source>Cuts parts out of sheet by torch, laser, jet, knife or point</source>
@@ -19513,6 +21223,17 @@
         <message>
             <source>Checks the program of the job and shows what it cuts</source>
             <translation>Verifica o programa do trabalho e mostra o que ele usina</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Text</name>
+        <message>
+            <source>Adds a text in any font, or in single lines for engraving</source>
+            <translation>Insere um texto em qualquer fonte, ou em linhas únicas para gravar</translation>
+        </message>
+        <message>
+            <source>Text</source>
+            <translation>Texto</translation>
         </message>
     </context>
     <context>

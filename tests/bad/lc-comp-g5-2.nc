@@ -3,4 +3,4 @@ G41.1 D2
 G1 X10
 G5.3
 M2
-; expect no-spline 4:1 linuxcnc | G5.3 ends what no G5.2 began (value G5.3); write G5.2 before
+; expect no-spline 4:1 linuxcnc | G5.3 without a G5.2 before it (value G5.3); write G5.2 before

@@ -1,4 +1,4 @@
 G21 G90 G0 X0 Y0 Z0 F100
 G43 H9
 M2
-; expect tool-length 2:1 linuxcnc | tool 9 does not stand in the tool table (value G43); give the tool with the start state
+; expect tool-length 2:1 linuxcnc | tool 9 is not in the tool table (value G43); give the tool with the start state

@@ -310,7 +310,7 @@ def test_what_was_picked_and_is_gone_is_said(document: Any, job: Any) -> None:
     pocket = add(job, "pocket", solid, picked=["Face7"])
     solid.Shape = Part.makeSphere(5)
     document.recompute()
-    assert "not there any more" in problem_of(pocket)
+    assert "no longer exist" in problem_of(pocket)
 
 
 def test_draft_points_and_circles_drawn_as_arcs_are_holes(document: Any) -> None:

@@ -37,6 +37,27 @@ def test_the_wire_stays_within_the_tolerance(document: Any, tolerance_mm: float)
     assert ends == [pytest.approx(WAVE[0]), pytest.approx(WAVE[-1])]
 
 
+@pytest.mark.parametrize("smooth_mm", [0.01, 0.1])
+def test_a_smoothed_wire_has_arcs_within_its_tolerance(document: Any, smooth_mm: float) -> None:
+    line = api.add_freehand(document, WAVE, smooth_mm=smooth_mm)
+    document.recompute()
+    assert problem_of(line) == ""
+    assert any(isinstance(edge.Curve, Part.Circle) for edge in line.Shape.Edges)
+    assert line.Kept == len(line.Shape.Vertexes) < len(WAVE) / 10
+    assert max(line.Shape.distToShape(Part.Vertex(Vector(*p, 0)))[0] for p in WAVE) <= smooth_mm + 1e-7
+
+
+def test_a_smoothed_closed_circle_is_closed_and_round(document: Any) -> None:
+    angles = [2 * math.pi * k / 200 for k in range(200)]
+    points = [(10 * math.cos(a), 10 * math.sin(a), 3) for a in angles]
+    line = api.add_freehand(document, points, smooth_mm=0.05, closed=True)
+    document.recompute()
+    assert line.Shape.isClosed()
+    assert line.Shape.Length == pytest.approx(20 * math.pi, abs=0.1)
+    assert Part.Face(line.Shape).Area == pytest.approx(100 * math.pi, rel=0.01)
+    assert line.Shape.BoundBox.ZMin == pytest.approx(3) == line.Shape.BoundBox.ZMax
+
+
 def test_an_edited_tolerance_and_a_closed_line_recompute(document: Any) -> None:
     line = api.add_freehand(document, WAVE)
     document.recompute()
@@ -62,6 +83,7 @@ def test_the_placement_stays(document: Any) -> None:
         ([(1, 1), (1, 1)], {}, "at least two points"),
         ([(0, 0, 0), (1, 0, 3)], {}, "different heights"),
         ([(0, 0), (1, 0)], {"tolerance_mm": -1}, "must not be negative"),
+        ([(0, 0), (1, 0)], {"smooth_mm": -1}, "must not be negative"),
     ],
 )
 def test_points_that_make_no_line_show_why(document: Any, points: Any, values: dict[str, Any], sentence: str) -> None:

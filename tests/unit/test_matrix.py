@@ -44,9 +44,9 @@ def test_what_cannot_be_set_up_has_failed_and_the_rest_still_runs(
     assert matrix.main([]) == 1
     said = capsys.readouterr().out
     lines = {line.split()[0]: line for line in said.splitlines() if line[:1].isdigit()}
-    assert lines["1.0.0"].count("NOT SET UP") == 7
-    assert lines["0.20.2"].count("passed") == 6 and lines["0.20.2"].count("FAILED") == 1
-    assert lines["1.1.3"].count("passed") == 7
+    assert lines["1.0.0"].count("NOT SET UP") == 8
+    assert lines["0.20.2"].count("passed") == 7 and lines["0.20.2"].count("FAILED") == 1
+    assert lines["1.1.3"].count("passed") == 8
     assert "0.20.2: scaled FAILED =====\nthe words of host scaled\n" in said
     assert matrix.main(["1.1.3"]) == 0
 
@@ -66,7 +66,9 @@ def test_a_freecad_gets_the_documents_of_all_older_ones(
     given: dict[tuple[str, str], str] = {}
 
     def headless(where: str, environment: dict[str, str], log: Any) -> bool:
-        given[where, "headless"] = environment["CNCSTEPPER_OLDER"]
+        if "CNCSTEPPER_OLDER" in environment:
+            assert environment["CNCSTEPPER_PYTEST"] == matrix.DOCUMENT_TESTS
+            given[where, "documents"] = environment["CNCSTEPPER_OLDER"]
         return True
 
     def window(where: str, kind: str, environment: dict[str, str], log: Any) -> bool:
@@ -77,7 +79,7 @@ def test_a_freecad_gets_the_documents_of_all_older_ones(
     monkeypatch.setattr(matrix, "headless", headless)
     monkeypatch.setattr(matrix, "window", window)
     assert matrix.main([]) == 0
-    for kind in ("headless", "timed"):
+    for kind in ("documents", "timed"):
         assert [given[where, kind] for where in ("host", "1.0.0", "1.1.3")] == ["", "0.20.2", "0.20.2 1.0.0"]
 
 
@@ -103,7 +105,8 @@ def test_what_waits_for_another_run_begins_after_its_end(matrix: Any) -> None:
 
     matrix.run_in_lanes(runs, run, lanes=2)
     assert sorted(begun) == sorted(runs) and len(begun) == 3 * (1 + len(matrix.NAMES))
-    assert ("1.0.0", "timed") in runs["1.1.3", "timed"] and ("0.20.2", "headless") in runs["1.0.0", "headless"]
+    assert ("1.0.0", "timed") in runs["1.1.3", "timed"] and ("0.20.2", "documents") in runs["1.0.0", "documents"]
+    assert runs["1.1.3", "headless"] == (("1.1.3", "set up"),)
 
 
 def test_so_many_runs_at_a_time_as_there_are_lanes_and_the_longest_first(matrix: Any) -> None:

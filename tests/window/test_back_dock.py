@@ -35,7 +35,7 @@ def test_back_while_it_cuts_forward_and_on(hand: Hand, dock: Any) -> None:  # no
         hand.click(f"{D}Back")
         says(hand, "Held")
         says(hand, "On its cut", PLACE_S)
-        told(hand, "5.000 mm behind where the cut has come to")
+        told(hand, "5.000 mm behind the end of the cut")
         hand.fill(f"{D}BackLength", "2")
         hand.click(f"{D}Forward")
         told(hand, "3.000 mm behind")
@@ -51,7 +51,7 @@ def test_back_while_it_cuts_forward_and_on(hand: Hand, dock: Any) -> None:  # no
     hand.wait(
         lambda: not hand.find(f"{D}Forward").isEnabled() and hand.find(f"{D}Back").isEnabled(), PLACE_S, "the end"
     )
-    told(hand, "where the cut has come to")
+    told(hand, "at the end of the cut")
     hand.click(f"{D}Resume")
     says(hand, "Running", PLACE_S)
     hand.click(f"{D}Stop")
@@ -63,7 +63,7 @@ def test_a_hold_finds_the_place_and_a_line_that_is_not_cut_is_refused_in_words(h
     begun(hand, dock)
     hand.click(f"{D}Hold")
     says(hand, "Held")
-    told(hand, "The tool stands on line")
+    told(hand, "The tool is on line")
     hand.shot("dock-back-held")
     hand.main(hand.find(f"{D}BackLine").setValue, 99_999)
     hand.click(f"{D}BackToLine")
@@ -78,4 +78,4 @@ def test_a_hold_finds_the_place_and_a_line_that_is_not_cut_is_refused_in_words(h
     hand.wait(lambda: work_mm(hand, "Z") > stood_mm + 0.9 and not hand.find(f"{D}Hold").isEnabled(), PLACE_S, "the jog")
     hand.click(f"{D}Resume")
     says(hand, "Running", PLACE_S)
-    told(hand, "exactly the way")
+    told(hand, "exactly the path")

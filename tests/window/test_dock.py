@@ -281,7 +281,7 @@ def test_an_alarm_is_unlocked_and_homed_at_an_address_that_is_typed(hand: Hand, 
     hand.click(f"{D}Home")
     says(hand, "Homing")
     says(hand, "Idle", 60)
-    assert hand.text(f"{D}StateSentence") == "The machine stands and waits."
+    assert hand.text(f"{D}StateSentence") == "The machine is at rest and waits."
 
 
 def homed(hand: Hand, address: str) -> None:

@@ -22,6 +22,9 @@ STARTED_IN = os.environ.get("CNCSTEPPER_WINDOW_LANGUAGE", "English")
 COMMANDS = {
     "CNCStepper_NewJob": "Novo trabalho",
     "CNCStepper_ImportTools": "Importar ferramentas…",
+    "CNCStepper_ImportDrawing": "Importar desenho…",
+    "CNCStepper_Text": "Texto",
+    "CNCStepper_Shapes": "Formas…",
     "CNCStepper_Freehand": "À mão livre",
     "CNCStepper_Face": "Facear",
     "CNCStepper_Pocket": "Bolsão",

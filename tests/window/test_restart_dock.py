@@ -80,7 +80,7 @@ def test_a_contour_is_chosen_from_the_list_and_the_rest_is_cut(hand: Hand, dock:
     with hand.watchdog() as watch:
         words = proven(hand)
     assert watch.max_cpu_ms < LONGEST_MS, watch
-    assert hand.text(f"{R}choice") == f"From contour {last.number}" and "all before them is taken as cut" in words
+    assert hand.text(f"{R}choice") == f"From contour {last.number}" and "everything before them counts as cut" in words
     hand.shot("restart-proven")
     hand.click(f"{R}gives_height")
     hand.fill(f"{R}height", "-1")

@@ -394,7 +394,7 @@ class Hand:
                 break
             self.settle()
         self.main(FreeCADGui.Control.closeDialog)
-        self.main(places.hide_our_docks)
+        self.main(places.hide_our_windows)
         self.settle()
         for name in self.main(lambda: list(FreeCAD.listDocuments())):
             self.main(FreeCAD.closeDocument, name)

@@ -83,11 +83,13 @@ def begin():
     """Start pytest's thread; FreeCAD is up now and handles events."""
     import FreeCAD
     import FreeCADGui
+    from PySide import QtGui
 
     from window_helpers import interface
 
     print("FreeCAD", ".".join(FreeCAD.Version()[:3]), "Python", sys.version.split()[0], file=sys.__stdout__, flush=True)
     FreeCADGui.getMainWindow().showMaximized()
+    QtGui.QApplication.setCursorFlashTime(0)  # a cursor that blinks has the whole 3D view painted, by the processor
     sys.argv = ["pytest"]
     link = interface.Interface()
     keeper = interface.Keeper((str(TESTS / "window"), str(TESTS / "window_helpers")))

@@ -293,11 +293,11 @@ def at_rest() -> Point:
     return _on_screen(bar, QtCore.QPoint(bar.width() // 4, bar.height() // 2))
 
 
-def hide_our_docks() -> None:
-    """Hide the workbench's docks: they make the 3D view narrower, as it was not when FreeCAD started."""
-    for dock in FreeCADGui.getMainWindow().findChildren(QtGui.QDockWidget):
-        if dock.objectName().startswith("CNCStepper_"):
-            dock.hide()
+def hide_our_windows() -> None:
+    """Hide the workbench's docks, which make the 3D view narrower, and its dialogs, which lie over docks and panels."""
+    for window in _widgets():
+        if isinstance(window, (QtGui.QDockWidget, QtGui.QDialog)) and window.objectName().startswith("CNCStepper_"):
+            window.hide()
 
 
 def close_one_popup() -> bool:

@@ -8,6 +8,7 @@ leaves a process behind has failed. Pictures come to build/window/VERSION.
 from __future__ import annotations
 
 import os
+import resource
 import shutil
 import signal
 import subprocess
@@ -217,6 +218,13 @@ def judged(freecad: subprocess.Popen[bytes], status_file: Path, mark: str) -> in
     return int(status_file.read_text("ascii"))
 
 
+def print_times(begun_s: float) -> None:
+    """Print what passed since then, and the processor time of screen, FreeCAD and the processes that it waited for."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    passed_s, used_s = time.monotonic() - begun_s, used.ru_utime + used.ru_stime
+    print(f"it took {passed_s:.0f} s, {used_s:.0f} s of processor time", flush=True)
+
+
 def fault(sentence: str) -> int:
     """Say what FreeCAD did wrong."""
     print(f"window: {sentence}", file=sys.stderr, flush=True)
@@ -228,4 +236,7 @@ if __name__ == "__main__":
     kind = words.pop(0) if words and words[0] in window_kinds.KINDS else "plain"
     if not any(Path(word.partition("::")[0]).exists() for word in words):
         words.append(str(ROOT / "tests" / "window"))
-    sys.exit(run(version, kind, words, {}))
+    begun_s = time.monotonic()
+    status = run(version, kind, words, {})
+    print_times(begun_s)
+    sys.exit(status)

@@ -18,14 +18,16 @@ if TYPE_CHECKING:
 
 
 @click.command("go", cls=Verb)
-@click.option("--pause", "from_pause", is_flag=True, help="Also from a pause of the program (M0), once that is done.")
+@click.option(
+    "--pause", "from_pause", is_flag=True, help="Resume also at a pause of the program (M0), once its task is done."
+)
 @session_option
 def command(from_pause: bool, session: str | None) -> None:
     """Resume a paused job: after a hold, a closed door, or a retract along its cut.
 
-    At a pause of the program it says what the pause is for, for example a change of tools, and moves nothing: do that,
-    then give --pause. The job is one that `cncstepper send` sent from any terminal, also one that is closed by now, or
-    that was sent from FreeCAD's window. `cncstepper hold` holds it, `cncstepper stop` ends it.
+    At a pause of the program (M0) it prints the reason, for example a tool change, and moves nothing. Do what it asks,
+    then give --pause. The job was sent by `cncstepper send` from any terminal, also a closed one, or from FreeCAD's
+    window. `cncstepper hold` holds it, `cncstepper stop` ends it.
     """
     from CNCStepper.control.service.connection_session import attach
     from CNCStepper.control.session.job_phase import Phase

@@ -30,6 +30,7 @@ from CNCStepper.control.session.client import SessionClient
 from CNCStepper.control.session.job_phase import WAITING, Phase
 from CNCStepper.control.session.status import SenderStatus
 from CNCStepper.errors import CNCStepperError
+from CNCStepper.word_pattern import words_beside
 
 
 def why(status: SenderStatus) -> str:
@@ -76,8 +77,7 @@ HELP = (
     "press Enter alone to go on or s to stop; x10 y-5 z0.1 jogs (f100: that fast), zero z touches off; "
     f"overrides: {OVERRIDES}"
 )
-_WAY = re.compile(r"(?:[xyzf]-?(?:\d+\.?\d*|\.\d+) ?)+")
-_WORD = re.compile(r"([xyzf])(-?[\d.]+)")
+JOG_LETTERS = "XYZF"
 _ZERO = re.compile(r"zero ([xyz]{1,3})")
 
 
@@ -105,14 +105,14 @@ def is_end(requests: PendingRequests) -> bool:
 
 
 def _way(words: str, text: str) -> dict[str, float]:
-    found = _WORD.findall(words)
+    found, other = words_beside(words)
     values = {letter: float(number) for letter, number in found}
-    if not _WAY.fullmatch(words) or len(values) < len(found) or not set(values) & set("xyz"):
+    if other or len(values) < len(found) or set(values) - set(JOG_LETTERS) or not set(values) - {"F"}:
         raise ValueError(f"'{text}' is no answer: {HELP}")
-    if any(abs(value) > LONGEST_MM for letter, value in values.items() if letter != "f") or values.get("f", 1) <= 0:
+    if any(abs(value) > LONGEST_MM for letter, value in values.items() if letter != "F") or values.get("F", 1) <= 0:
         raise ValueError(f"'{text}' is no jog: at most {LONGEST_MM:g} mm, with a feed above 0")
-    way = {f"{axis}_mm": values.get(axis, 0.0) for axis in "xyz"}
-    return way | {"feed_mm_min": values.get("f", JOG_FEED_MM_MIN)}
+    way = {f"{axis.lower()}_mm": values.get(axis, 0.0) for axis in "XYZ"}
+    return way | {"feed_mm_min": values.get("F", JOG_FEED_MM_MIN)}
 
 
 class Answer(click.ParamType):

@@ -17,9 +17,9 @@ import click
 
 from CNCStepper.cli.common.chart_options import ChartOptions, chart_options
 from CNCStepper.cli.common.findings_output import show_findings
-from CNCStepper.cli.common.keep_open import keep_option
 from CNCStepper.cli.common.options import FilePath, program_argument, read_program
 from CNCStepper.cli.common.program_options import ProgramOptions, program_options
+from CNCStepper.cli.common.send_options import SendOptions, send_options
 from CNCStepper.cli.common.verb import Verb
 from CNCStepper.errors import JobError
 from CNCStepper.machine.processes import PROCESSES, Process
@@ -38,6 +38,36 @@ if TYPE_CHECKING:
     from CNCStepper.toolpath import Toolpath
 
 LETTERS = ".letters"  # ends the name of a file of pulse letters
+HELP = """Send PROGRAM to the controller at --port and wait until the machine is idle.
+
+With --certificate only the proven program is sent. Machine, start state, tools, stock and clamps must be those of the
+proof, as far as you give them. Without a certificate the program is checked first, with --machine or --job (whose
+machine counts where --machine is absent); --unchecked skips the check. The controller's settings are compared, and the
+work zero where the proof knows it.
+
+With --machine, a controller of ours runs machines whose pulses this computer makes, and the mini-lathe. Programs in the
+machine's own language are sent to it as grbl lines, which are proven by reading them back. The fastest pulse rate of
+the program is tried before the first line. PROGRAM may be a file of pulse letters, NAME.letters. What a machine cannot
+do (hold, stop, override) is printed before the first line.
+
+Many boards restart when their port is opened; then the position is unknown. With limit switches give --home. Without
+them move the tool to the work zero, run `cncstepper zero`, and send without moving anything in between; with any other
+zero nothing is sent. After an alarm, a lost link or a killed sender the position is unknown for all later connections
+too. Then nothing is sent before --home, `cncstepper home`, or `cncstepper zero` for all axes.
+
+The job uses the connection that is open at --port. It leaves a connection open for --keep-open minutes, so that the
+next verb does not restart the board.
+
+Ctrl-C holds the machine and asks what to do; a second Ctrl-C stops the job. This stop is not an emergency stop. If the
+job went on after a question, your answer is ignored and you are asked again. `cncstepper hold`, `go`, `stop`,
+`override` and `back` act on the job from any terminal, also after this one is closed. Without a terminal (standard
+input at its end) the machine waits at each pause and hold for one of them. Ctrl-C then holds it, and stops it there.
+
+At a pause (M0, or M6 of grblHAL) and between two lines with --step a beam is off. Enter resumes and s stops.
+"x10 y-5 z0.1" jogs by these mm ("f100": at 100 mm/min), "zero z" sets the work zero of Z, "all" ends --step. "feed
+-10", "spindle +10", "rapid 50" and "flood" change the overrides; "?" lists them. After a jog the tool returns before
+the job resumes: up, across, and slowly down to where the program stopped.
+"""
 
 
 @dataclass(frozen=True)
@@ -73,90 +103,42 @@ class ProgramFile:
         return text_pieces(self.path)
 
 
-@click.command("send", cls=Verb)
+@click.command("send", cls=Verb, help=HELP)
 @program_argument
 @click.option(
     "--port",
     required=True,
-    help="A serial port (COM3, /dev/ttyUSB0) or a URL (socket://127.0.0.1:2217); of a machine whose pulses this "
-    "computer makes also a parallel port (/dev/parport0), or record:FILE for a CSV of all that would be written.",
+    help="A serial port (COM3, /dev/ttyUSB0) or a URL (socket://127.0.0.1:2217). For a machine whose pulses this "
+    "computer makes also a parallel port (/dev/parport0), or record:FILE, which records the pulses as CSV.",
 )
-@click.option("--certificate", type=FilePath, help="What `check` or `run` wrote for it; other bytes are refused.")
+@click.option("--certificate", type=FilePath, help="The certificate that `check` or `run` wrote for this program.")
 @program_options()
 @chart_options
-@click.option("--baud", type=click.IntRange(min=300), default=115200, show_default=True)
+@send_options
 @click.option(
-    "--zero-confirmed",
-    is_flag=True,
-    help="The work zero is set on the stock, and if the board restarts now the tool has stood on that zero since; "
-    "without this option you are asked.",
+    "--step", "by_line", is_flag=True, help="Send line by line: Enter sends the next line after the last is cut."
 )
-@click.option(
-    "--home", "home_first", is_flag=True, help="Let the machine home itself first ($H): see that the way is free."
-)
-@click.option(
-    "--step", "by_line", is_flag=True, help="Line by line: Enter sends the next one and waits till it is cut."
-)
-@click.option("--resume-pauses", is_flag=True, help="Go on by itself at M0: for a virtual machine or a dry run.")
-@click.option(
-    "--allow-differences", is_flag=True, help="Send though the controller's settings or offsets are not those wanted."
-)
-@keep_option
 @click.option("--unchecked", is_flag=True, help="Send without a certificate and without a check.")
-@click.option("--despite-certificate", is_flag=True, help="Send though the certificate does not fit, or has errors.")
+@click.option(
+    "--despite-certificate", is_flag=True, help="Send even if the certificate does not match or holds errors."
+)
 def command(
     program: Path,
     port: str,
     certificate: Path | None,
-    baud: int,
-    zero_confirmed: bool,
-    home_first: bool,
+    sending: SendOptions,
     by_line: bool,
-    resume_pauses: bool,
-    allow_differences: bool,
-    keep_min: float,
     unchecked: bool,
     despite_certificate: bool,
     given: ProgramOptions,
     cut: ChartOptions,
 ) -> None:
-    """Send PROGRAM to the controller at --port and wait until the machine is idle again.
-
-    With --certificate only the program that was proven is sent, to the machine, from the start state and with the
-    tools, the stock and the clamps of the proof, as far as these are given here. Without one the program is checked
-    first: with --machine, with --job (whose machine counts where none is given), or not at all if told so by
-    --unchecked. The controller's settings, and its work zero where the proof knows it, are compared.
-
-    A machine whose pulses this computer makes, and the mini-lathe, have no controller at the port: with --machine one
-    of ours is started there. Programs in the machine's own language are sent to it as lines of grbl's, proven by
-    reading them back; before the first line it tries the fastest rate of this program. PROGRAM may be a file of pulse
-    letters, NAME.letters. What a machine cannot do (hold, stop, override) is printed before the first line.
-
-    Many boards restart when their port is opened, and count from where they stand: the position is unknown. Where there
-    are limit switches, --home lets the machine find its zero again. Without, such a board is sent nothing unless its
-    zero is that very place: move the tool to the work zero, `cncstepper zero`, then send and move nothing in between.
-    After an alarm, a lost link or a sender that was killed the position is unknown too, and stays so for every later
-    connection: nothing is sent before --home, `cncstepper home`, or `cncstepper zero` for all axes.
-
-    The job runs in the connection that is open at --port, and leaves one open for --keep-open minutes: until then the
-    board is not restarted by the next verb.
-
-    Ctrl-C holds the machine and asks what to do; a second one stops the job. A stop here is not an emergency stop. An
-    answer counts only for what it was asked about: where the job was led on meanwhile, you are asked anew. In any other
-    terminal `cncstepper hold`, `go`, `stop`, `override` and `back` act on the job; it goes on when this one is closed.
-    Without a terminal (standard input at its end) the machine waits at each pause and hold until one of them is called;
-    Ctrl-C holds it, and stops it where it stands.
-
-    At a pause (M0, for example to change the tool, or M6 of grblHAL) and between two lines with --step a beam is off,
-    and Enter goes on, s stops, "x10 y-5 z0.1" jogs by these mm ("f100": at 100 mm/min), "zero z" sets the work zero of
-    Z, "all" ends --step. While it stands "feed -10", "spindle +10", "rapid 50", "flood" and the like change its
-    overrides; "?" lists them. Who jogged is taken back first: up, over, and slowly down to where the program stood.
-    """
+    """Send a program and wait until the machine is idle; see `HELP`."""
     from CNCStepper.cli.job.driven_job import driven_by, typed_machine, with_rate
     from CNCStepper.cli.job.session_watch import watch
     from CNCStepper.control.service.port_owner import check_free, warn_of_closed
 
-    _check_pauses(by_line, resume_pauses)
+    _check_pauses(by_line, sending.resume_pauses)
     _check_proof(given, bool(certificate), unchecked, despite_certificate)
     check_free(port)
     warn_of_closed(partial(click.echo, err=True))
@@ -165,9 +147,9 @@ def command(
     else:
         job = _job(ProgramFile(program), given, cut, certificate, unchecked, despite_certificate)
         job = driven_by(job, job.retrace.get("machine") or {}, typed_machine())
-    job = replace(with_rate(job) if job.profile else job, port=port, baud=baud, allow_differences=allow_differences)
-    job = replace(job, by_line=by_line, home_first=home_first)
-    conclude(watch(confirmed(job, zero_confirmed), resume_pauses, keep_min))
+    job = replace(with_rate(job) if job.profile else job, port=port, baud=sending.baud, by_line=by_line)
+    job = replace(job, allow_differences=sending.allow_differences, home_first=sending.home_first)
+    conclude(watch(confirmed(job, sending.zero_confirmed), sending.resume_pauses, sending.keep_min))
 
 
 def _letters(program: Path, given: ProgramOptions, certificate: Path | None) -> SendJob:

@@ -109,7 +109,7 @@ history  help  quit    (Ctrl-D quits; Ctrl-C holds a move)"""
 @click.command("console", cls=Verb)
 @port_options
 def command(at: ServicePort) -> None:
-    """Type lines to the controller at --port; each is done, with the machine at rest, before the next is asked for.
+    """Type lines to the controller at --port; the next is asked for when the last is done and the machine is at rest.
 
     Beside the controller's own lines it knows: ? ! ~ stop home unlock zero jog feed rapid spindle flood mist history
     help quit; help says what each does. Lines with bytes that act at once (! ? ~ and what is not ASCII) are refused.

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""`cncstepper jog`: a way by hand."""
+"""`cncstepper jog`: moves axes by hand."""
 
 from __future__ import annotations
 
-import re
 from pathlib import Path
 
 import click
@@ -11,8 +10,9 @@ import click
 from CNCStepper.cli.common.options import NumberType
 from CNCStepper.cli.common.verb import Verb
 from CNCStepper.cli.machine.service_client import ServiceClient, ServicePort, place, port_options
+from CNCStepper.word_pattern import WORD
 
-WORD = re.compile(r"([XYZ])([-+]?\d+(?:\.\d*)?|[-+]?\.\d+)", re.IGNORECASE)
+AXES = "XYZ"
 FEED_MM_MIN = 1000.0
 
 
@@ -21,15 +21,14 @@ FEED_MM_MIN = 1000.0
 @click.option("--feed", type=NumberType(kind="feed"), default=FEED_MM_MIN, show_default=True, help="Speed in mm/min.")
 @port_options
 def command(way: tuple[str, ...], feed: float, at: ServicePort) -> None:
-    """Move the axes of the machine at --port by WAY from where they stand, in mm: X10, or X-2.5 Y3 together.
+    """Move the axes of the machine at --port by WAY, in mm: X10, or X-2.5 Y3 together.
 
-    The program's modes are left as they are ($J). Ctrl-C brakes at once and keeps the position. Works in any position,
-    known or not; the controller refuses a way out of its travel where its soft limits are on ($20=1).
+    A jog ($J) leaves the program's modes unchanged. Ctrl-C cancels it and keeps the position. The position need not be
+    known. The controller refuses a jog beyond its travel if soft limits are on ($20=1).
 
-    Also while `cncstepper send` holds its job at that port: the controller is reset at standstill, which switches the
-    spindle off, and can be jogged then. The job goes on with `cncstepper back --resume`: up, over and slowly down to
-    its cut, and from there. At a pause, or while the tool is changed (M6 of grblHAL), nothing is reset, and whoever
-    resumes is taken back first.
+    It also works while `cncstepper send` holds its job at that port. The controller is then reset at standstill, which
+    stops the spindle. `cncstepper back --resume` goes on: up, across and slowly down to the cut, and along it. At a
+    pause, or during a tool change (M6 of grblHAL), nothing is reset, and the tool returns before the job resumes.
     """
     from CNCStepper.control.service.connection_session import job_at
 
@@ -51,7 +50,7 @@ def jog_line(way: tuple[str, ...], feed_mm_min: float) -> str:
 def _axes_mm(way: tuple[str, ...]) -> dict[str, float]:
     words = [WORD.fullmatch(part) for part in way]
     axes_mm = {word[1].upper(): float(word[2]) for word in words if word}
-    if len(axes_mm) < len(way):
+    if len(axes_mm) < len(way) or set(axes_mm) - set(AXES):
         raise click.UsageError(f"'{' '.join(way)}' is no way: write for example X10, or X-2.5 Y3 (mm)")
     return axes_mm
 
@@ -61,7 +60,7 @@ def _jog_job(session: Path, axes_mm: dict[str, float], feed_mm_min: float) -> No
     from CNCStepper.control.service.connection_session import attach
     from CNCStepper.recovery.retract.retract_client import jog, step_aside
 
-    way = {f"{axis.lower()}_mm": axes_mm.get(axis, 0.0) for axis in "XYZ"} | {"feed_mm_min": feed_mm_min}
+    way = {f"{axis.lower()}_mm": axes_mm.get(axis, 0.0) for axis in AXES} | {"feed_mm_min": feed_mm_min}
     with attach(session) as client:
         step_aside(client)
         try:

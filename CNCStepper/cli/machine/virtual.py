@@ -14,14 +14,14 @@ from CNCStepper.machine.profile import Machine, load_machine
 
 @click.group("virtual", cls=Verbs)
 def command() -> None:
-    """Be a controller without hardware: it answers and moves as the real one does."""
+    """Run a virtual controller, which answers and moves as the real one does."""
 
 
 @command.command("grbl")
 @server_options("t_s,x_mm,y_mm,z_mm", records=False)
 @speed_option
 @click.option(
-    "--baud", type=click.IntRange(min=300), default=115200, show_default=True, help="Rate of its serial link."
+    "--baud", type=click.IntRange(min=300), default=115200, show_default=True, help="Baud rate of its serial link."
 )
 @click.option("--homing", is_flag=True, help="Start in alarm until homed, as with $22=1.")
 @click.option(
@@ -29,28 +29,28 @@ def command() -> None:
     type=click.Choice(["grbl", "grblhal", "fluidnc"]),
     default="grbl",
     show_default=True,
-    help="Greet, answer and refuse as this one does, with its buffer and line length.",
+    help="The firmware whose greeting, answers, refusals, buffer and line length it has.",
 )
 @click.option(
-    "--restarts", is_flag=True, help="Restart whenever its port is opened anew, as boards do where DTR is their reset."
+    "--restarts", is_flag=True, help="Restart whenever its port is opened, as boards do whose reset is on DTR."
 )
 @pin_options
 @machine_option(required=False)
 def grbl(
     pty, tcp, speed, baud, trace, homing, firmware, until_left, restarts, faults, press, typed, machine: Machine | None
 ) -> None:
-    """A grbl 1.1 with 128 bytes and 15 blocks, on a pseudo-terminal or a TCP port; Ctrl-C ends it.
+    """Run a virtual grbl 1.1 (128 bytes, 15 blocks) on a pseudo-terminal or a TCP port; Ctrl-C ends it.
 
-    With --firmware grblhal it has 1023 bytes, lines of 255 characters and M6, which waits in the state Tool; with
-    fluidnc lines of 254 characters, and settings that can only be read. Without --machine it has the settings of
-    table-a. With --typed these lines press its input pins:
+    --firmware grblhal has 1023 bytes, lines of 255 characters, and waits at M6 in the state Tool. fluidnc has lines of
+    254 characters, and its settings can only be read. Without --machine the settings are those of table-a. With --typed
+    these lines press its input pins:
 
     \b
-      P            the probe's pin for 0.3 s; also X Y Z (limit switches), D door, R reset, H hold, S cycle start
-      press P      the same, and keep it pressed
-      release P    let it go
+      P            press the probe's pin for 0.3 s; also X Y Z (limit switches), D door, R reset, H hold, S cycle start
+      press P      press it until it is released
+      release P    release it
 
-    --press reads the same from a file, in seconds since the first client has come:
+    --press reads the same from a file, in seconds since the first client has connected:
 
     \b
       [[press]]

@@ -25,18 +25,19 @@ def server_options(columns: str, records: bool = True) -> Callable[[Any], Any]:
         click.option(
             "--faults",
             type=InputPath(exists=False),
-            help="Make the faults that this TOML or JSON file lists, and report each; see "
-            "docs/user-guide/sending/faults.md.",
+            help="Inject the faults of this TOML or JSON file, and print each; see docs/user-guide/sending/faults.md.",
         ),
         click.option(
-            "--until-left", is_flag=True, help="End when its client has left, or when none has come within 30 s."
+            "--until-left", is_flag=True, help="End when the client disconnects, or when none connects within 30 s."
         ),
         click.option("--trace", type=OutputPath("path"), help=f"Save the path of the axes: {columns}."),
         *[record] * records,
         click.option(
             "--tcp", metavar="HOST:PORT", help="Listen there, for example 127.0.0.1:2217; port 0 picks a free one."
         ),
-        click.option("--pty", type=OutputPath(""), help="Make this path a link to a pseudo-terminal (not on Windows)."),
+        click.option(
+            "--pty", type=OutputPath(""), help="Create a link to a pseudo-terminal at this path (not on Windows)."
+        ),
     ]
     return lambda function: _with(function, options)
 
@@ -46,15 +47,15 @@ speed_option = click.option(
     type=click.FloatRange(min=0.01, max=1000),
     default=1.0,
     show_default=True,
-    help="How many times faster than real time its clock runs.",
+    help="Speed of its clock relative to real time.",
 )
 
 
 def pin_options(function: Any) -> Any:
-    """Add what presses its input pins."""
+    """Add the options that press its input pins."""
     options = [
-        click.option("--typed", is_flag=True, help="Press its input pins by what is typed here."),
-        click.option("--press", type=FilePath, help="Press its input pins when this TOML file says so."),
+        click.option("--typed", is_flag=True, help="Press its input pins by lines typed here."),
+        click.option("--press", type=FilePath, help="Press its input pins at the times in this TOML file."),
     ]
     return _with(function, options)
 
@@ -72,27 +73,27 @@ def _with(function: Any, options: Iterable[Callable[[Any], Any]]) -> Any:
 
 
 def motor_options(function: Any) -> Any:
-    """Add what says how quick pulses the motors follow."""
+    """Add the options for the limits of its motors."""
     for option in (
         click.option(
             "--start-stop",
             type=click.FloatRange(min=0, max=1_000_000),
             default=0.0,
-            help="With --motors real: the least pulses/s to which its motors can jump from rest.",
+            help="With --motors real: the start-stop rate of its motors, pulses/s.",
         ),
         click.option(
             "--margin",
             type=click.FloatRange(min=0.1, max=100),
             default=MARGIN,
             show_default=True,
-            help="With --motors real: how many times the profile's acceleration and rate its motors can follow.",
+            help="With --motors real: the limits of its motors, as a multiple of the profile's acceleration and rate.",
         ),
         click.option(
             "--motors",
             type=click.Choice(["ideal", "real"]),
             default="ideal",
             show_default=True,
-            help="Motors that follow every pulse, or lose steps where pulses come too fast, as real ones do.",
+            help="ideal motors follow every pulse; real ones lose steps where pulses come too fast.",
         ),
     ):
         function = option(function)

@@ -40,17 +40,17 @@ def parport(
     machine: Machine | None,
     **options: Any,
 ) -> None:
-    """A table at a parallel port: two bytes a write, data and control; Ctrl-C ends it.
+    """Run a virtual table at a parallel port: two bytes a write, data and control; Ctrl-C ends it.
 
-    Pins, levels and times are those of the profile's [signals]; thesis-table when --machine is left out. A pulse that
-    is certainly too short, or too close behind the one before it or a change of direction, is lost, and told. Relays
-    are told by name. When an input changes, and when a client comes, it sends one byte, the status register. With
-    --typed these lines press its inputs, the pins 10, 11, 12, 13 and 15:
+    Pins, levels and times are those of the profile's [signals]; without --machine of thesis-table. A pulse is lost if
+    it is too short, or too close to the last pulse or change of direction; each loss is printed. Relays are printed by
+    name. It sends the status register, one byte, when a client connects and when an input changes. With --typed these
+    lines press its inputs, the pins 10, 11, 12, 13 and 15:
 
     \b
-      13           for 0.3 s
-      press 13     and keep it pressed
-      release 13   let it go
+      13           press pin 13 for 0.3 s
+      press 13     press it until it is released
+      release 13   release it
 
     --press reads the same from a file, in seconds since its start:
 
@@ -73,11 +73,11 @@ def parport(
 @motor_options
 @machine_option(required=False)
 def board(motors: str, margin: float, start_stop: float, machine: Machine | None, **options: Any) -> None:
-    """A USB board with four stepper motors: a byte sets the coils of one; Ctrl-C ends it.
+    """Run a virtual USB board with four stepper motors: a byte sets the coils of one; Ctrl-C ends it.
 
-    High nibble: motor 0 to 3, in the order of the profile's [signals] motors; usb-board when --machine is left out. Low
+    High nibble: motor 0 to 3, in the order of the profile's [signals] motors; without --machine of usb-board. Low
     nibble: coils L1 to L4, forwards A 9 5 6. Only a change of motor is a clock edge: a second byte for the same motor
-    moves nothing. It takes 384 bytes ahead of the coils and never says anything.
+    moves nothing. It buffers 384 bytes and sends nothing.
     """
     from CNCStepper.virtual.board.machine import Board
     from CNCStepper.virtual.server.twin_faults import TWIN_KINDS
@@ -95,7 +95,7 @@ def board(motors: str, margin: float, start_stop: float, machine: Machine | None
     type=click.IntRange(min=16, max=65536),
     default=256,
     show_default=True,
-    help="Bytes of its receive buffer, which the source does not tell.",
+    help="Bytes of its receive buffer; the source does not give them.",
 )
 @click.option(
     "--g20",
@@ -117,7 +117,7 @@ def board(motors: str, margin: float, start_stop: float, machine: Machine | None
     type=click.FloatRange(min=0, max=10_000),
     default=0.0,
     show_default=True,
-    help="The preset speed at which its spindle turns, set by hand; 0: it stands.",
+    help="Spindle speed, which is set by hand; 0: it does not turn.",
 )
 @machine_option(required=False)
 def lathe(
@@ -130,12 +130,12 @@ def lathe(
     machine: Machine | None,
     **options: Any,
 ) -> None:
-    """The mini-lathe at 9600 baud, 8E1 (here 8N1, in 8E1's time): manual bytes, then records; Ctrl-C ends it.
+    """Run a virtual mini-lathe at 9600 baud, 8E1 (here 8N1 with the timing of 8E1); Ctrl-C ends it.
 
-    It begins in manual mode: A to H move, I sets the feed speed, P stops, Y begins the automatic mode, Z quits. In
-    automatic mode records end with # and pieces of a program with ?, which starts them. It never says anything; a full
-    buffer loses bytes, a record that cannot be read is left out, and both are told here. After Y there is no way back,
-    and M02 ends the program. Without --machine it has 80 steps/mm in X and Z.
+    It starts in manual mode: A to H move, I sets the feed speed, P stops, Y begins the automatic mode, Z quits. In
+    automatic mode a record ends with #; a ? starts the records before it. It sends nothing. A full buffer loses bytes,
+    and a record that cannot be read is skipped; both are printed here. Y cannot be undone, and M02 ends the program.
+    Without --machine it has 80 steps/mm in X and Z.
     """
     from CNCStepper.virtual.lathe.machine import Lathe
     from CNCStepper.virtual.server.twin_faults import TWIN_KINDS
@@ -164,7 +164,7 @@ def _serve(
     speed: float = 1.0,
     hand: Callable[[], Callable[[], None]] = lambda: _nobody,
 ) -> None:
-    """Serve a machine, with its faults where there are some."""
+    """Serve a machine, with the faults of --faults."""
     check_address(options["pty"], options["tcp"])
     from CNCStepper.virtual.faults.host_faults import kill_sender, plan_for_server
     from CNCStepper.virtual.server.twin_faults import FaultyTwin

@@ -32,7 +32,7 @@ LENGTH = click.FloatRange(min=0, min_open=True)
 
 
 @click.command("back", cls=Verb)
-@click.option("--distance", "distance_mm", type=LENGTH, metavar="MM", help="Go back so far along the cut.")
+@click.option("--distance", "distance_mm", type=LENGTH, metavar="MM", help="Go back by this length along the cut.")
 @click.option("--line", type=click.IntRange(min=1), metavar="N", help="Go back to where line N of the program begins.")
 @click.option("--entry", is_flag=True, help="Go back to where the tool last began to go down into the work.")
 @click.option(
@@ -44,7 +44,9 @@ LENGTH = click.FloatRange(min=0, min_open=True)
     flag_value=math.inf,
     help="Go forward again: by MM, or without a number to where the cut ended.",
 )
-@click.option("--resume", is_flag=True, help="Switch spindle or beam on again and cut from here to the program's end.")
+@click.option(
+    "--resume", is_flag=True, help="Switch spindle or beam on again and cut from here to the end of the program."
+)
 @session_option
 @machine_option(required=False)
 def command(
@@ -58,19 +60,19 @@ def command(
 ) -> None:
     """Retract along the cut of a running job, move forward again, and resume.
 
-    The job is one that `cncstepper send` runs in another terminal, or that was sent from FreeCAD's window.
+    The job is one that `cncstepper send` runs in another terminal, or that FreeCAD's window sent.
 
-    The machine is held first if it still moves. Then it runs the very path of the program backwards, arcs and helices
-    too; what is sent is checked before anything moves. Each way begins with a reset of the controller at standstill,
-    which switches the spindle off; it is switched on again and waited for, unless the machine profile says that outputs
-    are off on the way back ([retreat] outputs = "off"; so are those of every laser).
+    A machine that still moves is held first. The tool then follows the program's path backwards, arcs and helices too.
+    Every line is checked before the machine moves. Each move begins with a reset of the controller at standstill, which
+    stops the spindle. The spindle starts again and reaches its speed before the tool moves. With [retreat] outputs =
+    "off" in the machine profile it stays off, and so does every laser.
 
     \b
     cncstepper back --distance 5     hold, and 5 mm back
     cncstepper back --forward        forward again to where it was held
     cncstepper back --resume         go on with the job from where the tool stands now
 
-    Without --distance, --line, --entry, --forward or --resume it asks what to do, again and again.
+    Without one of these options it asks what to do, until the job resumes or you leave.
     """
     requests = [distance_mm is not None, line is not None, entry, forward_mm is not None, resume]
     if sum(requests) > 1:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""`cncstepper restart`: a program from a place in its middle on, proven, written and sent.
+"""`cncstepper restart`: proves, writes and sends a program from a place in its middle on.
 
-The options of `cncstepper restart`: where, how the path is entered, and what becomes of the restart program.
+Its options: the place, the entry into the path, and where the restart program goes.
 """
 
 from __future__ import annotations
@@ -16,11 +16,11 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from CNCStepper.cli.common.findings_output import save, show_findings
-from CNCStepper.cli.common.keep_open import keep_option
 from CNCStepper.cli.common.options import NumberType, PointType, program_argument, read_program, reproduce_options
 from CNCStepper.cli.common.path_types import OutputPath
 from CNCStepper.cli.common.program_options import ProgramOptions, program_options
 from CNCStepper.cli.common.progress import Progress
+from CNCStepper.cli.common.send_options import SendOptions, send_options
 from CNCStepper.cli.common.verb import Verb
 from CNCStepper.cli.job.send import LETTERS
 from CNCStepper.errors import JobError
@@ -50,46 +50,30 @@ _PLACE = (
         "--height", type=NumberType(), help="Go up to this Z first. [default: the program's highest crossing rapid]"
     ),
 )
-_SENDING = (
+_RESULT = (
     click.option("-o", "--out", type=OutputPath("program"), help="Write the restart program there."),
     click.option("--certificate", type=OutputPath("certificate"), help="Write its certificate there."),
     click.option("--port", help="Send it: a port or URL as of `cncstepper send`, a parallel port too."),
-    click.option("--baud", type=click.IntRange(min=300), default=115200, show_default=True),
-    click.option("--zero-confirmed", is_flag=True, help="As of `cncstepper send`; the tool is in."),
-    click.option("--home", "home_first", is_flag=True, help="Let the machine home itself first ($H)."),
-    click.option("--resume-pauses", is_flag=True, help="Go on by itself at M0: for a virtual machine or a dry run."),
-    click.option(
-        "--allow-differences",
-        is_flag=True,
-        help="Send though the controller's settings or offsets are not those wanted.",
-    ),
-    keep_option,
     click.option(
         "--without-stock",
         is_flag=True,
-        help="Send though nobody has seen whether a rapid meets material: without --job, or --stock and --tool.",
+        help="Send a restart that was not simulated on a stock: without --job, and without --stock and --tool.",
     ),
 )
 
 
 @dataclass(frozen=True)
-class Sending:
-    """What becomes of the restart program."""
+class RestartOutput:
+    """Where the restart program goes: to files, to a port."""
 
     out: Path | None
     certificate: Path | None
     port: str | None
-    baud: int
-    zero_confirmed: bool
-    home_first: bool
-    resume_pauses: bool
-    allow_differences: bool
-    keep_min: float
     without_stock: bool
 
 
 def restart_options(function: Callable[..., Any]) -> Callable[..., Any]:
-    """Add the options of the place and of sending; the function gets them as `where`, `entering` and `sending`."""
+    """Add the options of place and output; the function gets them as `where`, `entering` and `output`."""
 
     @wraps(function)
     def command(
@@ -107,10 +91,10 @@ def restart_options(function: Callable[..., Any]) -> Callable[..., Any]:
         from CNCStepper.recovery.restart.restart_places import RequestedPlace
 
         where = RequestedPlace(line or 0, time or 0, operation, contour or 0, at_mm)
-        sending = Sending(**{name: more.pop(name) for name in Sending.__dataclass_fields__})
-        return function(*arguments, where=where, entering=EntryOptions(overlap, height), sending=sending, **more)
+        output = RestartOutput(**{name: more.pop(name) for name in RestartOutput.__dataclass_fields__})
+        return function(*arguments, where=where, entering=EntryOptions(overlap, height), output=output, **more)
 
-    for option in reversed((*_PLACE, *_SENDING)):
+    for option in reversed((*_PLACE, *_RESULT)):
         command = option(command)
     return command
 
@@ -141,52 +125,51 @@ class _Against:
         return self.job is not None or (self.stock is not None and self.tool is not None)
 
 
-@click.command("restart", cls=Verb)
+HELP = """Restart PROGRAM at a line, an operation, a contour or a point.
+
+Everything before that place counts as cut. The tool goes up and over the place, the spindle starts, and the tool goes
+down at the plunge feed; a beam is switched on at the bottom. Offsets and modes are those of the undisturbed run, and
+the program's own lines follow unchanged. If the place cannot be entered, an earlier place is used and printed.
+
+Without --port nothing is sent: the restart is described, and -o writes its program. Without a place the contours are
+listed. Give --machine, or --job with its machine. With --job, or --stock and --tool, the restart is simulated on the
+stock that the earlier moves have left, and refused where a rapid meets material. Without a stock it is sent only with
+--without-stock. A program in a language that the controller does not read is restarted in grbl's, as it is sent.
+`cncstepper resume` prints the whole command for a job that did not end.
+
+At a parallel port or a USB board --machine names the controller of ours that --port starts. It can neither home nor
+probe: set the work zero with `cncstepper zero` first. What a machine cannot do is printed before the first line.
+Programs of the mini-lathe, and pulse letters, cannot be restarted in the middle: send them whole.
+
+Exit 0 when the restart is clean (and, with --port, done), else 1.
+"""
+
+
+@click.command("restart", cls=Verb, help=HELP)
 @program_argument
 @restart_options
+@send_options
 @program_options()
-@click.option("--part", type=click.IntRange(1), help="Which program of the job it is, where it is split, one a tool.")
+@click.option("--part", type=click.IntRange(1), help="Which program of a job that is split, one a tool.")
 def command(
     program: Path,
     where: RequestedPlace,
     entering: EntryOptions,
-    sending: Sending,
+    output: RestartOutput,
+    sending: SendOptions,
     part: int | None,
     given: ProgramOptions,
 ) -> None:
-    """Go on with PROGRAM from a line, an operation, a contour or a point on.
-
-    What lies before the place is taken as cut. The tool goes up, over the place, the spindle starts, and it goes down
-    at the plunge feed; a beam is switched on down there. All offsets and modes are as in the undisturbed run, and the
-    program's own lines follow as they are. Where the place cannot be entered, an earlier one is, and you are told.
-
-    Without --port nothing is sent: you see what it would do, and with -o you get the program. Without a place you get
-    the list of the contours. --machine, or --job with its machine, is needed; with --job, or with --stock and --tool,
-    the restart is cut on the stock that the moves before it have left, and refused where a rapid meets material. What
-    is cut on no stock is sent only with --without-stock. A program in a language that the machine's controller does not
-    read is restarted as it is sent, in grbl's. Programs of the mini-lathe, and pulse letters, cannot be restarted in
-    their middle. `cncstepper resume` gives the whole command for a job that did not end.
-
-    At a parallel port or a USB board --machine names the controller of ours that --port starts. It cannot home or
-    probe: set the work zero with `cncstepper zero` first. The mini-lathe cannot be entered in the middle of a program:
-    send it whole. What a machine cannot do is printed before the first line.
-
-    Exit 0 when it is clean (and, with --port, done), else 1.
-    """
+    """Restart a program in its middle; see `HELP`."""
     from CNCStepper.control.service.port_owner import check_free, warn_of_closed
     from CNCStepper.recovery.restart.prove_restart import certificate_of_restart
 
-    if program.suffix.lower() == LETTERS:
-        raise JobError(
-            "restart-letters",
-            "pulse letters name no places, so that no entry can be written for them",
-            advice="hold and go back along the pulses with 'cncstepper back', or send the letters that are left",
-        )
+    _check_not_letters(program)
     given.check_stock()
     against = _Against.of(given)
-    _check_stock(against, sending)
-    if sending.port:
-        check_free(sending.port)
+    _check_stock(against, output)
+    if output.port:
+        check_free(output.port)
         warn_of_closed(partial(click.echo, err=True))
     text = read_program(program)
     if not (where.line or where.operation or where.contour or where.at_mm):
@@ -195,19 +178,29 @@ def command(
     proven = _proven(text, program, where, entering, against, part)
     _tell(proven, against)
     certificate = certificate_of_restart(proven).sending(made_with=reproduce_options())
-    _write(proven, certificate, sending)
+    _write(proven, certificate, output)
     if proven.proof.refused:
         click.echo(f"{program}: this restart is refused")
         sys.exit(1)
-    if sending.port:
-        _send(certificate, sending)
+    if output.port:
+        _send(certificate, output.port, sending)
 
 
-def _check_stock(against: _Against, sending: Sending) -> None:
+def _check_not_letters(program: Path) -> None:
+    """Refuse pulse letters; raises JobError."""
+    if program.suffix.lower() == LETTERS:
+        raise JobError(
+            "restart-letters",
+            "pulse letters name no places, so that no entry can be written for them",
+            advice="hold and go back along the pulses with 'cncstepper back', or send the letters that are left",
+        )
+
+
+def _check_stock(against: _Against, output: RestartOutput) -> None:
     """Refuse to send a restart cut on no stock without --without-stock, and both together; raises a usage error."""
-    if sending.without_stock and against.has_stock:
+    if output.without_stock and against.has_stock:
         raise click.UsageError("--without-stock goes without --job, --stock and --tool")
-    if sending.port and not (against.has_stock or sending.without_stock):
+    if output.port and not (against.has_stock or output.without_stock):
         raise click.UsageError(
             "give --job, or --stock and --tool, to have it cut on what is left of the stock first; or --without-stock"
         )
@@ -253,15 +246,15 @@ def _tell(proven: ProvenRestart, against: _Against) -> None:
     click.echo(f"takes {proven.proof.report['time_s']:.1f} s")
 
 
-def _write(proven: ProvenRestart, certificate: Certificate, sending: Sending) -> None:
+def _write(proven: ProvenRestart, certificate: Certificate, output: RestartOutput) -> None:
     """Write program and certificate where they are wanted; the certificate names the program."""
-    if sending.out:
-        save(sending.out, proven.restart.text.encode("utf-8"))
-        click.echo(f"{sending.out}: written{_language_note(proven)}")
-    if sending.certificate:
-        sending.certificate.parent.mkdir(parents=True, exist_ok=True)
-        certificate.write(sending.certificate)
-        click.echo(f"{sending.certificate}: written")
+    if output.out:
+        save(output.out, proven.restart.text.encode("utf-8"))
+        click.echo(f"{output.out}: written{_language_note(proven)}")
+    if output.certificate:
+        output.certificate.parent.mkdir(parents=True, exist_ok=True)
+        certificate.write(output.certificate)
+        click.echo(f"{output.certificate}: written")
 
 
 def _language_note(proven: ProvenRestart) -> str:
@@ -271,16 +264,15 @@ def _language_note(proven: ProvenRestart) -> str:
     return f", in the language that is sent: --dialect {name}" if program.is_translated else ""
 
 
-def _send(certificate: Certificate, sending: Sending) -> None:
+def _send(certificate: Certificate, port: str, sending: SendOptions) -> None:
     """Send the proven lines as `cncstepper send` does."""
     from CNCStepper.cli.job.driven_job import driven_by, typed_machine, with_rate
     from CNCStepper.cli.job.send import conclude, confirmed
     from CNCStepper.cli.job.session_watch import watch
 
-    assert sending.port
     certificate.check_clean()
     job = certificate.send_job(
-        port=sending.port,
+        port=port,
         baud=sending.baud,
         allow_differences=sending.allow_differences,
         home_first=sending.home_first,

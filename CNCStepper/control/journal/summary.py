@@ -40,7 +40,7 @@ def begun_as(story: JobReplay) -> Iterator[tuple[str, str]]:
     if first:
         yield (
             "goes on with",
-            Text("{first_file}: restart that one again, what its restart has cut counts as cut", first_file=first.file),
+            Text("{first_file}: restart that one again; its restart's cuts count as cut", first_file=first.file),
         )
     machine, port, firmware, begin = (header[name] for name in ("machine", "port", "firmware", "begin"))
     if machine:
@@ -75,7 +75,7 @@ def summary_of(story: JobReplay, reached: ProgressInterval | None = None) -> Ite
 def why_it_ended(story: JobReplay) -> str:
     """Return why the job ended as it did."""
     if story.end == KILLED:
-        return "the sender or its computer stopped without a word; what the controller held it may have made"
+        return "the sender or its computer stopped suddenly; the controller may have executed the lines in its buffer"
     return story.why
 
 
@@ -113,7 +113,7 @@ def _lines(story: JobReplay) -> Iterator[tuple[str, str]]:
             ),
         )
     if story.may_be_sent < story.total:
-        yield "not sent", "what comes after that"
+        yield "not sent", "the lines after it"
 
 
 def _places(story: JobReplay, reached: ProgressInterval | None) -> Iterator[tuple[str, str]]:
@@ -158,8 +158,8 @@ def _zero(story: JobReplay) -> str:
     changed = [f"{name} {_place(now[name])}" for name in now if now[name] and now[name] != before.get(name)]
     places = ", ".join(changed) or "place not known"
     return Text(
-        "set again at the pause at line {line}: {places} (machine, mm); what comes after "
-        "counts from there, what was before from the old one",
+        "set again at the pause at line {line}: {places} (machine, mm); later lines use this zero, earlier ones "
+        "the old one",
         line=story.zero["line"],
         places=places,
     )
@@ -170,9 +170,8 @@ def _position(story: JobReplay) -> str:
     if not story.position_known:  # of a killed job nobody has seen the end
         return Text("unknown: {home} before the restart; {until_homed}", home=home, until_homed=UNTIL_HOMED)
     return Text(
-        "kept only if the controller has had power ever since and was not reset in motion; a "
-        "greeting, an alarm or a place that is not right says that it was: then {home}; "
-        "{until_homed}",
+        "kept only if the controller stayed powered and was not reset in motion; a greeting, an alarm or a wrong "
+        "position shows that it was: then {home}; {until_homed}",
         home=home,
         until_homed=UNTIL_HOMED,
     )

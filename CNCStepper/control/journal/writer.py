@@ -274,7 +274,7 @@ class Journal:
         except OSError as error:
             told.append(
                 Text(
-                    "the journal could not be ended ({error}): it will tell of a killed job",
+                    "the journal could not be closed ({error}): the job will be listed as killed",
                     error=error.strerror or error,
                 )
             )

@@ -27,23 +27,25 @@ from CNCStepper.control.protocol.grbl.driver import Answered, Grbl, Received
 from CNCStepper.control.protocol.grbl.firmware import Firmware
 from CNCStepper.control.protocol.grbl.status_reports import Feedback, NamedSetting, Setting, Status
 from CNCStepper.errors import MachineRefusal, Text
+from CNCStepper.gcode.syntax.words import packed_wire
+from CNCStepper.word_pattern import DECIMAL
 
 HOME, UNLOCK, QUESTION, JOG, SETTING, PROGRAM = "home", "unlock", "question", "jog", "setting", "program"
 MOVING_KINDS = (JOG, PROGRAM)  # done only when the machine is at rest again
 STEPS_PER_MM = range(100, 110)
 _QUESTION = re.compile(r"\$|\$\$|\$#|\$G|\$I\+?|\$N|\$SS?|\$[A-Z]*/[\w/]+")
-_SETTING = re.compile(r"\$([0-9]{1,4})=(?=.{1,16}$)([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+))")
+_SETTING = re.compile(rf"\$([0-9]{{1,4}})=(?=.{{1,16}}$)({DECIMAL})")
 _WHY_NOT = {
     "$C": "`cncstepper check` checks a program without the machine",
     "$SLP": "switch the machine off, or unlock and home it afterwards at the machine itself",
-    "$RST": "it would forget the settings: write the settings that are to change one by one",
-    "$N": "a line that runs by itself at every start moves without anybody who looks",
+    "$RST": "it would erase the settings: write the settings that you want to change one by one",
+    "$N": "a line that runs at every start moves the machine while nobody watches",
 }
 
 
 def kind_of(text: str) -> str:
     """Return the kind of a line; raises MachineRefusal for a `$` command that a console does not pass on."""
-    plain = plain_line(text)
+    plain = packed_wire(text)
     if not plain.startswith("$"):
         return PROGRAM
     if plain in ("$H", "$X"):
@@ -60,14 +62,9 @@ def kind_of(text: str) -> str:
     raise MachineRefusal("console-command", Text("the console does not pass on {text}", text=text[:20]), advice=why)
 
 
-def plain_line(text: str) -> str:
-    """Return a line as the controller reads it: capitals without blanks."""
-    return text.replace(" ", "").upper()
-
-
 def setting_of(text: str) -> tuple[int, float]:
     """Return number and value of a setting's line."""
-    found = _SETTING.fullmatch(plain_line(text))
+    found = _SETTING.fullmatch(packed_wire(text))
     assert found
     return int(found[1]), float(found[2])
 

@@ -55,8 +55,8 @@ def check_took(seconds: float) -> None:
     if seconds < SHORTEST_S:
         raise LinkError(
             "homing-not-made",
-            "the controller says that it is homed, but too soon: another line than $H reached it",
+            "the controller reports that it is homed, but too soon: another line than $H reached it",
             value=f"{seconds:.2f} s",
             limit=f"{SHORTEST_S:g} s",
-            advice="look that the axes stand, check cable and grounding, and home again",
+            advice="make sure that the axes are at rest, check cable and grounding, and home again",
         )

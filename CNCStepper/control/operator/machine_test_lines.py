@@ -83,7 +83,7 @@ def modes_back(modes: str) -> str:
     if len(kept) < 4:
         raise MachineRefusal(
             "modes-unknown",
-            "the controller does not say its modes",
+            "the controller does not report its modes",
             value=modes[:60],
             advice="test with the square, which changes none",
         )

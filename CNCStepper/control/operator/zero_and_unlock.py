@@ -64,7 +64,7 @@ def fresh_status(driver: Grbl, timing: Timing) -> Status:
         driver.ask_status()  # again and again: the first answer may be that to an earlier question
         driver.receive(timing.quick_poll_s)
         if driver.clock() - begin_s > timing.answer_s:
-            raise _silent("the controller does not tell its state")
+            raise _silent("the controller does not report its state")
     return driver.status
 
 
@@ -87,7 +87,7 @@ def _system_in_force(driver: Grbl, timing: Timing) -> str:
     if system is None:
         raise LinkError(
             "link-noise",
-            Text("the controller does not say its work system: {modes}", modes=modes),
+            Text("the controller does not report its work system: {modes}", modes=modes),
             advice="check the cable",
         )
     return system
@@ -111,7 +111,7 @@ def _check_zero_set(driver: Grbl, system: str, axes: str, timing: Timing) -> Non
         if axis in axes and abs(here_mm) > REPORTED_MM:
             raise MachineRefusal(
                 "zero-not-set",
-                Text("the zero of {axis} in {system} was not taken over", axis=axis, system=system),
+                Text("the controller did not store the zero of {axis} in {system}", axis=axis, system=system),
                 value=f"{here_mm:.3f} mm",
                 limit="0 mm",
                 advice="set it again, and do not start before it is right",

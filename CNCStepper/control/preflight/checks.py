@@ -53,7 +53,7 @@ from CNCStepper.control.protocol.grbl.settings import check_settings, difference
 from CNCStepper.control.protocol.grbl.status_reports import Vector
 from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.errors import MachineRefusal, Text
-from CNCStepper.gcode.syntax.words import scanned_codes
+from CNCStepper.gcode.syntax.words import code_pattern, packed_wire, scanned_codes
 from CNCStepper.state import WORK_SYSTEMS
 
 
@@ -120,7 +120,7 @@ SWITCHED = {  # output -> the program's codes for it, and the state to be had wi
 }
 TURNS = {"M3", "M4"}
 LENGTH_TOLERANCE_MM = 0.002
-_CUT = re.compile(r"G0*(?:[1235]|33|38|7[346]|8[1-9])(?:\.[0-9]+)?(?![0-9])")
+_CUT = re.compile(code_pattern("G", r"(?:[1235]|33|38|7[346]|8[1-9])(?:\.[0-9]+)?"))
 _USES_MODES = re.compile(r"[XYZIJKRF][-+.0-9]")
 
 
@@ -225,13 +225,13 @@ def check_restart_height(job: SendJob, driver: Grbl, found: ControllerInfo, tell
     raise MachineRefusal(
         "restart-above",
         Text(
-            "the tool stands at Z {high}, and the restart goes straight down to Z {low} first, as a rapid",
+            "the tool is at Z {high}, and the restart first goes straight down to Z {low} as a rapid",
             high=high,
             low=low,
         ),
         advice=Text(
-            "jog it down to that height where you see what is below it, or restart with the "
-            "height {here_mm:.1f} (--height), from which it goes over the place at once",
+            "jog it down to that height where the way below is free, or restart with the height {here_mm:.1f} "
+            "(--height), at which it moves over the place directly",
             here_mm=here_mm,
         ),
     )
@@ -245,8 +245,8 @@ def _above_mm(job: SendJob, driver: Grbl, found: ControllerInfo) -> float:
     return driver.mpos_mm[2] - zero_mm[2] - float(job.lift["z_mm"])
 
 
-_SYSTEM = re.compile(r"G(5[4-8]|59(?:\.[123])?)(?![\d.])")
-_MACHINE_PLACE = re.compile(r"G(28|30|53)(?![\d.])")
+_SYSTEM = re.compile(code_pattern("G", r"(5[4-8]|59(?:\.[123])?)"))
+_MACHINE_PLACE = re.compile(code_pattern("G", "28|30|53"))
 WHAT_TO_DO = (
     "home the machine; or move the tool to the work zero, set the zero of all axes there, and send without moving it "
     "in between"
@@ -279,7 +279,7 @@ def check_zero_here(lines: Iterable[str], driver: Grbl, found: ControllerInfo) -
 def _systems(lines: Iterable[str]) -> Iterator[str]:
     """Yield the work systems that a program names; raises MachineRefusal where it goes to a place of the machine."""
     for line in filterfalse(is_move, lines):
-        plain = line.replace(" ", "").upper()
+        plain = packed_wire(line)
         if place := _MACHINE_PLACE.search(plain):
             raise _restart_refusal(
                 Text("the program has {place}, which goes by the machine's own zero", place=place[0]), line[:40]

@@ -322,7 +322,7 @@ def _column(name: str, member: _Member) -> Sequence[Any]:
     if name.endswith(TEXT):
         return Lines(member)
     if not name.endswith(ARRAY):
-        raise ValueError(Text("it holds what no bundle does: {name}", name=name[:60]))
+        raise ValueError(Text("it contains a file that no bundle has: {name}", name=name[:60]))
     header = member.read(0, min(member.size, MOST_DIRECTORY_BYTES))
     found = _ARRAY_BEGIN.match(header, len(_ARRAY_MAGIC) + 2)
     size = member.size - found.end() if found else -1

@@ -142,7 +142,7 @@ class Certificate:
         self.send_job()
         wire = self.content.get("wire")
         if not isinstance(wire, Mapping) or not isinstance(wire.get("sha256"), str):
-            raise _refusal("certificate", "the certificate lacks what a sender needs", "wire")
+            raise _refusal("certificate", "the certificate lacks an entry that a sender needs", "wire")
         self.compare("wire", digest_of_lines(self.lines))
         return self
 
@@ -202,7 +202,7 @@ class Certificate:
             sent = {"messages": self.messages, **self.content["send"], **columns}
             return SendJob.from_content({"port": "", **sent, **self._identity(), **instead})
         except (AttributeError, KeyError, TypeError) as error:
-            raise _refusal("certificate", "the certificate lacks what a sender needs", str(error)) from error
+            raise _refusal("certificate", "the certificate lacks an entry that a sender needs", str(error)) from error
 
     def _identity(self) -> dict[str, str]:
         """Return the identity of program, machine and proof for a journal, and the language of the lines."""

@@ -7,17 +7,18 @@ import re
 
 from CNCStepper.control.protocol.grbl.firmware import Firmware
 from CNCStepper.errors import Place, ProgramError, Text
+from CNCStepper.gcode.syntax.words import code_pattern, packed_wire
 from CNCStepper.machine.pulse_letters import COMMAND as LETTERS
 
 ARCS = ("G2", "G3")  # a line of no more than that is refused
 # Bytes that act at once wherever they stand: ! ? ~, controls, all above 0x7e.
 _ACTING = re.compile(r"[^ \"->@-}]")
 _MOVE = re.compile(r"(?:N\d+)?(?:G0?[0-3](?![\d.]))?[XYZIJKRF\d.+-]*")
-_STORING = re.compile(r"G0*(?:10(?:\.0*)?|28\.10*|30\.10*)(?![\d.])")
-_PAUSE = re.compile(r"M0*[06](?![\d.])")
-_TOOL_CHANGE = re.compile(r"M0*6(?![\d.])")
+_STORING = re.compile(code_pattern("G", r"10(?:\.0*)?|28\.10*|30\.10*"))
+_PAUSE = re.compile(code_pattern("M", "0|6"))
+_TOOL_CHANGE = re.compile(code_pattern("M", "6"))
 _ONLY_PAUSE = re.compile(r"(?:N\d+)?M0+")
-_DWELL = re.compile(r"G0*4(?![\d.])")
+_DWELL = re.compile(code_pattern("G", "4"))
 _SECONDS = re.compile(r"P(\d*\.?\d*)")
 
 
@@ -69,7 +70,7 @@ def is_move(text: str) -> bool:
 
 def stores(text: str) -> bool:
     """Return whether a line writes the controller's permanent memory, and so must be sent alone."""
-    plain = _plain(text)
+    plain = packed_wire(text)
     if plain.startswith("$"):
         return "=" in plain and not plain.startswith(("$J=", LETTERS))
     return bool(_STORING.search(plain))
@@ -77,33 +78,31 @@ def stores(text: str) -> bool:
 
 def needs_idle(text: str) -> bool:
     """Return whether a line is a `$` command, which grbl takes only while it is idle; pulse letters are moves."""
-    plain = _plain(text)
+    plain = packed_wire(text)
     return plain.startswith("$") and not plain.startswith(LETTERS)
 
 
 def pauses(text: str) -> bool:
     """Return whether a line holds M0, or M6, at which grblHAL waits for a new tool."""
-    return bool(_PAUSE.search(_plain(text)))
+    return bool(_PAUSE.search(packed_wire(text)))
 
 
 def changes_tool(text: str) -> bool:
     """Return whether a line holds M6."""
-    return "6" in text and bool(_TOOL_CHANGE.search(_plain(text)))
+    return "6" in text and bool(_TOOL_CHANGE.search(packed_wire(text)))
 
 
 def only_pauses(text: str) -> bool:
     """Return whether a line is an M0 and nothing else, so that a sender can make the pause itself."""
-    return bool(_ONLY_PAUSE.fullmatch(_plain(text)))
+    return bool(_ONLY_PAUSE.fullmatch(packed_wire(text)))
 
 
 def dwell_s(text: str) -> float:
     """Return how long a G4 line keeps its answer back, in s; 0 for any other line."""
-    plain = _plain(text)
-    seconds = _SECONDS.search(plain)
-    if seconds is None or not seconds[1].strip(".") or not _DWELL.search(plain):
-        return 0.0
-    return float(seconds[1])
+    seconds = _SECONDS.search(packed_wire(text))
+    return float(seconds[1]) if seconds and seconds[1].strip(".") and is_dwell(text) else 0.0
 
 
-def _plain(text: str) -> str:
-    return text.replace(" ", "").upper()
+def is_dwell(text: str) -> bool:
+    """Return whether a line holds G4."""
+    return bool(_DWELL.search(packed_wire(text)))

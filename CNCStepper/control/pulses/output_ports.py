@@ -77,7 +77,7 @@ def open_output(name: str, is_board: bool, begin_ns: int, again: bool = False) -
         return SocketOutput(name, is_board)
     if "://" in name:
         advice = "give /dev/parport0, socket://host:port, a serial device, or record:FILE"
-        raise LinkError("pulse-port", Text("{name} is no port that takes pulses", name=name), advice=advice)
+        raise LinkError("pulse-port", Text("{name} is no port for pulses", name=name), advice=advice)
     if is_parallel_port(Path(name)):
         if is_board:
             raise LinkError("pulse-port", Text("{name} is a parallel port, and the machine is a board", name=name))
@@ -174,7 +174,9 @@ class _StreamOutput:
                     data = data[self._put(data) :]
                 except (BlockingIOError, InterruptedError):
                     if not select.select([], [self._descriptor()], [], WRITE_LIMIT_S)[1]:
-                        raise TimeoutError(Text("it takes nothing for {limit:g} s", limit=WRITE_LIMIT_S)) from None
+                        raise TimeoutError(
+                            Text("it has accepted nothing for {limit:g} s", limit=WRITE_LIMIT_S)
+                        ) from None
         except OSError as error:
             raise self._lost(error) from error
 

@@ -139,9 +139,8 @@ def _stalled(late_ns: int, most_ns: int, written: int, at_ns: int) -> LinkError:
     return LinkError(
         "pulses-late",
         Text(
-            "the computer came too late with a pulse and stopped after {written} writes in time, "
-            "{at_ns:.3f} s from the begin; spindle, beam and drives are off, and steps may be "
-            "lost",
+            "the computer was late with a pulse and stopped after {written} writes, {at_ns:.3f} s from the begin; "
+            "spindle, beam and drives are off, and steps may be lost",
             written=written,
             at_ns=at_ns / NS_PER_S,
         ),

@@ -76,7 +76,7 @@ def is_parallel_port(path: Path) -> bool:
 
 def no_port(path: Path, error: OSError) -> LinkError:
     """Return the refusal of a parallel port that the system does not let us have."""
-    advice = "load the module ppdev, and let your user use the device"
+    advice = "load the module ppdev, and give your user access to the device"
     return LinkError(
         "pulse-port", Text("{path} is no parallel port that can be had: {error}", path=path, error=error), advice=advice
     )

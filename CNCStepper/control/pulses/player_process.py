@@ -110,8 +110,8 @@ def stands(still_s: float, limit_s: float) -> LinkError:
     """Return the error of a process that was stopped, or that gets no time."""
     return LinkError(
         "pulse-worker",
-        "the process that plays the pulses stood still: it was stopped, or the computer gave it no time; "
-        "everything is off, and steps may be lost",
+        "the process that plays the pulses was stopped or got no processor time; all outputs are off, and steps "
+        "may be lost",
         value=Text("{still_s:.1f} s", still_s=still_s),
         limit=Text("{limit_s:g} s", limit_s=limit_s),
         advice=HOME,

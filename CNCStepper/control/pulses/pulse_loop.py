@@ -232,7 +232,7 @@ class PulseLoop:
             self._took_ns = now
             return False
         if now - self._took_ns > WRITE_LIMIT_S * NS_PER_S:
-            what = Text("the device takes nothing for {limit:g} s; steps may be lost", limit=WRITE_LIMIT_S)
+            what = Text("the device has accepted nothing for {limit:g} s; steps may be lost", limit=WRITE_LIMIT_S)
             raise LinkError("port-lost", what, advice=HOME)
         return True
 

@@ -270,7 +270,7 @@ class PulseOutput:
         Raises ValueError where it is not held.
         """
         if self.state != STATES[AT_HOLD]:
-            raise ValueError(Text("pulses are taken back in a hold only, not in state {state}", state=self.state))
+            raise ValueError(Text("pulses can be retracted only in a hold, not in state {state}", state=self.state))
         self._command(BACK, int(self._words[PLACE]) - min(pulses, self.kept))
 
     @property

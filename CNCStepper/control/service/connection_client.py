@@ -76,7 +76,7 @@ def port_held_by_job(file: Path, port: str, status: SenderStatus) -> MachineRefu
             phase=status.phase,
         ),
         advice=Text(
-            "go on with it or stop it where it was started, or with: cncstepper back --session {file}", file=file.stem
+            "resume or stop it where it was started, or with: cncstepper back --session {file}", file=file.stem
         ),
     )
 
@@ -354,7 +354,7 @@ class ConnectionClient:
         if self.session_file and is_alive(self.session_file):
             self._end(silent(self.session_file))
         else:
-            self._end(LinkError("desk-start", "the desk's process does not come up", advice="see " + self._log()))
+            self._end(LinkError("desk-start", "the connection service does not start", advice="see " + self._log()))
 
     def _take_launch(self, launched: Future[Launched]) -> None:
         self._launched = None

@@ -219,7 +219,7 @@ class IdleController:
             raise MachineRefusal("nothing-to-resume", "the machine is not held", advice="there is nothing to resume")
         status = self._driver.status
         if status and status.name == "Hold:1":  # in which grbl forgets a cycle start
-            advice = "resume once it stands"
+            advice = "resume when it is at standstill"
             raise MachineRefusal(
                 "machine-slowing", "the machine is still slowing down", value=status.name, advice=advice
             )

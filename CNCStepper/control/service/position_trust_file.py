@@ -237,6 +237,6 @@ def _closed(path: Path) -> JobError:
 def _unwritable(path: Path, error: OSError) -> JobError:
     return JobError(
         "position-unwritable",
-        Text("what is known of the machine's position cannot be kept: {error}", error=error.strerror or error),
+        Text("the state of the machine's position cannot be stored: {error}", error=error.strerror or error),
         advice=Text("make room on the disk of {parent}, and see that you may write there", parent=path.parent),
     )

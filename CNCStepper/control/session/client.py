@@ -159,7 +159,7 @@ class SessionClient:
                 raise LinkError("sender-start", "the sender's process ended at once", advice="see " + self._log())
             if time.monotonic() > end_s:
                 self._process.terminate()
-                raise LinkError("sender-start", "the sender's process does not come up", advice="see " + self._log())
+                raise LinkError("sender-start", "the sender's process does not start", advice="see " + self._log())
             time.sleep(LOOK_EVERY_S)
 
     def _connect(self) -> None:
@@ -200,7 +200,7 @@ class SessionClient:
         end_s = time.monotonic() + WELCOME_LIMIT_S
         while not self._early:
             if not select.select([connection], [], [], max(0.0, end_s - time.monotonic()))[0]:
-                raise TimeoutError("it says nothing")
+                raise TimeoutError("it does not answer")
             events = self._receive(connection)
             if events is None:
                 raise ConnectionError("it closed the connection")

@@ -169,7 +169,7 @@ class Outcome:
         except (TypeError, KeyError) as fault:
             raise ValueError(Text("not an outcome: {fault}", fault=fault)) from fault
         if kind not in ENDS or not isinstance(text, str) or not isinstance(known, bool):
-            raise ValueError("not an outcome: it does not say how it ended")
+            raise ValueError("not an outcome: it has no end state")
         return cls(kind, text, known, SenderStatus.from_json(status), error_from_json(error) if error else None)
 
 

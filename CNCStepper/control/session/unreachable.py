@@ -13,7 +13,7 @@ from CNCStepper.errors import LinkError, Text
 from CNCStepper.safe_text import printable
 
 SILENT, GARBLED, CLOSED = "session-silent", "session-garbled", "session-closed"
-AT_THE_MACHINE = "stop the machine with its own buttons where it must stand now"
+AT_THE_MACHINE = "stop the machine with its own buttons if it must stop now"
 NO_SIGNAL = "to end its process would not stop the machine"
 
 
@@ -49,7 +49,7 @@ def garbled(session_file: Path) -> LinkError:
     return LinkError(
         GARBLED,
         Text(
-            "the session {session_file} answers what this program does not understand", session_file=session_file.stem
+            "this program does not understand the answers of the session {session_file}", session_file=session_file.stem
         ),
         advice="; ".join(("use the version of CNCStepper that started it", *_what_to_do(session_file))),
     )
@@ -64,7 +64,7 @@ def closed(session_file: Path) -> LinkError:
         advice = Text("no process has it any more: remove the file as {user}", user=user)
     return LinkError(
         CLOSED,
-        Text("a session's file belongs to {user} and cannot be opened, so that nobody can tell its port", user=user),
+        Text("a session's file belongs to {user} and cannot be opened, so that its port is unknown", user=user),
         value=str(session_file),
         advice=advice,
     )

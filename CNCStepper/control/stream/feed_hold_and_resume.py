@@ -89,7 +89,7 @@ class Phases:
         if command in ("jog", "jog_on") and self.name in (Phase.HELD, Phase.PAUSED):
             check_no_tool_change(driver)
             advice = "jog with `cncstepper jog`: it lets the controller give up its lines first"
-            raise MachineRefusal("held-jog", "the controller takes no jog while it is held", advice=advice)
+            raise MachineRefusal("held-jog", "the controller accepts no jog while it is held", advice=advice)
 
     def take(self, driver: Grbl, feeder: Feeder) -> None:
         """Follow the status just received; raises MachineRefusal for a state that ends the job."""

@@ -53,7 +53,9 @@ from CNCStepper.errors import CNCStepperError, LinkError, MachineRefusal, Text
 
 MAY_HAVE_RESTARTED = (connect.RESTARTED, ANSWER_MISSING)  # errors; behind a restart the place is another one
 IDLE_REPORTS = 2  # one alone may come between the last answer and the start of its motion
-KEPT = "the machine stands, spindle and outputs are off, its position is kept (the reset cleared G92 and tool length)"
+KEPT = (
+    "the machine is at rest, spindle and outputs are off, its position is kept (the reset cleared G92 and tool length)"
+)
 LOST = "the machine's position is unknown: look that spindle and outputs are off, then home it or set its zero again"
 
 Tell = Callable[[str, str], None]

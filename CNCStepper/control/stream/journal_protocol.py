@@ -55,7 +55,7 @@ def check_not_held(journal: ActiveJournal, sent: int) -> None:
         raise JobError(
             "journal-unwritable",
             "the journal of the job cannot be written",
-            advice="make room on its disk, and resume when it is said to be written again",
+            advice="free space on its disk, and resume when the journal is written again",
         )
 
 

@@ -56,7 +56,7 @@ def restore(driver: Grbl, percents: Sequence[int], timing: Timing) -> None:
     told = "/".join(map(str, driver.overrides or ()))
     raise MachineRefusal(
         "overrides-lost",
-        "the overrides are not what they were before the reset",
+        "the overrides differ from those before the reset",
         value=f"{told} %",
         limit=f"{'/'.join(map(str, percents))} %",
         advice="set them by hand, then try again",

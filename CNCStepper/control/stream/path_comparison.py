@@ -26,6 +26,7 @@ from CNCStepper.control.protocol.grbl.status_reports import Status, Vector
 from CNCStepper.control.stream.backlash_side import BacklashTracker
 from CNCStepper.control.stream.executed_lines import SEGMENTS, finished_lines, longest_step_mm
 from CNCStepper.errors import MachineRefusal, Place, Text
+from CNCStepper.gcode.syntax.words import code_pattern, packed_wire
 from CNCStepper.state import WORK_SYSTEMS, Start
 from CNCStepper.tolerances import REPORTED_OFFSET_MM
 
@@ -33,7 +34,8 @@ if TYPE_CHECKING:
     from CNCStepper.control.stream.planned_path import PlannedPath
 
 # What may change it: work systems (a program's end goes back to G54), G10, G92, lengths and changes of tools, `$`.
-_CHANGES = re.compile(r"G(?:10|5[4-9]|92|43|49)|M0*(?:2|30|6)(?!\d)|T\d|\$", re.IGNORECASE)
+_CHANGING = (code_pattern("G", r"(?:10|5[4-9]|92|43|49)(?:\.[0-9]+)?"), code_pattern("M", r"(?:2|30|6)(?:\.0*)?"))
+_CHANGES = re.compile("|".join((*_CHANGING, "T[0-9]", r"\$")))
 
 
 class OffsetWatch:
@@ -56,7 +58,7 @@ class OffsetWatch:
         if before is None or len(before) != len(offset_mm):
             return None
         changed = any(abs(old - new) > REPORTED_OFFSET_MM for old, new in zip(before, offset_mm, strict=True))
-        if not changed or any(_CHANGES.search(self._lines[index].replace(" ", "")) for index in range(first, sent)):
+        if not changed or any(_CHANGES.search(packed_wire(self._lines[index])) for index in range(first, sent)):
             return None
         return before, offset_mm
 
@@ -83,7 +85,7 @@ STEP_MM = 0.0125  # where the controller does not report its steps/mm
 STANDING = ("Idle", "Run", "Hold")  # in others (door, tool, jog) a controller moves by itself, or a person it
 MODES = ["G0", "G1", "G2", "G3", "G17", "G18", "G19", "G20", "G21", "G90", "G91", "G93", "G94", "G98", "G99"]
 DRILLS = re.compile(r"G(7[346]|8[1-9])\b")
-TURNS_ON = re.compile(r"M0*[34](?!\d)", re.IGNORECASE)
+TURNS_ON = re.compile(code_pattern("M", r"[34](?:\.0*)?"))
 DAMAGED = "the machine is not on the program's path: a line was damaged on its way"
 RESTARTED = "the machine left the program's path: a line was damaged on its way, or the controller restarted unheard"
 
@@ -176,7 +178,7 @@ class PathWatch:
         """
         status, first = self._driver.status, max(self._path.line, 0) if self._path else 0
         lines = (self._job.lines[index] for index in range(first, sent))
-        return status is None or not status.spindle or any(TURNS_ON.search(line) for line in lines)
+        return status is None or not status.spindle or any(TURNS_ON.search(packed_wire(line)) for line in lines)
 
     def check_end(self, sent: int) -> None:
         """Raise MachineRefusal unless the machine, idle after the last answer, is at the path's end."""

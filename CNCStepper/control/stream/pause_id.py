@@ -33,5 +33,5 @@ class PauseCounter:
         number = command.values.get("stand")
         if number is None or (number == self.number and self._phase in WAITING):
             return
-        what = "the stand that this answers to is over"
-        raise MachineRefusal("stand-over", what, advice="look how the machine stands now, then answer to that")
+        what = "this answer belongs to an earlier pause"
+        raise MachineRefusal("stand-over", what, advice="check the state of the machine now, then answer again")

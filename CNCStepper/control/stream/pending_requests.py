@@ -60,6 +60,6 @@ class PendingRequests:
 def _nobody() -> MachineRefusal:
     return MachineRefusal(
         Phase.RETREATED,
-        "nobody leads the tool along its cut; the program's lines for that are not at the controller",
+        "the lines of a retract are not at the controller",
         advice="go back with `cncstepper back`, and on with `cncstepper back --resume`",
     )

@@ -151,13 +151,15 @@ class PlannedPath:
                 self._take_letters(text)
                 return
             if (self._by_letters and not text.startswith("M")) or text.startswith("$"):
-                raise ProgramError("path-unknown", Text("'{text}' moves as only the controller knows", text=text))
+                raise ProgramError(
+                    "path-unknown", Text("'{text}' is a move whose end only the controller knows", text=text)
+                )
             self._interpreter.line(text)
         except ProgramError as error:
             self._lose(error)
         if table.events:
             if any(event.kind == "probe" for event in table.events):
-                self._lose(ProgramError("path-unknown", "where a probe stops only the controller knows"))
+                self._lose(ProgramError("path-unknown", "only the controller knows where a probe stops"))
             table.events.clear()
 
     def _take_letters(self, text: str) -> None:

@@ -102,7 +102,7 @@ class Pause:
     def check_way_back(self) -> None:
         """Raise MachineRefusal where the machine jogs, or where the cut had another zero."""
         if self._zero_set:
-            what = "the work zero was set at a pause, so the way back along the cut is not known"
+            what = "the work zero was set at a pause, so that the retract along the cut is unknown"
             raise MachineRefusal("retreat-zero", what, advice="go on, or stop the job")
         if self._jogger and self._jogger.active:
             raise _busy("the machine jogs")
@@ -131,7 +131,7 @@ class Pause:
         elif not self._leads_on and command.name == "set_zero":
             raise _zero_kept()
         elif self._resume_asked:
-            raise _busy("the job is about to go on")
+            raise _busy("the job is about to resume")
         elif command.name == "jog":
             self._jogger.step(self._leaving(command.values))
         elif command.name == "jog_on":
@@ -230,21 +230,21 @@ class Pause:
 
 
 def _busy(what: str) -> MachineRefusal:
-    return MachineRefusal("machine-busy", what, advice="wait until it stands, or hold it")
+    return MachineRefusal("machine-busy", what, advice="wait until it is at rest, or hold it")
 
 
 def _zero_kept() -> MachineRefusal:
-    what = "the work zero cannot be set here: what lies behind was cut from another one"
+    what = "the work zero cannot be set here: the cut behind used another one"
     return MachineRefusal("retreat-zero", what, advice="go on, or stop the job")
 
 
 def _not_there() -> MachineRefusal:
-    advice = "resume again, or set the zero so that the way there lies within the travel"
+    advice = "resume again, or set the zero so that the move to it is within the travel"
     return MachineRefusal("not-there", "the machine is not where the program paused", advice=advice)
 
 
 def _tool_awaited() -> MachineRefusal:
-    advice = "resume again; where $341 is not 0, do first what the controller itself wants at a change of tools"
+    advice = "resume again; if $341 is not 0, finish the controller's own tool change first"
     return MachineRefusal("tool-change", "the controller still waits for its new tool", advice=advice)
 
 

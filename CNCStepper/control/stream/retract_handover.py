@@ -46,7 +46,7 @@ from CNCStepper.errors import CNCStepperError, JobError, LinkError, MachineRefus
 from CNCStepper.state import WORK_SYSTEMS
 from CNCStepper.tolerances import REPORTED_MM
 
-LAST, REST = "back along the cut: go on back, forward, or resume from here", "rest"
+LAST, REST = "retracted along the cut: go further back, forward, or resume from here", "rest"
 HELD, LEG = "held.json", "leg.json"  # the headings of a report and of a leg
 LEG_WIRE, OWN_MAP = "leg.txt", "own_map.npy"  # columns: the leg's lines; the lines of a leg's own text
 KEPT_REPORTS = 1000  # some minutes at the rate of a run
@@ -160,7 +160,7 @@ class PathRetract:
         except CNCStepperError:
             raise
         except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
-            what = Text("the way back cannot be read: {error}", error=error)
+            what = Text("the retract cannot be read back: {error}", error=error)
             raise JobError("retreat-file", what, advice="ask for it again") from error
 
     def start(self, leg: Leg) -> None:
@@ -259,7 +259,7 @@ def check_place(driver: Grbl, leg: Leg) -> None:
     if far_mm > REPORTED_MM:
         raise MachineRefusal(
             "retreat-moved",
-            "the machine does not stand where the way back begins",
+            "the machine is not at the begin of the retract",
             value=Text("{far_mm:.3f} mm away", far_mm=far_mm),
             limit=f"{REPORTED_MM:g} mm",
             advice="ask for the way back again",
@@ -268,4 +268,4 @@ def check_place(driver: Grbl, leg: Leg) -> None:
 
 def _check_phase(phase: str) -> None:
     if phase not in LEG_BEGINS:
-        raise MachineRefusal("not-held", "the machine does not stand", value=phase, advice="hold it first")
+        raise MachineRefusal("not-held", "the machine is not at standstill", value=phase, advice="hold it first")

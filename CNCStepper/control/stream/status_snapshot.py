@@ -48,4 +48,4 @@ def forward_messages(received: Iterable[Received], tell: Callable[[str, str], No
                 Text("a report of the controller is damaged and was not believed: {report}", report=report.text),
             )
         elif isinstance(report, Unknown):
-            tell("warning", Text("the controller said: {report}", report=report.text))
+            tell("warning", Text("the controller reported: {report}", report=report.text))

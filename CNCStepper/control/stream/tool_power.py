@@ -18,14 +18,15 @@ from collections.abc import Mapping
 from typing import Any
 
 from CNCStepper.control.program.send_job import SendJob
+from CNCStepper.control.program.wire_line import dwell_s, is_dwell
 from CNCStepper.control.protocol.grbl.driver import Grbl
 from CNCStepper.control.protocol.grbl.settings import LASER_MODE
+from CNCStepper.gcode.syntax.words import code_pattern, packed_wire
 from CNCStepper.machine.processes import PROCESSES
 
 OFF = "M5"
-_M = re.compile(r"M0*(\d+)(?:\.0*)?(?![\d.])")
+_M = re.compile(code_pattern("M", r"(\d+)(?:\.0*)?"))
 _S = re.compile(r"S[\d.]+")
-_DWELL = re.compile(r"G0*4P([\d.]+)")
 SPINDLE_STOP = b"\x9e"  # it switches, so it is sent once a hold
 SWITCHED_ON = "SC"  # in `A:` of the status
 _POWER = {"3": "M3", "4": "M4", "5": "", "2": "", "30": ""}  # outputs that are on after each of these
@@ -52,7 +53,7 @@ class ToolPower:
 
     def follow(self, text: str) -> None:
         """Note the outputs that a sent line leaves on."""
-        plain = _plain(text)
+        plain = packed_wire(text)
         self._note_wait(plain)
         for number in _M.findall(plain):
             self._on = _POWER.get(number, self._on)
@@ -60,9 +61,8 @@ class ToolPower:
 
     def _note_wait(self, plain: str) -> None:
         """Note how long the program waits for a tool that pierces."""
-        wait = _DWELL.search(plain)
-        if wait and self._is_fresh and self._cuts_standing and math.isfinite(self._stand_s):
-            self._spin_up_s = float(wait[1])
+        if is_dwell(plain) and self._is_fresh and self._cuts_standing and math.isfinite(self._stand_s):
+            self._spin_up_s = dwell_s(plain)
         self._is_fresh = any(_POWER.get(number) for number in _M.findall(plain))
 
     def hold(self, driver: Grbl) -> None:
@@ -96,7 +96,7 @@ class ToolPower:
         if not self.is_taken:
             return
         self.is_taken = False
-        if not any(number in _POWER for number in _M.findall(_plain(text))):
+        if not any(number in _POWER for number in _M.findall(packed_wire(text))):
             driver.send(self._on + self._speed)
             if self._spin_up_s:
                 driver.send(f"G4P{self._spin_up_s:g}")
@@ -116,7 +116,3 @@ def power_of(job: SendJob, driver: Grbl, modes: str) -> ToolPower:
     stand_s = min(process.stand_s for process in processes) if is_torch and not is_laser else math.inf
     spin_up_s = 0.0 if is_laser else spindle.get("spin_up_s", 0.0)
     return ToolPower(is_laser or is_off_back or math.isfinite(stand_s), spin_up_s, modes, stand_s)
-
-
-def _plain(text: str) -> str:
-    return text.replace(" ", "").upper()

@@ -124,7 +124,7 @@ def open_controller(name: str, machine: str) -> ControllerPort:
     raise LinkError(
         "controller-start",
         Text("the controller of {machine} ended at its start", machine=machine),
-        advice="see what it printed, and report it",
+        advice="read its output, and report it",
     )
 
 

@@ -99,7 +99,7 @@ class Link:
             raise self._lost(error) from error
         if written is not None and written != len(data):
             raise self._lost(
-                OSError(Text("only {written} of {data} bytes were taken", written=written, data=len(data)))
+                OSError(Text("only {written} of {data} bytes were accepted", written=written, data=len(data)))
             )
 
     def wake(self) -> None:
@@ -200,10 +200,10 @@ def restart_text(link: Link) -> str:
     """Return what to say of a controller that restarted when its port was opened."""
     if getattr(link, "spares_board", False):
         return Text(
-            "the controller restarted when its port was opened; it counts from where it stands. Until it is unplugged "
-            "no later opening restarts it"
+            "the controller restarted when its port was opened; it counts from its present position. Until it is "
+            "unplugged no later opening restarts it"
         )
-    return "the controller restarted when its port was opened; it counts from where it stands"
+    return "the controller restarted when its port was opened; it counts from its present position"
 
 
 def port_names() -> list[tuple[str, str]]:

@@ -35,8 +35,7 @@ ZERO_STEPS = 2  # so far from the work zero a program may begin: a jog back is n
 OVERFLOW, LOCKED, NOT_IDLE = 11, 9, 8
 SWITCH_ON_AGAIN = "switch the lathe off and on, connect again and set its zero"
 ONE_WAY = (
-    "automatic mode: from here on nothing stops the lathe over its link, and there is no way back to manual mode "
-    "until it is switched off"
+    "automatic mode: from here on the link cannot stop the lathe, and only switching it off returns it to manual mode"
 )
 
 
@@ -287,7 +286,7 @@ class LatheBoard:
         if self.state != "Idle":
             raise refused(LOCKED)
         if self.program.begun:
-            self._say(f"the lathe takes a zero in manual mode only: {SWITCH_ON_AGAIN}")
+            self._say(f"the zero of the lathe can be set in manual mode only: {SWITCH_ON_AGAIN}")
             raise refused(LOCKED)
         self._answers.set_zero(line, self.places_mm)
 

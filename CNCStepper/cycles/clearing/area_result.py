@@ -97,7 +97,7 @@ def _corner_warnings(corners: Sequence[RestCorner]) -> list[str]:
         told.append(Text("and {corners} smaller ones", corners=len(corners) - TOLD))
     return [
         Text(
-            "the tool does not reach into {corners} corners or narrow places; what stays there: {told}",
+            "the tool does not reach into {corners} corners or narrow places; material left there: {told}",
             corners=len(corners),
             told=joined("; ", told),
         )

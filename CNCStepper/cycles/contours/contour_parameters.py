@@ -162,7 +162,7 @@ class EngraveParameters(Parameters):
     simplify_mm: Annotated[
         WidthOr0,
         Parameter(LINES, "Simplify",
-                  "How far the cut line may leave the drawn one, to be of fewer moves; 0: not at all", row=1),
+                  "Tolerance of the cut line, which reduces the number of moves; 0: none", row=1),
     ] = 0.0  # fmt: skip
     tolerance_mm: Annotated[
         float,

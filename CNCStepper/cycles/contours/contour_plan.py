@@ -12,15 +12,15 @@ import shapely
 
 from CNCStepper.cycles.contours.contour_levels import Path
 from CNCStepper.cycles.contours.contour_model import ContourModel
-from CNCStepper.cycles.contours.cutting_width import radius_at
+from CNCStepper.cycles.contours.cutting_width import radius_at, require_contour_tool, require_kerf
 from CNCStepper.cycles.contours.dogbones import Corner, Corners, relieved_mm, rest_warnings, strokes, with_reliefs
 from CNCStepper.cycles.contours.leads import Fitted, Walls, fit_closed, fit_open
 from CNCStepper.cycles.contours.neighbour_parts import neighbour_warnings, require_apart
-from CNCStepper.cycles.contours.parameter_checks import require_cuttable
 from CNCStepper.cycles.contours.removed_area import removed
 from CNCStepper.cycles.contours.scrap_side import require_followed, sides_of
 from CNCStepper.cycles.contours.tabs import TabContext, stretches, tab_area, tab_places, tabs_wanted
 from CNCStepper.cycles.cycle import Answer, Setup
+from CNCStepper.cycles.moves import require_setup
 from CNCStepper.cycles.passes import deep_pass_warnings, whole_passes
 from CNCStepper.errors import CycleError, Text
 from CNCStepper.geometry.curve import Curve
@@ -65,7 +65,7 @@ class _Planner:
 
     def __init__(self, cycle: ContourModel, setup: Setup):
         self.cycle, self.setup, self.tool = cycle, setup, setup.tool
-        require_cuttable(cycle, setup)
+        _require_cuttable(cycle, setup)
         self.radius_mm = cycle.kerf_mm / 2.0 or radius_at(self.tool, cycle.depth_mm, cycle.depth_mm)
         curves = [curve.moved(*cycle.offset_mm) for curve in cycle.curves]
         leave_mm, climb = cycle.stock_to_leave_mm, cycle.direction == "climb"
@@ -142,8 +142,8 @@ class _Planner:
                 x, y = way.curve.xy[0]
                 self.warnings.append(
                     Text(
-                        "{places} of {wanted} tabs fit on the contour that begins at X{x:.3f} Y{y:.3f}; make "
-                        "them narrower to have more",
+                        "{places} of {wanted} tabs fit on the contour that begins at X{x:.3f} Y{y:.3f}; make them "
+                        "narrower to fit more",
                         places=len(places),
                         wanted=wanted,
                         x=x,
@@ -252,12 +252,46 @@ class _Planner:
         if cycle.kerf_mm and abs(cycle.kerf_mm - self.tool.diameter_mm) > cycle.tolerance_mm:
             self.warnings.append(
                 Text(
-                    "the cut is taken to be {kerf_mm:g} mm wide, the simulation cuts with the tool's "
-                    "{diameter_mm:g} mm",
+                    "the cycle uses a kerf of {kerf_mm:g} mm, the simulation the tool's diameter of {diameter_mm:g} mm",
                     kerf_mm=cycle.kerf_mm,
                     diameter_mm=self.tool.diameter_mm,
                 )
             )
+
+
+def _require_cuttable(cycle: ContourModel, setup: Setup) -> None:
+    """Raise CycleError for parameters that do not go together, or not with the tool."""
+    tool = setup.tool
+    require_contour_tool(tool)
+    require_setup(setup)
+    require_kerf(tool, cycle.kerf_mm, cycle.depth_mm)
+    if tool.shape in BEAMS and (cycle.tabs or cycle.ramp_deg):
+        raise CycleError(
+            "beam-height",
+            Text("a {tool_shape} cuts through at any height: no tabs, no ramp", tool_shape=tool.shape),
+            advice="leave them out",
+        )
+    if cycle.tabs and cycle.tabs.height_mm >= cycle.depth_mm:
+        raise CycleError(
+            "tab-high",
+            "the tabs are as high as the contour is deep",
+            value=f"{cycle.tabs.height_mm:g} mm",
+            limit=Text("below {depth_mm:g} mm", depth_mm=cycle.depth_mm),
+            advice="make them lower",
+        )
+    if cycle.side == "on" and (cycle.lead_in.kind != "none" or cycle.lead_out.kind != "none"):
+        raise CycleError("lead-side", "on its line a contour has no scrap side for leads", advice="choose another side")
+    if cycle.side == "on" and (cycle.dogbones != "none" or cycle.finish_stepover_mm or cycle.stock_to_leave_mm):
+        what = "on its line a contour has no wall for dog-bones, a finishing pass or stock to leave"
+        raise CycleError("wall-side", what, advice="choose another side")
+    if tool.core_diameter_mm > 0 and (not cycle.ramp_deg or cycle.ramp_deg > tool.ramp_max_deg or cycle.tabs):
+        raise CycleError(
+            "tool-core",
+            "the mill does not cut over its centre: it can neither plunge nor come down beside a tab",
+            value=Text("ramp {ramp_deg:g} deg", ramp_deg=cycle.ramp_deg),
+            limit=Text("above 0, at most {ramp_max_deg:g} deg, no tabs", ramp_max_deg=tool.ramp_max_deg),
+            advice="set ramp_deg and no tabs, or use a mill that cuts over its centre",
+        )
 
 
 def _shortened(curve: Curve, tolerance_mm: float) -> Curve:

@@ -157,7 +157,7 @@ def _sharp_warnings(corners: Sequence[Corner], boned: bool) -> list[str]:
         return []
     most = max(corners, key=lambda corner: corner.rest_mm)
     more = "more than" if most.why_not else "up to"
-    told = "a dog-bone would be too long" if boned else "dog-bones or a smaller tool take it away"
+    told = "a dog-bone would be too long" if boned else "dog-bones or a smaller tool remove it"
     return [
         Text(
             "{more} {rest_mm:.3f} mm of material stays in {corners} inside corner(s) that are "
@@ -177,8 +177,8 @@ def _gap_warnings(corners: Sequence[Corner]) -> list[str]:
     x, y = max(gaps, key=lambda corner: corner.rest_mm).place
     return [
         Text(
-            "material stays in {gaps} gap(s) between walls that are narrower than the tool, the "
-            "deepest one before X{x:.3f} Y{y:.3f}; a smaller tool takes it away",
+            "material stays in {gaps} gap(s) between walls that are narrower than the tool, the deepest one before"
+            " X{x:.3f} Y{y:.3f}; a smaller tool removes it",
             gaps=len(gaps),
             x=x,
             y=y,

@@ -82,7 +82,7 @@ class Face(FaceParameters, BaseModel):
         around = Surroundings(stock, allowed, setup.tool.radius_mm)
         allowed = allowed if stock.is_empty else allowed.intersection(stock)
         if not allowed.area > 0:
-            raise CycleError("face-beside", "the outlines lie beside the stock", advice="move them or the work zero")
+            raise CycleError("face-beside", "the outlines are beside the stock", advice="move them or the work zero")
         groups, apart_mm = self._groups(wanted, room, wide_mm, setup)
         runs = [run for ways in groups for run in self._entered(ways, around, LinkRegion(room), setup)]
         blocks = sum(len(run.curve) + run.blocks(setup.retract_mm + self.depth_mm) for run in runs)

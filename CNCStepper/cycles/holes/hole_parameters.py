@@ -38,7 +38,7 @@ Point = tuple[Coordinate, Coordinate]
 Count = Annotated[int, Bounds("count", most=MOST_HOLES)]
 Order = Literal["short", "given"]
 ORDER = Parameter(PATH, "Order", "The order in which the holes are made")
-THROUGH = Parameter(CUT, "Beyond", "How much deeper the tool goes, to come out below")
+THROUGH = Parameter(CUT, "Beyond", "Extra depth, so that the tool comes out below")
 
 CENTRE = Parameter(PLACES, "Centre", "The middle of the circle, from the work zero", (0.0, 0.0))
 RADIUS = Parameter(PLACES, "Radius", "From the middle of the circle to the holes", 20.0)

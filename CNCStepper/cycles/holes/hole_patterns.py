@@ -124,7 +124,13 @@ def placed(
     holes = _once(drawn, own_diameters)
     twice = len(drawn) - len(holes)
     warnings: list[str] = (
-        [Text("{twice} of the {drawn} holes stand where others do and are made once", twice=twice, drawn=len(drawn))]
+        [
+            Text(
+                "{twice} of the {drawn} holes are at the place of others and are made once",
+                twice=twice,
+                drawn=len(drawn),
+            )
+        ]
         if twice
         else []
     )

@@ -127,7 +127,7 @@ class SheetParameters(Parameters):
         Parameter(CUT, "Pierce distance", "How far a pierce stays from parts and cut edges; 0: that of the cut chart"),
     ] = 0.0
     pierce_delay_s: Annotated[
-        TimeOr0, Parameter(CUT, "Pierce delay", "How long the tool stands with power; 0: that of the cut chart")
+        TimeOr0, Parameter(CUT, "Pierce delay", "Time of the tool at rest with power; 0: from the cut chart")
     ] = 0.0
     depth_mm: Annotated[
         DepthOr0, Parameter(CUT, "Depth", "How deep a knife or point goes; 0: through the sheet, a point 0.2 mm")

@@ -86,7 +86,7 @@ class WireCut(WireParameters, BaseModel):
         if self.corner_dwell_s > stand_s:
             raise CycleError(
                 "wire-dwell",
-                "the wire would stand too long at corners and melt a hole",
+                "the wire would stay too long at corners and melt a hole",
                 value=f"{self.corner_dwell_s:g} s",
                 limit=f"{setup.process.stand_s:g} s",
                 advice=Text(

@@ -151,6 +151,6 @@ def _comes_loose(item: Item) -> CycleError:
     x, y = item.chords.coords[0]
     return CycleError(
         "wire-loose",
-        Text("what lies at X{x:.3f} Y{y:.3f} would come loose before it is cut, in any order", x=x, y=y),
+        Text("the part at X{x:.3f} Y{y:.3f} would come loose before it is cut, in any order", x=x, y=y),
         advice="move the parts farther apart, or cut them in several operations",
     )

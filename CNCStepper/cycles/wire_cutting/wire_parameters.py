@@ -22,13 +22,11 @@ class WireParameters(Parameters):
     offset_mm: Annotated[tuple[Coordinate, Coordinate], OFFSET] = (0.0, 0.0)
     enter_from: Annotated[
         Literal["nearest", "left", "right", "front", "back"],
-        Parameter(CUT, "Enter from", "The edge of the sheet through which the wire comes in"),
+        Parameter(CUT, "Enter from", "The edge of the sheet at which the wire enters"),
     ] = "nearest"
     leave: Annotated[
         Literal["back", "edge"],
-        Parameter(
-            CUT, "Leave", "How the wire comes out at last: back the way it came, or on the shortest way to an edge"
-        ),
+        Parameter(CUT, "Leave", "Exit of the wire: back along its entry, or the shortest way to an edge"),
     ] = "back"
     entry_slit: Annotated[
         bool,
@@ -43,12 +41,12 @@ class WireParameters(Parameters):
     ] = 0.0
     corner_dwell_s: Annotated[
         TimeOr0,
-        Parameter(PATH, "Corner dwell", "How long the wire stands where the way turns back; less at blunter corners"),
+        Parameter(PATH, "Corner dwell", "Pause of the wire where the path turns back; shorter at blunter corners"),
     ] = 0.0
     corner_angle_deg: Annotated[
         float,
         Bounds("angle", 1.0, 180.0),
-        Parameter(PATH, "Corner angle", "Where the way turns by less, the wire neither stands nor slows down"),
+        Parameter(PATH, "Corner angle", "At smaller corners the wire neither pauses nor slows down"),
     ] = 30.0  # fmt: skip
     corner_distance_mm: Annotated[
         WidthOr0,

@@ -4,9 +4,9 @@
     text ──► group codes, values ──► ordinary entities ──► columns of numbers ──► curves
                                   └► all else, with header, tables and blocks, as a shorter DXF text for ezdxf
 
-An ordinary entity lies in the model space, is visible and seen from above, has every value that it needs once and in
-bounds, and no group code that means anything else. Whatever is not ordinary stays in the text for ezdxf, so that both
-ways give the same drawing. An entity keeps its number in the file by its place, one that ezdxf reads by its handle.
+An ordinary entity lies in the model space and is visible from above. Each value that it needs is there once and in
+bounds, and no group code means anything else. Other entities stay in the text for ezdxf, so that both readers give the
+same drawing. An ordinary entity has its number in the file by its place, another one by its handle.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ NEEDED = {LINE: (8, 10, 20, 11, 21), ARC: (8, 10, 20, 40, 50, 51), CIRCLE: (8, 1
 REPEATED = (0, 100)
 OF_VERTEX = (10, 20, 40, 41, 42, 91)
 AFTER = {20: 10, 30: 20, 21: 11, 31: 21, 220: 210, 230: 220}  # a coordinate and the one right before it
-NUMBERS = (10, 20, 30, 11, 21, 31, 38, 40, 41, 42, 50, 51)
+NUMBERS = (10, 20, 30, 11, 21, 31, 38, 40, 41, 42, 50, 51, 62, 70, 420)
 NAME_NEVER = frozenset(b'\\<>/":;?*=`|\t')  # in a layer's name: ezdxf decodes or corrects it
 
 
@@ -64,32 +64,45 @@ class SplitText:
     numbers: dict[str, int]
 
 
-def split_text(content: bytes) -> SplitText | None:
-    """Return the ordinary entities of a DXF text and the rest; None where ezdxf has to read it all.
+class NotSplit(Exception):
+    """A text that ezdxf has to read whole."""
 
-    That is a binary or damaged file, one without ordinary entities, and one whose other entities have no handles.
+
+def split_text(content: bytes) -> SplitText:
+    """Return the ordinary entities of a DXF text and the rest.
+
+    Raises NotSplit for a binary or damaged file, for one without ordinary entities, and for one whose other entities
+    have no handles.
     """
     lines = content.split(b"\n")
+    codes = _group_codes(lines)
+    first, last = _section(codes, lines)
+    return _Entities(codes[first:last], lines[2 * first + 1 : 2 * last : 2]).split(lines, first)
+
+
+def _group_codes(lines: Sequence[bytes]) -> np.ndarray:
+    """Return the code of each group, int64[n]; every other line of a DXF text is one."""
     try:
-        codes = np.array(list(map(int, lines[0 : len(lines) - 1 : 2])))
-        bounds = _section(codes, lines)
-        if bounds is None or not ((codes >= 0) & (codes < CODES)).all():
-            return None
-        return _Entities(codes[slice(*bounds)], lines[2 * bounds[0] + 1 : 2 * bounds[1] : 2]).split(lines, bounds[0])
-    except ValueError:  # of a number that is none
-        return None
+        codes = list(map(int, lines[0 : len(lines) - 1 : 2]))
+    except ValueError as error:
+        raise NotSplit from error  # a group code is no number
+    if not codes or min(codes) < 0 or max(codes) >= CODES:
+        raise NotSplit  # there is no such group code
+    return np.array(codes)
 
 
-def _section(codes: np.ndarray, lines: Sequence[bytes]) -> tuple[int, int] | None:
+def _section(codes: np.ndarray, lines: Sequence[bytes]) -> tuple[int, int]:
     """Return the first group of the entities and the group that ends them."""
     first = None
     for group in np.flatnonzero(codes == 0).tolist():
         word = lines[2 * group + 1].strip()
         if first is not None and word in (b"ENDSEC", b"SECTION", b"EOF"):
-            return (first, group) if word == b"ENDSEC" and group > first else None
+            if word != b"ENDSEC" or group == first:
+                break
+            return first, group
         if word == b"SECTION" and group + 2 < len(codes) and codes[group + 1] == 2:
             first = group + 2 if lines[2 * group + 3].strip() == b"ENTITIES" else first
-    return None
+    raise NotSplit  # there is no whole section of entities
 
 
 class _Entities:
@@ -105,10 +118,10 @@ class _Entities:
         self._count = len(words)
         self._parsed: dict[int, tuple[np.ndarray, np.ndarray]] = {}
 
-    def split(self, lines: Sequence[bytes], first: int) -> SplitText | None:
+    def split(self, lines: Sequence[bytes], first: int) -> SplitText:
         """Return the ordinary ones and the rest of the lines, of which those of group `first` are the first here."""
-        if not self._count or self._codes[0] != 0:
-            return None
+        if self._codes[0] != 0:
+            raise NotSplit  # the entities do not begin with one
         ordinary = self._ordinary()
         curves = self._curves(ordinary)
         handles = self._texts(5)
@@ -116,10 +129,10 @@ class _Entities:
         for number in np.flatnonzero(~ordinary).tolist():
             handle = handles.get(number, b"").decode("ascii", "replace").upper()
             if self._words[number] not in (b"VERTEX", b"SEQEND", b"ATTRIB") and (not handle or handle in numbers):
-                return None
+                raise NotSplit  # an entity has no handle of its own
             numbers[handle] = number
         if not curves:
-            return None
+            raise NotSplit  # there are no ordinary entities
         return SplitText(self._plain(curves, handles), self._rest(lines, first, ordinary), numbers)
 
     def _ordinary(self) -> np.ndarray:
@@ -140,7 +153,7 @@ class _Entities:
         for kind_number, needs in NEEDED.items():
             for code in needs:
                 ordinary[(self._kinds == kind_number) & ~self._has(code)] = False
-        ordinary &= self._is_level() & self._is_within() & self._is_named()
+        ordinary &= self._is_level() & self._is_within() & self._is_named() & self._has_bulges_behind_vertices()
         return ordinary & self._is_measurable(ordinary)
 
     def _at(self, code: int) -> np.ndarray:
@@ -152,10 +165,13 @@ class _Entities:
         return found
 
     def _numbers(self, code: int) -> tuple[np.ndarray, np.ndarray]:
-        """Return the values of a code as numbers and their entities; raises ValueError for what is no number."""
+        """Return the values of a code as numbers and their entities; raises NotSplit for what is no number."""
         if code not in self._parsed:
             at, values = self._at(code), self._values
-            numbers = np.array([float(values[place]) for place in at.tolist()], float)
+            try:
+                numbers = np.array([float(values[place]) for place in at.tolist()], float)
+            except ValueError as error:
+                raise NotSplit from error  # a value is no number
             self._parsed[code] = numbers, self._owner[at]
         return self._parsed[code]
 
@@ -184,6 +200,19 @@ class _Entities:
             values, owner = self._numbers(code)
             within[owner[~(np.abs(values) <= LARGEST)]] = False
         return within
+
+    def _vertices_of_bulges(self) -> np.ndarray:
+        """Return the number of the vertex of each bulge, -1 where its entity has none before it, int[n]."""
+        vertices, bulges = self._at(10), self._at(42)
+        before = np.searchsorted(vertices, bulges) - 1
+        owner_before = np.append(self._owner[vertices], -1)[before]
+        return np.where(owner_before == self._owner[bulges], before, -1)
+
+    def _has_bulges_behind_vertices(self) -> np.ndarray:
+        """Return which entities have no bulge before their first vertex, bool[n]."""
+        fine = np.ones(self._count, bool)
+        fine[self._owner[self._at(42)[self._vertices_of_bulges() < 0]]] = False
+        return fine
 
     def _is_named(self) -> np.ndarray:
         """Return which entities have a layer's name that needs no decoding, bool[n]."""
@@ -223,7 +252,7 @@ class _Entities:
         y, _ = self._numbers(20)
         bulge = np.zeros(len(x))
         values, _ = self._numbers(42)
-        vertex = np.searchsorted(self._at(10), self._at(42)) - 1  # the last one that began before the bulge
+        vertex = self._vertices_of_bulges()
         bulge[vertex[vertex >= 0]] = values[vertex >= 0]
         xy = np.column_stack([x, y]) if len(x) == len(y) else np.empty((0, 2))
         closed = (self._column(70).astype(int) & 1).astype(bool)

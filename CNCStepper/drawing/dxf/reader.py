@@ -4,14 +4,13 @@
     text ──► plain_entities.py: lines, arcs, circles, light polylines ─────────────────┐
          └─► ezdxf: header, tables, blocks, all other entities ──► entities.py: curves ─┴─► chains
 
-ezdxf mends a damaged file, then reads all of it. Blocks are taken apart where they are inserted; what they hold on
-layer 0 lies on the layer of the insertion. Only the model space is read, and of that what is visible. Hatches, solids
-and texts come after all that is joined.
+ezdxf repairs a damaged file and reads all of it. Each insertion of a block becomes its entities; those on layer 0 get
+the layer of the insertion. Only visible entities of the model space are read. Hatches, solids and texts follow the
+chains.
 """
 
 from __future__ import annotations
 
-import io
 import itertools
 import operator
 from collections.abc import Iterator
@@ -32,11 +31,11 @@ from CNCStepper.drawing.dxf.attributes import (
     layer_of,
 )
 from CNCStepper.drawing.dxf.entities import AREAS, BROKEN, Fits, curve_of
-from CNCStepper.drawing.dxf.ezdxf_log import collected_log
+from CNCStepper.drawing.dxf.ezdxf_document import collected_log, load_file, load_text, no_dxf
 from CNCStepper.drawing.dxf.groups import groups_of
 from CNCStepper.drawing.dxf.hatches import hatch_curves, without_drawn
 from CNCStepper.drawing.dxf.limits import DEEPEST, MOST_BYTES, require_readable, require_small
-from CNCStepper.drawing.dxf.plain_entities import PlainEntity, SplitText, split_text
+from CNCStepper.drawing.dxf.plain_entities import NotSplit, PlainEntity, split_text
 from CNCStepper.drawing.dxf.texts import KINDS as TEXTS
 from CNCStepper.drawing.dxf.texts import Texts
 from CNCStepper.drawing.read_drawing import ReadOptions
@@ -48,7 +47,7 @@ from CNCStepper.quantities import Bounds
 from CNCStepper.safe_text import printable
 from CNCStepper.tolerances import JOINED_ENDS_MM
 
-MOST_WORDS = 255  # characters of a name, and of what ezdxf says
+MOST_WORDS = 255  # characters of a name, and of a message of ezdxf
 PARSED, CURVED = 0.4, 0.95  # of the time, for a drawing of lines, when ezdxf is done, and when all are curves
 TOLD_EVERY = 256  # entities
 HATCH = "HATCH"
@@ -78,36 +77,39 @@ def read_dxf(
     require_readable(content, place)
     with collected_log() as log:
         source = _source(path, content)
-        document, damage = source.document, source.damage
-        count = require_small(document, len(source.plain), place)
+        count = require_small(source.document, len(source.plain), place)
         share(PARSED)
-        unit_mm = unit_mm or (_unit_mm(document) if UNIT_NAME in content else 1.0)
+        unit_mm = unit_mm or (_unit_mm(source.document) if UNIT_NAME in content else 1.0)
         unit_mm = Bounds("unit").require(unit_mm, "the drawing's unit", place)
         with placed(place):
-            reading = _Reading(source, groups_of(document, content), Fits(tolerance_mm / unit_mm), unit_mm)
+            reading = _Reading(source, groups_of(source.document, content), Fits(tolerance_mm / unit_mm), unit_mm)
             pieces, skipped = reading.all(count, share)
-    damage = damage or (log[0] if log else "")
-    if not pieces and not reading.whole and damage:
-        raise _no_dxf(path, damage)
+    damage = source.damage or (log[0] if log else "")
     if not pieces and not reading.whole:
-        raise JobError(
-            "dxf-empty",
-            "the drawing holds no curves",
-            value=Text("{skipped} other things", skipped=len(skipped)) if skipped else "",
-            advice="draw lines, arcs, circles, polylines, ellipses or splines in its model space, on visible layers",
-            place=Place(str(path)),
-        )
+        raise no_dxf(path, damage) if damage else _empty(path, len(skipped))
     with placed(place):
         chains, gaps = joined_pieces(
             pieces, same_mm, near_mm, by_colour, lambda done: share(CURVED + (1.0 - CURVED) * done)
         )
     kept, doubles = without_drawn([*chains, *reading.whole])
-    warnings = list(reading.texts.warnings)
-    if doubles:
-        warnings.append(
-            Text("{doubles} boundaries of hatches are drawn as lines too; they are read once", doubles=doubles)
-        )
+    warnings = [*reading.texts.warnings, *_double_warnings(doubles)]
     return Drawing(tuple(kept), gaps, tuple(skipped), unit_mm, printable(damage, MOST_WORDS), tuple(warnings))
+
+
+def _empty(path: Path, skipped: int) -> JobError:
+    return JobError(
+        "dxf-empty",
+        "the drawing holds no curves",
+        value=Text("{skipped} other things", skipped=skipped) if skipped else "",
+        advice="draw lines, arcs, circles, polylines, ellipses or splines in its model space, on visible layers",
+        place=Place(str(path)),
+    )
+
+
+def _double_warnings(doubles: int) -> list[str]:
+    if not doubles:
+        return []
+    return [Text("{doubles} boundaries of hatches are drawn as lines too; they are read once", doubles=doubles)]
 
 
 def read(path: Path, options: ReadOptions, share: Share) -> Drawing:
@@ -235,46 +237,18 @@ class _Reading:
 
 def _source(path: Path, content: bytes) -> _Source:
     """Return the file with its ordinary entities read straight, or all of it as ezdxf has it."""
-    found = split_text(content)
-    if found is not None:
-        try:
-            return _split_source(found)
-        except Exception:  # of ezdxf's parser: the file is read again, and mended
-            pass
-    return _Source(*_document(path))
-
-
-def _split_source(found: SplitText) -> _Source:
-    import ezdxf  # it takes 0.4 s
-    from ezdxf.filemanagement import dxf_stream_info
-
-    info = dxf_stream_info(io.StringIO(found.rest.decode("latin-1")))
-    text = found.rest.decode(info.encoding, "surrogateescape").replace("\r\n", "\n")
-    return _Source(ezdxf.read(io.StringIO(text)), "", found.plain, found.numbers, info.encoding)
-
-
-def _document(path: Path) -> tuple[Any, str]:
-    """Return the file as ezdxf has it, and what is damaged where it had to be mended.
-
-    On a damaged file its parser may end with any exception.
-    """
-    import ezdxf  # it takes 0.4 s
-    from ezdxf import recover
-
     try:
-        return ezdxf.readfile(path), ""
-    except Exception as damage:
-        try:
-            return recover.readfile(path)[0], str(damage) or "it ends too early"
-        except Exception as error:
-            raise _no_dxf(path, str(error)) from error
-
-
-def _no_dxf(path: Path, why: str) -> JobError:
-    advice = "save it as DXF again, as R2000 or newer"
-    return JobError(
-        "dxf-file", Text("not a DXF file: {why}", why=printable(why, MOST_WORDS)), advice=advice, place=Place(str(path))
-    )
+        found = split_text(content)
+    except NotSplit:
+        return _Source(*load_file(path))
+    try:
+        document, encoding = load_text(found.rest)
+    except Exception:  # of ezdxf's parser
+        document, damage = load_file(path)
+        if not damage:  # the file is whole, so that its shortened text is a fault of the split
+            raise
+        return _Source(document, damage)
+    return _Source(document, "", found.plain, found.numbers, encoding)
 
 
 def _unit_mm(document: Any) -> float:

@@ -179,7 +179,7 @@ def _require_apart(segments: Segments, same_mm: float) -> None:
 
 
 def _crowded(count: int) -> GeometryError:
-    what = "too many lines lie on each other"
+    what = "too many lines are on top of each other"
     advice = "correct the drawing's unit, or take out what is drawn many times"
     return GeometryError("doubles-crowded", what, value=f"{count}", limit=f"{MOST_PAIRS} pairs", advice=advice)
 

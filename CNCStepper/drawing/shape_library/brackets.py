@@ -22,7 +22,7 @@ def _holes(diameter_mm: float, *places: tuple[float, float]) -> tuple:
        nose_mm=length("Ends of the legs", 8.0))  # fmt: skip
 def gusset(width_mm: float, height_mm: float, weld_clearance_mm: float, nose_mm: float) -> Figure:
     """Draw six lines."""
-    require_above(min(width_mm, height_mm), weld_clearance_mm, "width and height", "what is cut off")
+    require_above(min(width_mm, height_mm), weld_clearance_mm, "width and height", "material that is cut off")
     require_above(min(width_mm, height_mm), nose_mm, "width and height", "the ends of the legs")
     c, n = weld_clearance_mm, nose_mm
     return Figure(polygon([(c, 0.0), (width_mm, 0.0), (width_mm, n), (n, height_mm), (0.0, height_mm), (0.0, c)]))

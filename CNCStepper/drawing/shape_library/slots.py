@@ -42,7 +42,7 @@ def keyhole(head_diameter_mm: float, slot_width_mm: float, height_mm: float) -> 
     require_above(head_diameter_mm, slot_width_mm, "the hole for the head", "the slot's width")
     radius_mm, x = head_diameter_mm / 2.0, slot_width_mm / 2.0
     y, top = math.sqrt(radius_mm**2 - x**2), height_mm - x
-    require_above(top, y, "the height", "what the circle takes of it")
+    require_above(top, y, "the height", "the circle's share of it")
     bulge = bulge_of(180.0 - math.degrees(math.asin(x / radius_mm)))
     return Figure(bulged([(x, top, HALF), (-x, top, 0.0), (-x, y, bulge), (0.0, -radius_mm, bulge), (x, y, 0.0)]))
 

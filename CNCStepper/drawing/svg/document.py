@@ -165,7 +165,7 @@ class _Builder:
         if parameter or system or public or not short or self._entities > MOST_ENTITIES:
             raise JobError(
                 "svg-entity",
-                "the drawing declares entities that stand for more than a short text",
+                "the drawing declares XML entities that are longer than a short text",
                 advice="save it again from the drawing program as plain SVG",
                 place=self._place,
             )

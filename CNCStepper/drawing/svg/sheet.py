@@ -62,7 +62,9 @@ def sheet_of(document: Document, unit_mm: float | None) -> tuple[Matrix, tuple[f
     else:
         inner = Matrix(pixel_mm + 0j)
         viewport = width / pixel_mm, height / pixel_mm
-    warning = "" if known else Text("the file gives no size in mm or inches: {dpi:g} pixels an inch are taken", dpi=dpi)
+    warning = (
+        "" if known else Text("the file gives no size in mm or inches: {dpi:g} pixels an inch are assumed", dpi=dpi)
+    )
     if not (height > 0.0 and math.isfinite(height)):
         height, warning = 0.0, _no_sheet()
     return _upright(height) @ inner, viewport, inner.scale, warning

@@ -53,7 +53,7 @@ MARKED = ("path", "line", "polyline", "polygon")
 MARKERS = ("marker", "marker-start", "marker-mid", "marker-end")
 ESCAPED = re.compile(r"_x([0-9A-Fa-f]{2,4})_")  # what Illustrator makes of blanks and signs in names
 SVG_WARNINGS = {
-    "clip": "{count} clip paths and masks are not applied: what they hide is read too",
+    "clip": "{count} clip paths and masks are not applied: the parts that they hide are read too",
     "dash": "{count} dashed strokes are read as whole lines",
     "font": "{count} texts are set in another font or style than the file names: {names}",
     "glyph": "the fonts of {count} texts lack letters, which are left out: {names}",

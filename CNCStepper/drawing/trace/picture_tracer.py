@@ -61,7 +61,7 @@ def _pixel_mm(greys: Greys, trace: TraceOptions, unit_mm: float | None) -> tuple
     dpi = trace.dpi or greys.dpi
     if dpi:
         return MM_PER_INCH / dpi, ()
-    text = Text("the picture does not say its size: {dpi:g} dpi are taken; give its width", dpi=USUAL_DPI)
+    text = Text("the picture has no size: {dpi:g} dpi are assumed; give its width", dpi=USUAL_DPI)
     return MM_PER_INCH / USUAL_DPI, (text,)
 
 

@@ -44,7 +44,7 @@ _STATES: tuple[tuple[Callable[[State], bool], str, str], ...] = (
     (lambda state: state.path_mode == "exact_stop", "G61.1", "left out: G61.1, the machine may round the corners"),
 )
 _SAID = (
-    ({"G41", "G42", "G41.1", "G42.1"}, "the tool's radius went into the path, which is right for this tool only"),
+    ({"G41", "G42", "G41.1", "G42.1"}, "the path contains the tool's radius and is right for this tool only"),
     ({"G28", "G30", "G53"}, "places of the machine became those of the work, right for this work zero only"),
     ({"G74", "G84"}, "tapping became plain moves: the feed may be overridden, and nothing keeps it to the spindle"),
 )

@@ -161,7 +161,7 @@ def _is_more(other: _PlacedEvent, options: WriteOptions, changes: set[int]) -> b
 
 
 def _event_differs(event: Event, file: str) -> ProgramError:
-    what = "what happens between the moves would not be the same"
+    what = "the actions between the moves would change"
     value = f"{event.kind} {event.text or f'{event.value:g}'}".strip()
     return ProgramError("convert-differs", what, value=value, place=Place(file, event.line))
 
@@ -220,12 +220,12 @@ def _owners(old: Side, new: Side, slack_mm: float, chord_mm: float, file: str) -
             if whole and _close(new, at - 1, old, row, slack_mm):
                 break
             if at == len(lengths) or (known and gone_mm > length_mm + off_mm):
-                raise _differs("the converted program would not come by this point", old, row, file)
+                raise _differs("the converted program would not pass this point", old, row, file)
             gone_mm += lengths[at] if lengths[at] == lengths[at] else 0.0
             at += 1
         owners[first:at], skipped_mm = row, 0.0
     if sum(lengths[at:]) > skipped_mm + 2 * slack_mm * (1 + len(lengths) - at):
-        raise _differs("the converted program would go on after this", old, len(old.table) - 1, file)
+        raise _differs("the converted program would continue after this", old, len(old.table) - 1, file)
     return owners
 
 
@@ -249,7 +249,7 @@ def _compare_rows(old: Side, new: Side, rows: np.ndarray, owners: np.ndarray, fi
     one, other = old.table.kind[owners], new.table.kind[rows]
     feeds, made = old.table.feed[owners], new.table.feed[rows]
     _require((one == RAPID) == (other == RAPID), "rapids and cuts would be exchanged", old, owners, file)
-    _require((other <= LINE) | (one == other), "the way would be bent otherwise", old, owners, file)
+    _require((other <= LINE) | (one == other), "otherwise the move would be bent", old, owners, file)
     same = (one == RAPID) | (np.abs(feeds - made) <= SAME_CONVERTED_FEED * feeds)
     _require(same, "the feed would be another", old, owners, file)
     same = old.switched.same(old.table.state[owners], new.switched, new.table.state[rows])

@@ -25,7 +25,7 @@ HEIGHT_PLANES = ("G18", "G19")
 NO_Z = "this machine has no Z axis: take it out"
 NO_PLANE = "this machine has no Z axis: arcs are in XY"
 NO_S = "this machine has no spindle whose speed is chosen: write M3 alone"
-NOT_SWITCHED = "this machine has nothing that is switched (knife and point have no power): take it out"
+NOT_SWITCHED = "this machine has no output to switch (knife and point have no power): take it out"
 
 
 def _without(dialect: Dialect, codes: tuple[str, ...], letters: str, advice: str) -> Dialect:

@@ -36,7 +36,7 @@ ISO = Dialect(
     arc_rules={"mm": ArcRule(_SLACK_MM, 0.5, 0.001), "inch": ArcRule(_SLACK_INCH, 0.02, 0.001)},
     refused={
         **same_advice(("G90.1", "G91.1"), "I, J and K are given from the start point of the arc"),
-        **same_advice(("G92", "G92.1", "G28", "G30", "G10"), "what it does is the machine's own: leave it out"),
+        **same_advice(("G92", "G92.1", "G28", "G30", "G10"), "its effect depends on the machine: leave it out"),
         **same_advice(("G61", "G64"), "ISO 6983 has no such word: leave it out"),
         **same_advice(("G43.1",), "use G43 with the tool's number in H"),
         **same_advice(("G59.1", "G59.2", "G59.3"), "write with G54 to G59"),

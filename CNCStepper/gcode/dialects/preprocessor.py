@@ -19,11 +19,11 @@ from operator import xor
 
 from CNCStepper.errors import Place, ProgramError, Text
 from CNCStepper.gcode.dialects import Dialect
+from CNCStepper.word_pattern import DECIMAL
 
 TEN_THOUSANDTH = Decimal("0.0001")
-_NUMBER = r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)"
 _DOTLESS = re.compile(r"([A-FH-LO-Z][ \t]*)([+-]?[0-9]+)(?![0-9.])", re.IGNORECASE)
-_FEED = re.compile(rf"(F[ \t]*)({_NUMBER})", re.IGNORECASE)
+_FEED = re.compile(rf"(F[ \t]*)({DECIMAL})", re.IGNORECASE)
 _COMMAND = re.compile(r"[GMT][ \t]*[0-9]", re.IGNORECASE)
 _CHECKSUM = re.compile(r"\*([0-9]+)[ \t]*$")
 _DWELL = re.compile(r"(?<![0-9A-Z])G0?4(?![0-9.])", re.IGNORECASE)
@@ -171,8 +171,8 @@ def dwell_in_seconds(piece: Piece) -> Iterator[Piece]:
     if _DWELL.search(piece.text, 0, end) is None or not re.search("[Ss]", piece.text[:end]):
         yield piece
         return
-    without = piece.replaced(re.compile(rf"P[ \t]*{_NUMBER}", re.IGNORECASE), lambda match: "", end)
-    seconds = re.compile(rf"S[ \t]*({_NUMBER})", re.IGNORECASE)
+    without = piece.replaced(re.compile(rf"P[ \t]*{DECIMAL}", re.IGNORECASE), lambda match: "", end)
+    seconds = re.compile(rf"S[ \t]*({DECIMAL})", re.IGNORECASE)
     yield without.replaced(seconds, lambda match: f"P{Decimal(match[1]) * 1000:f}", _semicolon(without.text))
 
 
@@ -211,7 +211,7 @@ def dwell_by_axis(piece: Piece) -> Iterator[Piece]:
     if at >= 0:
         what = "P of G04 is seconds on some controls and milliseconds on others"
         raise piece.refused("dwell", what, at, piece.text[at:], "write X and the seconds")
-    seconds = re.compile(rf"[XUF][ \t]*({_NUMBER})", re.IGNORECASE)
+    seconds = re.compile(rf"[XUF][ \t]*({DECIMAL})", re.IGNORECASE)
     yield piece.replaced(seconds, lambda match: f"P{match[1]}", end)
 
 
@@ -254,7 +254,7 @@ def _end_of_value(text: str, at: int) -> int:
     """Return where a word's value ends: a number, or an expression with its brackets, or a parameter."""
     while at < len(text) and text[at] in " \t":
         at += 1
-    if match := re.compile(rf"{_NUMBER}|#(?:<[^>]*>|[0-9]+)").match(text, at):
+    if match := re.compile(rf"{DECIMAL}|#(?:<[^>]*>|[0-9]+)").match(text, at):
         return match.end()
     depth = 0
     while at < len(text) and (depth or text[at] == "["):

@@ -227,11 +227,13 @@ def _verify(text: str, stretches: Sequence[_Stretch], language: Dialect, start: 
     wanted = np.concatenate([_cuts(stretch.path) for stretch in stretches])
     if whole.shape != wanted.shape:
         counts = Text("the arranged program has {count} cuts, not {wanted}", count=len(whole), wanted=len(wanted))
-        raise ProgramError("arrange-moves", counts, advice="write each program so that it stands alone")
+        raise ProgramError("arrange-moves", counts, advice="write each program so that it can run on its own")
     off = np.nan_to_num(np.abs(whole - wanted)).max(initial=0.0)
     if off > max(ROUNDED_MM, SAME_ENTRY_MM):
         what = "a cut of the arranged program lies elsewhere, or has another feed, spindle or tool"
-        raise ProgramError("arrange-moves", what, value=f"{off:g}", advice="write each program so that it stands alone")
+        raise ProgramError(
+            "arrange-moves", what, value=f"{off:g}", advice="write each program so that it can run on its own"
+        )
 
 
 def _cuts(path: Toolpath) -> np.ndarray:

@@ -71,7 +71,7 @@ class LineWords:
             return Value(0.0)
         if math.isnan(self.meaning.begin[axis]) or self.meaning.compensated:
             what = Text(
-                "where the tool stands along {letter} is not known here, and turning needs both coordinates",
+                "the tool's {letter} is unknown here, and a rotation needs both coordinates",
                 letter=letter,
             )
             raise self.refused("edit-place", what, self.tokens[-1], Text("add {letter} to the line", letter=letter))
@@ -297,7 +297,7 @@ class Line(ArcWords):
         away = np.abs(self.where.of(here) - here)
         if not any(away[axis] > 0 for axis in loose):
             return
-        what = "the path begins where the machine happens to stand: it is told by ways (G91) alone"
+        what = "the path begins at the machine's position: it has incremental moves (G91) only"
         advice = "write a move with G90 before it, or move the work zero"
         raise self.refused("edit-relative", what, self.tokens[-1], advice)
 

@@ -20,7 +20,7 @@ from CNCStepper.gcode.syntax.words import is_percent_mark, program_lines, split_
 from CNCStepper.state import UNKNOWN, Start
 from CNCStepper.toolpath import Toolpath
 
-EXPAND = "write out what it does first: cncstepper convert"
+EXPAND = "expand it first: cncstepper convert"
 _READS_PLACE = re.compile(r"#\s*(?:5[0-9]{3}(?![0-9])|<\s*_)")
 
 
@@ -148,7 +148,7 @@ class Source:
 
     def _check(self, number: int, line: str) -> None:
         if "#" in line and _READS_PLACE.search(split_line(line).code):
-            what = "the line reads where the machine stands, which the edit would change"
+            what = "the line reads the machine's position, which the edit would change"
             raise self.refusal(number, "edit-parameter", what, value="#", advice=EXPAND)
 
 

@@ -58,7 +58,7 @@ def tokens_of(text: str, file: str = "", number: int = 0) -> list[Token]:
             break
         token = _token(code, letter, at) if "A" <= letter <= "Z" or letter in SIGNS else None
         if token is None:
-            what = "what stands here is no word that can be edited"
+            what = "this is no word that can be edited"
             value = code[at:].strip()[:40]
             raise ProgramError("edit-word", what, value=value, advice="take it out", place=Place(file, number, at + 1))
         tokens.append(token)

@@ -241,7 +241,7 @@ class Rewriter:
         codes = {token.name for token in tokens if token.letter in "GM"}
         odd = any(token.letter not in IN_A_PASS and token.letter != "G" for token in tokens)
         if odd or len(rows) > 1 or codes - CODES_IN_A_PASS or any(token.number is None for token in tokens):
-            what = "this line stands within a way that is to run backwards, and does more than move"
+            what = "this line is in the part that is to be reversed, and is not only a move"
             text = self.source.lines.lines[number - 1].strip()
             raise self.source.refusal(number, "reverse-line", what, value=text[:40], advice="put it before the way")
 
@@ -351,7 +351,7 @@ def _check(rows: Rows, passes: list[Pass]) -> None:
     for one in passes:
         if any(meaning.compensated for meaning in _meanings(rows, one)):
             what = "the tool's radius is compensated along this way (G41, G42)"
-            raise rows.refusal(one.first, "reverse-compensation", what, "write the way of the tool's centre")
+            raise rows.refusal(one.first, "reverse-compensation", what, "write the path of the tool's centre")
         if np.isnan(rows.begin[one.first : one.last, :2]).any():
             what = "where this way begins is not known"
             raise rows.refusal(one.first, "reverse-unknown", what, "write a rapid to its begin")

@@ -89,7 +89,7 @@ def split(
         if not _same_rows(program, whole, rows[number - 1], rows[number], language, start):
             program = part.text(number, len(parts), relies=True)
             if not _same_rows(program, whole, rows[number - 1], rows[number], language, start):
-                what = "the lines after this tool change do not stand alone"
+                what = "the lines after this tool change cannot run on their own"
                 raise ProgramError("split-alone", what, place=Place(file, part.first + 1))
         programs.append(ProgramOfTool(number, part.tool, program))
     return programs

@@ -53,7 +53,7 @@ def _line(state: TransformState, number: int, text: str, meaning: Meaning | None
 def _check_skipped(source: Source, number: int) -> None:
     text = source.lines.lines[number - 1]
     if text.strip() != "%" and any(token.letter in "XYZIJKRF" for token in source.tokens(number)):
-        what = "this line is not executed (deleted, after the end or not led to): what it means is not known"
+        what = "this line is not executed (deleted, after the end, or never reached), so that its meaning is unknown"
         raise source.refusal(number, "edit-skipped", what, value=text.strip()[:40], advice="take it out")
 
 

@@ -38,6 +38,7 @@ from CNCStepper.gcode.syntax.words import (
     PercentMarkers,
     Word,
     is_percent_mark,
+    packed_wire,
     scanned_codes,
     split_line,
     words_of,
@@ -209,7 +210,7 @@ class Interpreter:
         """Read a line in the form of RS274."""
         if len(text) >= self._too_long:
             raise self._long_line()
-        code = text.replace(" ", "").upper()
+        code = packed_wire(text)
         plan = self._plans.get(PLAIN_NUMBER.sub("", code))
         if plan is not None and plan.simple and self.model.plain and not self.canon and text.isascii():
             values = list(map(float, PLAIN_NUMBER.findall(code)))

@@ -113,7 +113,7 @@ class _Reader:
         for letter, other in ("UX", "WZ"):
             if letter in given and (self.incremental or other in given):
                 what = Text(
-                    "{letter} goes on from the point before: neither with {other} nor under G91",
+                    "{letter} continues from the last point: neither with {other} nor under G91",
                     letter=letter,
                     other=other,
                 )

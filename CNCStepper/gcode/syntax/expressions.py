@@ -98,7 +98,7 @@ class Scanner:
         whole = math.floor(value + 0.5)
         if abs(value - whole) > WHOLE_NUMBER:
             raise self.error(
-                "not-whole", Text("{value:g} stands where a whole number must", value=value), "use ROUND[...]", begin
+                "not-whole", Text("{value:g} must be a whole number", value=value), "use ROUND[...]", begin
             )
         return whole
 

@@ -127,7 +127,7 @@ class Grammar:
                 )
             if word.letter in slots:
                 raise ProgramError(
-                    "repeated-word", Text("{letter} stands twice on the line", letter=word.letter), value=word.letter
+                    "repeated-word", Text("{letter} is twice on the line", letter=word.letter), value=word.letter
                 )
             if word.letter == "N" and self.dialect.line_number_first and position:
                 raise ProgramError("line-number", "the N word must be the first of its line", value="N")

@@ -105,7 +105,7 @@ def _parameters(text: str) -> dict[str, str]:
                 "not a parameter of a material's comment", part.strip(), f"use o, nu, na, {', '.join(PARAMETERS)}"
             )
         if key in given:
-            raise _bad(Text("{key}= stands twice in a material's comment", key=key), part.strip(), "take one out")
+            raise _bad(Text("{key}= is twice in a material's comment", key=key), part.strip(), "take one out")
         given[key] = value.strip()
     return given
 

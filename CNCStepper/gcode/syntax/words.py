@@ -128,6 +128,16 @@ def pack(code: str) -> tuple[str, list[int]]:
     return packed.translate(_CAPITALS), columns
 
 
+def packed_wire(text: str) -> str:
+    """Return a wire line as a controller reads it: without blanks, in capitals."""
+    return text.replace(" ", "").upper()
+
+
+def code_pattern(letter: str, numbers: str) -> str:
+    """Return the pattern of the codes of a letter in packed text, zeros in front allowed; `numbers`: "4|28\\.1"."""
+    return rf"{letter}0*(?:{numbers})(?![\d.])"
+
+
 def lower_case(name: str) -> str:
     """Return a name with its ASCII letters small; LinuxCNC distinguishes others, as in "ç" and "Ç"."""
     return name.translate(_SMALL)

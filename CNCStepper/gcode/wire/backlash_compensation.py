@@ -134,7 +134,7 @@ def crossing(model: Model, stood_mm: Sequence[float], end_mm: Sequence[float], f
     feed_mm_min: None is a rapid.
     """
     if model.turn is not None:
-        what = "the play of the axes cannot be taken up in coordinates that are turned"
+        what = "backlash cannot be compensated in rotated coordinates"
         raise ProgramError("take-up", what, advice="turn the program instead")
     moved = [
         axis for axis, pair in enumerate(zip(stood_mm, end_mm, strict=True)) if abs(pair[0] - pair[1]) > SAME_SUM_MM
@@ -253,7 +253,7 @@ class BacklashCompensation:
 
     def __init__(self, play: Backlash, dialect: Dialect, start: Start | None, file: str):
         if "records" in dialect.front:
-            what = Text("in the language of {dialect} no play can be taken up", dialect=dialect.title)
+            what = Text("backlash cannot be compensated in the dialect {dialect}", dialect=dialect.title)
             advice = "set backlash_mm to 0 in the machine profile"
             raise ProgramError("take-up", what, advice=advice, place=Place(file))
         self._play = play
@@ -339,7 +339,7 @@ class BacklashCompensation:
         """Refuse a line that makes more than a plain move."""
         model = self._reader.model
         if model.turn is not None or model.motion > ARC_CCW or (rows is not None and len(rows) > 1):
-            what = "the play of the axes cannot be taken up within this line"
+            what = "backlash cannot be compensated within this line"
             advice = "write plain moves, each in a line of its own, in coordinates that are not turned"
             raise ProgramError("take-up", what, advice=advice)
 
@@ -348,7 +348,7 @@ class BacklashCompensation:
         self._check_plain(rows)
         after = self._reader.model
         if after.state.arc_centres == "absolute":
-            what = "the play of the axes cannot be taken up in an arc with an absolute centre"
+            what = "backlash cannot be compensated in an arc with an absolute centre"
             raise ProgramError("take-up", what, advice="give I, J and K from the start point of the arc (G91.1)")
         kind, plane, turns = (int(column[0]) for column in (rows.kind, rows.plane, rows.turns))
         centre = tuple(rows.centre[0].tolist())

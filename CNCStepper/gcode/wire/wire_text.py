@@ -119,7 +119,7 @@ def check_wire_line(line: str, dialect: str | Dialect = "grbl", place: Place | N
     acting = sorted(REALTIME.intersection(line.encode("utf-8")))
     if acting or not line.isprintable():
         value = f"0x{acting[0]:02X}" if acting else repr(line)
-        what = "the line holds a byte that the controller acts upon wherever it stands"
+        what = "the line holds a real-time command byte"
         raise ProgramError("realtime-byte", what, value=value, advice="take it out", place=place)
 
 

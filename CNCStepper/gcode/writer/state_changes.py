@@ -196,7 +196,7 @@ class Switches:
             return
         if state.spindle != spindle:
             if not state.spindle_rpm:
-                self.page.notes.add("the spindle is switched on at S0, since no speed was said before")
+                self.page.notes.add("the spindle is switched on at S0, since no S came before")
             self.page.line(SPINDLE_CODES[state.spindle], self._speed_word(state))
             self._owed_s = self.options.spin_up_s
         elif state.spindle_rpm != rpm and self.dialect.power == "speed":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Reads a drawing of every format: those of `drawing/`, solids that take a process, and G-code.
+"""Reads a drawing of every format: those of `drawing/`, solids that take a process, G-code, point lists.
 
 `drawing/` knows neither the interpreter nor processes, so these formats are rows here.
 """
@@ -21,6 +21,8 @@ ALL_READERS = READERS | {
     ".ngc": "CNCStepper.job.drawings.program_paths",
     ".gcode": "CNCStepper.job.drawings.program_paths",
     ".tap": "CNCStepper.job.drawings.program_paths",
+    ".csv": "CNCStepper.job.drawings.point_drawing",
+    ".txt": "CNCStepper.job.drawings.point_drawing",
 }
 
 

@@ -237,7 +237,7 @@ def _missing(suffix: str, place: Place) -> MissingPackage:
     programs = {".py": "CadQuery or build123d", ".fcstd": "FreeCAD"}.get(suffix, "CadQuery or FreeCAD")
     return MissingPackage(
         "solid-program",
-        Text("reading '{suffix}' files takes {programs}, which is not here", suffix=suffix, programs=programs),
+        Text("reading '{suffix}' files needs {programs}, which is not installed", suffix=suffix, programs=programs),
         advice=Text(
             "set {cadquery} to a Python that has CadQuery, or {freecad} to FreeCAD's command",
             cadquery=CADQUERY_VARIABLE,

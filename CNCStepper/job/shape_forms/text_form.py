@@ -8,16 +8,18 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated
 
 from pydantic import BaseModel, ConfigDict, Field, StrictBool, model_validator
 
-from CNCStepper.drawing.text.text_curves import MOST_CHARACTERS, Align, TextStyle, text_along, text_curves
+from CNCStepper.drawing.text.text_curves import MOST_CHARACTERS, TextStyle, text_along, text_curves
 from CNCStepper.errors import JobError, Text
 from CNCStepper.geometry.curve import Curve, circle, straight
-from CNCStepper.quantities import Angle, Bounds, Coordinate, Height, Length, Turn
+from CNCStepper.job.shape_forms.text_parameters import TextParameters
+from CNCStepper.quantities import Angle, Bounds, Coordinate, Length, Turn
 
 Point = tuple[Coordinate, Coordinate]
+MOST_NAME = 200  # characters of a font's name
 ALIGNED = {"left": 0.0, "center": 0.5, "right": 1.0}  # the share of a curve's length where its text is aligned
 
 
@@ -89,7 +91,7 @@ class AlongForm(_Checked):
         raise JobError("text-along", what, advice=Text("name one of: {known}", known=", ".join(shapes) or "none"))
 
 
-class TextForm(_Checked):
+class TextForm(TextParameters, _Checked):
     """A text; sizes in mm.
 
     The font is a `font` of the system in its `style`, a `file`, or a `single_line` font whose letters are open curves.
@@ -99,22 +101,13 @@ class TextForm(_Checked):
     """
 
     text: str = Field(min_length=1, max_length=MOST_CHARACTERS)
-    font: str = Field(default="", max_length=200)
-    style: str = Field(default="", max_length=200)
-    file: str = ""
-    single_line: str = Field(default="", max_length=200)
-    height_mm: Height
-    size: Literal["cap", "em"] = "cap"
+    font: str = Field(default="", max_length=MOST_NAME)
+    style: str = Field(default="", max_length=MOST_NAME)
+    single_line: str = Field(default="", max_length=MOST_NAME)
     position_mm: Point = (0.0, 0.0)
     rotation_deg: Angle = 0.0
-    align: Align = "left"
-    spacing_mm: Annotated[float, Bounds("coordinate", -1000.0, 1000.0)] = 0.0
-    line_spacing: Annotated[float, Bounds("factor", 0.1, 10.0)] = 1.0
-    slant_deg: Annotated[float, Bounds("angle", -60.0, 60.0)] = 0.0
     kerning: StrictBool = True
     along: AlongForm | None = None
-    part: Literal["all", "outlines", "holes"] = "all"
-    tolerance_mm: Annotated[float, Bounds("tolerance", most=1.0)] = 0.005
 
     @model_validator(mode="after")
     def _has_one_font(self) -> TextForm:

@@ -14,7 +14,6 @@ guesses are reported; other words are kept and written back.
 
 from __future__ import annotations
 
-import re
 from pathlib import Path
 from typing import Any
 
@@ -24,8 +23,8 @@ from CNCStepper.input_file import read_input
 from CNCStepper.machine.tools.stored_tool import StoredTool, given_keys, tool_or_note
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.safe_text import printable
+from CNCStepper.word_pattern import words_beside
 
-WORD = re.compile(r"([A-Z])\s*([-+]?(?:\d+\.?\d*|\.\d+))", re.IGNORECASE)
 LETTERS = "TPXYZABCUVWDIJQ"
 KNOWN_SHAPES = (("ball", "ball"), ("drill", "drill"), ("mill", "flat"), ("flat", "flat"), ("cutter", "flat"))
 WRITTEN_KEYS = {"number", "shape", "diameter_mm", "length_offset_mm"}
@@ -59,10 +58,16 @@ def write_table(tools: list[StoredTool], path: Path, unit_mm: float = 1.0) -> li
     return notes
 
 
-def _tool(line: str, unit_mm: float, place: Place) -> StoredTool:
+def line_words(line: str) -> tuple[list[tuple[str, str]], str, str]:
+    """Return letter and number of each word of a table's line, other text before its comment, and the comment."""
     code, _, comment = line.partition(";")
-    words = {letter.upper(): number for letter, number in WORD.findall(code)}
-    if WORD.sub("", code).strip() or set(words) - set(LETTERS) or "T" not in words:
+    return *words_beside(code), comment
+
+
+def _tool(line: str, unit_mm: float, place: Place) -> StoredTool:
+    found, other, comment = line_words(line)
+    words = dict(found)
+    if other or set(words) - set(LETTERS) or "T" not in words:
         advice = "write a line such as: T3 P3 D6.0 Z+41.5 ;6 mm end mill"
         raise JobError(
             "tool-table", Text("not a tool of a table: '{line}'", line=line.strip()[:60]), advice=advice, place=place
@@ -97,7 +102,7 @@ def _shape(name: str) -> tuple[str, tuple[str, ...]]:
     for word, shape in KNOWN_SHAPES:
         if word in name.lower():
             return shape, ()
-    return "flat", (Text("taken as a flat mill: '{name}' names no shape that a table's words can tell", name=name),)
+    return "flat", (Text("read as a flat mill: '{name}' does not name a shape", name=name),)
 
 
 def _line(stored: StoredTool, unit_mm: float) -> str:

@@ -54,7 +54,7 @@ def words_of(restart: Restart) -> Iterator[str]:
     if any(state.g92_mm):
         yield Text("sets G92 as it was: {array}", array=_point(np.array(state.g92_mm)))
     own = int((restart.file_lines > 0).sum())
-    yield Text("then runs {own} lines of the program as they are; all before them is taken as cut", own=own)
+    yield Text("then runs {own} lines of the program unchanged; everything before them counts as cut", own=own)
 
 
 def height_mm(restart: Restart) -> float:
@@ -87,10 +87,12 @@ def proven_against(has_stock: bool, has_shapes: bool) -> str:
     if has_shapes:
         return "cut on the stock that the moves before it have left, and judged against the shapes of the job"
     if has_stock:
-        return "cut on the stock that the moves before it have left; the wanted shape is not known, so it is not judged"
+        return (
+            "simulated on the stock that the earlier moves have left; the wanted shape is unknown and was not compared"
+        )
     return (
-        "NOT cut on any stock: the machine's limits are checked, but nobody sees whether a rapid meets material; "
-        "give --job, or --stock and --tool"
+        "NOT simulated on a stock: the machine's limits are checked, but not whether a rapid meets material; give "
+        "--job, or --stock and --tool"
     )
 
 

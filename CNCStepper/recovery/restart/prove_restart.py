@@ -179,8 +179,8 @@ def _incomplete(proof: Proof) -> list[Finding]:
     allowed_mm = max((removal.tolerance_mm for removal in proof.given.removals), default=0.0) + JUDGE_ERROR_MM
     found = []
     for code, text in (
-        ("gouge", "the moves that are taken as done cut into the wanted part"),
-        ("left_over", "the moves that are taken as done leave material that should be removed"),
+        ("gouge", "the moves before the restart cut into the wanted part"),
+        ("left_over", "the moves before the restart leave material that should be removed"),
     ):
         value_mm = proof.report[f"{code}_mm"]
         told = any(finding.code == code.replace("_", "-") for finding in proof.findings)

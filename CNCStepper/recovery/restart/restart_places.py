@@ -63,7 +63,7 @@ def by_line(program: Program, number: int, time: int = 0) -> Place:
     runs = _runs_of(program, number)
     if (len(runs) > 1 or time) and not 1 <= time <= len(runs):
         what = Text("which run of line {number} is meant is not clear", number=number)
-        advice, limit = "say which time it is run", Text("from 1 to {runs}", runs=len(runs))
+        advice, limit = "give the number of the run", Text("from 1 to {runs}", runs=len(runs))
         raise ProgramError("restart-time", what, limit=limit, advice=advice, place=_file(program, number))
     row = int(np.searchsorted(program.table.line, runs[max(time, 1) - 1]))
     if row == len(program.table):

@@ -264,7 +264,7 @@ def _read(text: str, begin: Start, program: Program, entrance: EntryPoint) -> To
     try:
         return interpret(text, begin, program.dialect)
     except ProgramError as error:
-        what = Text("entered here, the program does not stand alone: {error}", error=error.what)
+        what = Text("the program cannot run from here on its own: {error}", error=error.what)
         advice = "restart at another place, or send the whole program"
         raise program.refusal("restart-differs", what, entrance.row, value=error.value, advice=advice) from error
 
@@ -284,6 +284,6 @@ def _check_model(program: Program, entrance: EntryPoint, model: Model) -> None:
         what = "turning (G7, G95, G96) is in force here: no entry is written for a lathe"
         raise program.refusal("restart-lathe", what, entrance.row, advice="send the whole program")
     if np.isnan(program.begins[entrance.row, :2]).any():
-        what = "where the tool stands here is not known"
+        what = "the tool's position is unknown here"
         advice = "give the work zero and the position, or choose a place after the next rapid"
         raise program.refusal("restart-place-unknown", what, entrance.row, advice=advice)

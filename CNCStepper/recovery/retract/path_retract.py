@@ -84,8 +84,8 @@ class HeldProgram:
         if early == late:
             return ""
         return Text(
-            "which of several passes was cut cannot be told for certain, so the earliest that "
-            "fits is taken: line {file_line}, not {file_line2}",
+            "it is uncertain which of several passes was cut, so the earliest possible one is used: line "
+            "{file_line}, not {file_line2}",
             file_line=self.file_line(early),
             file_line2=self.file_line(late),
         )
@@ -258,7 +258,7 @@ class HeldProgram:
         certificate = certificate_of(proof)
         certificate.check_clean()
         if len(proof.wire.lines) != len(lines):
-            raise JobError("retreat-lines", "the way along the cut cannot be sent as it was written")
+            raise JobError("retreat-lines", "the retract cannot be sent as it was written")
         return content | {
             "certificate": certificate,
             "begin": self.place,

@@ -81,7 +81,7 @@ def find(way: RetractPath, reports: Sequence[PositionReport], controller: Contro
     if not places:
         raise ProgramError(
             "retreat-off-path",
-            "the machine does not stand on the way of the lines that it has",
+            "the machine is not on the path of the lines that it has",
             value=" ".join(f"{axis}{value:.3f}" for axis, value in zip("XYZ", last.position_mm, strict=True)),
             limit=f"{controller.tolerance_mm:.3f} mm",
             advice="stop the job: steps may be lost, or the machine was moved by hand",

@@ -94,7 +94,7 @@ class RetractPath:
         if not self.begin_before(place) <= row <= place.row:
             raise ProgramError(
                 "retreat-far",
-                "the way back does not lead there",
+                "the retract does not lead to that place",
                 advice="choose a line that was cut after the last tool change and before this one",
             )
         return Place(row, 0.0)

@@ -146,7 +146,7 @@ def step_aside(client: SessionClient | ConnectionSession) -> None:
     """Make a held machine idle, where it is not; raises MachineRefusal for one that moves, JobError, ProgramError."""
     status = client.status()
     if status.phase not in LEG_BEGINS:
-        what = "a job runs, and the machine does not stand"
+        what = "a job runs, and the machine is not at standstill"
         raise MachineRefusal("not-held", what, value=status.phase, advice="hold it first: Ctrl-C at `cncstepper send`")
     if status.machine_state.startswith("Hold"):
         back = RetractClient(client)

@@ -89,7 +89,7 @@ def sheet_edge(subject: CheckContext, tools: Tools, stock: Stock, edge_mm: float
                 int(pieces.row[k]),
                 "error",
                 "sheet-edge",
-                "the cut comes too near to the sheet's edge",
+                "the cut is too close to the sheet's edge",
                 advice="move the shape inwards, or take a larger sheet",
                 place_mm=tuple(pieces.end[k].tolist()),
                 value=float(left[k]),

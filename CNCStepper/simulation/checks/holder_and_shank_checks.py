@@ -55,7 +55,7 @@ class HolderAndShank:
             text = Text("the shank of the {tool} tool rubs along the wall over its flutes", tool=tool.words)
             yield from self._wall.finding(subject, "warning", "shank", text, advice, "mm")
         text = Text("the holder of the {tool} tool goes into stock", tool=tool.words)
-        yield from self._holder.finding(subject, "error", "holder", text, "let the tool stick out farther", "mm")
+        yield from self._holder.finding(subject, "error", "holder", text, "clamp the tool with more stickout", "mm")
 
 
 class LargestExcess:

@@ -120,7 +120,7 @@ class PowerStands(PartCheck):
                 text = "the wire moves before it is hot"
             yield subject.finding_at(pierce.line, "error", "pierce-delay", text, advice=write, limit=least_s, **numbers)
         elif waited_s > LONGEST * most_s + STAND_S:
-            text = "the power stands at the pierce for much longer than the chart's delay"
+            text = "the power is on at the pierce for much longer than the chart's delay"
             yield subject.finding_at(
                 pierce.line, "error", "power-standing", text, advice=write, limit=LONGEST * most_s, **numbers
             )
@@ -163,7 +163,7 @@ class PowerStands(PartCheck):
             waited_s, row = float(value[index == at].sum()), min(at, len(subject.table) - 1)
             place = tuple((subject.begin if at == row else subject.end)[row].tolist())
             if waited_s > most_s + STAND_S and not self._beside(place, 0.0):
-                text = "the power stands at the pierce for much longer than the chart's delay"
+                text = "the power is on at the pierce for much longer than the chart's delay"
                 advice = "switch it off with M5 sooner"
                 numbers = {"value": waited_s, "limit": most_s, "unit": "s", "place_mm": _known(place)}
                 yield subject.finding(row, "error", "power-standing", text, advice=advice, **numbers)

@@ -149,7 +149,7 @@ def _words_of_cut(sheet: SheetCuts, goes_through: bool) -> tuple[str, str]:
     if not goes_through:
         return "the kerf goes beyond the drawing into a part", "keep half a kerf beside the part"
     if sheet.cutting.process.power == "always":
-        return "the wire goes through a part", "lead it round the part, through what becomes scrap"
+        return "the wire goes through a part", "route it around the part, through scrap"
     return "a lead or a cut goes through a part", "lead in and out through scrap"
 
 

@@ -42,7 +42,7 @@ def tools_known(subject: CheckContext, tools: Tools, seen: set[int]) -> Iterator
         row = int(feeds[numbers[feeds] == number][0])
         tool = tool_numbered(tools, number)
         if tool is None:
-            text = Text("tool {number} is not known, so what it cuts is not checked", number=number)
+            text = Text("tool {number} is unknown, so that its cuts are not checked", number=number)
             advice = "add the tool or correct the T word"
             yield subject.finding(row, "error", "unknown-tool", text, advice=advice)
         elif tool.shape not in ("flat", *BEAM) and Cutter(form_of(tool)).is_flat:
@@ -116,7 +116,7 @@ class StockChecks:
                 rows[int(np.argmin(self.subject.low_mm[rows]))],
                 "error" if lowest_mm < self.stock.bottom_mm - SPOIL_MM else "warning",
                 "below-stock",
-                "the tool goes below the stock and cuts what lies under it",
+                "the tool goes below the stock and cuts the table under it",
                 advice="check the depth, or lay a spoil board under the stock",
                 value=lowest_mm,
                 limit=self.stock.bottom_mm,
@@ -167,7 +167,7 @@ class StillSpindle:
             if point is not None:
                 reported.add(int(stretch[row]))
                 advice = "start the spindle with M3 and S before it"
-                yield checks.touch(row, point, "spindle-off", "a cut goes into stock while the spindle stands", advice)
+                yield checks.touch(row, point, "spindle-off", "a cut goes into stock while the spindle is off", advice)
         self._still, self._reported = bool(still[-1]), int(stretch[-1]) in reported
 
 

@@ -66,7 +66,7 @@ class Beams(PartCheck):
         feeds = np.flatnonzero(is_beam & subject.is_feed & over)
         self._ever_on |= bool(on[feeds].any())
         if len(feeds) and not self._ever_on:
-            text, advice = "the beam is never on where it is to cut", "switch it on with M3 and S before it"
+            text, advice = "the beam is never on during a cut", "switch it on with M3 and S before it"
             row, code = int(feeds[0]), "spindle-off"
             self._dark.append(subject.finding(row, "error", code, text, advice=advice, count=len(feeds), group="beam"))
 

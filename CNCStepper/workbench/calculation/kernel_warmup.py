@@ -76,7 +76,7 @@ class KernelWarmup(QtCore.QObject):
             process.deleteLater()
         jit_guard.compiling_elsewhere = False
         if _cold():
-            _log(Text("the kernels are not compiled ahead: {said}", said=said))
+            _log(Text("the kernels were not compiled in advance: {said}", said=said))
         _make_what_waits()
         self.ended.emit()
 

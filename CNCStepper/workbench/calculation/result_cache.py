@@ -13,11 +13,14 @@ import hashlib
 import time
 from collections import OrderedDict
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from CNCStepper.control.session.status import error_from_json
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.job.request_digest import key_of
+
+if TYPE_CHECKING:
+    from CNCStepper.geometry.curve import Curve
 
 MOST_BYTES = 64_000_000  # of all that is kept
 ENTRY_BYTES = 1_000  # of an answer besides its texts
@@ -51,7 +54,19 @@ class Fits:
     """Lines were fitted; `fitting` keeps what came out."""
 
 
-Answer = Cut | Programs | Fits | CNCStepperError
+@dataclass(frozen=True)
+class TextCurves:
+    """The curves of a text."""
+
+    curves: tuple[Curve, ...]
+
+    @property
+    def size(self) -> int:
+        """How many bytes it takes."""
+        return sum(curve.xy.nbytes + curve.bulge.nbytes for curve in self.curves)
+
+
+Answer = Cut | Programs | Fits | TextCurves | CNCStepperError
 
 _answers: OrderedDict[str, Answer] = OrderedDict()
 _paths: dict[str, str] = {}  # by the key of a program's text
@@ -90,7 +105,7 @@ def may_ask(key: str) -> bool:
     return key not in _answers or (key in _failed_s and time.monotonic() - _failed_s[key] > RETRY_S)
 
 
-def answer_to(question: dict[str, Any]) -> Cut | Programs | Fits | None:
+def answer_to(question: dict[str, Any]) -> Cut | Programs | Fits | TextCurves | None:
     """Return what is known of a question, None where nothing is; raises the CNCStepperError that refused it."""
     answer = known(key_of(question))
     if isinstance(answer, CNCStepperError):
@@ -129,7 +144,7 @@ def _drop(key: str) -> None:
 
 
 def _size(answer: Answer) -> int:
-    return ENTRY_BYTES + (answer.size if isinstance(answer, Programs) else 0)
+    return ENTRY_BYTES + (answer.size if isinstance(answer, Programs | TextCurves) else 0)
 
 
 def _text_key(text: str) -> str:
@@ -144,6 +159,10 @@ def _answer(content: dict[str, Any]) -> Answer:
 
         curve_fit_cache.take(content)
         return Fits()
+    if "curves" in content:
+        from CNCStepper.job.drawings.imported_drawing import unpacked_curves
+
+        return TextCurves(tuple(unpacked_curves(content["curves"])))
     if "texts" in content:
         return Programs(tuple((name, text) for name, text in content["texts"]), tuple(content["paths"]))
     return Cut(dict(content["figures"]), tuple(content["warnings"]))

@@ -66,13 +66,6 @@ def labelled(obj: Any, label: str) -> Any:
     return obj
 
 
-def show_all() -> None:
-    """Let the active 3D view show all there is: the stock of a new job is seldom where the camera looks."""
-    import FreeCADGui
-
-    FreeCADGui.SendMsgToActiveView("ViewFit")
-
-
 class Operation(Command):
     """A command that adds an operation to a job.
 

@@ -5,11 +5,12 @@ from __future__ import annotations
 
 from typing import Any
 
-from CNCStepper.workbench.commands.create_object import create, labelled, show_all
+from CNCStepper.workbench.commands.create_object import create, labelled
 from CNCStepper.workbench.document import default_values, targets
 from CNCStepper.workbench.services import missing_packages
 from CNCStepper.workbench.services.command import Command
 from CNCStepper.workbench.services.translation import QT_TRANSLATE_NOOP, tr
+from CNCStepper.workbench.services.view_fit import show_all
 
 
 class NewJob(Command):

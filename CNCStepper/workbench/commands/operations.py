@@ -18,7 +18,7 @@ class Pocket(Operation):
     tooltip = QT_TRANSLATE_NOOP("CNCStepper_Pocket", "Clears what the selected closed lines or faces enclose")
     cycle = "pocket"
     label = later("Pocket")
-    no_drawing = later("Select what is to be cleared: a sketch, closed wires, or faces of a solid")
+    no_drawing = later("Select the area to clear: a sketch, closed wires, or faces of a solid")
 
     def values(self, job: Any, tool: Any, is_drawn: bool) -> dict[str, Any]:
         """Return values that fit the stock and the tool."""
@@ -91,7 +91,7 @@ class Contour(Operation):
     tooltip = QT_TRANSLATE_NOOP("CNCStepper_Contour", "Cuts along the selected lines or faces: outside, inside or on")
     cycle = "contour"
     label = later("Contour")
-    no_drawing = later("Select what is to be cut out: a sketch, wires, or faces or edges of a solid")
+    no_drawing = later("Select the lines to cut: a sketch, wires, or faces or edges of a solid")
 
     def values(self, job: Any, tool: Any, is_drawn: bool) -> dict[str, Any]:
         """Return values that cut through the stock."""
@@ -153,7 +153,7 @@ class Engrave(Operation):
     tooltip = QT_TRANSLATE_NOOP("CNCStepper_Engrave", "Cuts along the lines of the selected drawing")
     cycle = "engrave"
     label = later("Engraving")
-    no_drawing = later("Select what is to be engraved: a sketch, a wire, a B-spline or a freehand line")
+    no_drawing = later("Select the lines to engrave: a sketch, a wire, a B-spline or a freehand line")
 
     def values(self, job: Any, tool: Any, is_drawn: bool) -> dict[str, Any]:
         """Return values that fit the stock."""
@@ -168,7 +168,7 @@ class SheetCut(Operation):
     tooltip = QT_TRANSLATE_NOOP("CNCStepper_SheetCut", "Cuts parts out of sheet by torch, laser, jet, knife or point")
     cycle = "sheet_cut"
     label = later("Sheet cut")
-    no_drawing = later("Select what is to be cut out: a sketch, wires, or faces or edges of a solid")
+    no_drawing = later("Select the lines to cut: a sketch, wires, or faces or edges of a solid")
 
     def values(self, job: Any, tool: Any, is_drawn: bool) -> dict[str, Any]:
         """Return nothing: process and chart give the values."""
@@ -183,7 +183,7 @@ class WireCut(Operation):
     tooltip = QT_TRANSLATE_NOOP("CNCStepper_WireCut", "Cuts parts out of foam with a hot wire, in from the edge")
     cycle = "wire_cut"
     label = later("Wire cut")
-    no_drawing = later("Select what is to be cut out: a sketch, wires, or faces or edges of a solid")
+    no_drawing = later("Select the lines to cut: a sketch, wires, or faces or edges of a solid")
 
     def values(self, job: Any, tool: Any, is_drawn: bool) -> dict[str, Any]:
         """Return nothing: process and chart give the values."""

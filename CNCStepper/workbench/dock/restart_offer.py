@@ -29,8 +29,8 @@ if TYPE_CHECKING:
     from CNCStepper.workbench.proving.latest_proof import Sender
 
 DOES = {
-    "Restart": later("Go on with the program from a line, an operation, a contour or a place in the picture."),
-    "Unfinished": later("Say how far the last job came that was not cut to its end, and restart it there."),
+    "Restart": later("Restart the program at a line, an operation, a contour or a place in the picture."),
+    "Unfinished": later("Show how far the last unfinished job came, and restart it there."),
 }
 WORKER = "CNCStepper.workers.unfinished_job"
 
@@ -112,7 +112,7 @@ class RestartOffer:
     def _offer(self, story: JobReplay | None) -> None:
         if story is not None:
             text = tr(
-                "The last job of this machine, {0}, was not cut to its end. Unfinished job… says how far it came."
+                "The last job of this machine, {0}, was not cut to its end. Unfinished job… shows how far it came."
             )
             self.view.show_offer(text.format(_name(story.restarted[0])))
 
@@ -123,7 +123,7 @@ class RestartOffer:
         if "refused" in answer:
             raise error_from_json(answer["refused"])
         if answer["job"] is None:
-            messages.notice(tr("No job is unfinished."), tr("Every job whose journal is kept was cut to its end."))
+            messages.notice(tr("No job is unfinished."), tr("Every job with a journal was cut to its end."))
         else:
             self._take_up(answer["job"])
 
@@ -132,7 +132,7 @@ class RestartOffer:
         said = [(tr(NAMES[name]), translated(text)) for name, text in job["told"]]
         program = program_of(job["sha256"], ((obj, program_file.load(obj)) for obj in _programs()))
         if program is None:
-            text = tr("{0} was not cut to its end, and its program, as it was sent, is in no open document.")
+            text = tr("{0} was not cut to its end, and no open document has the program that was sent.")
             messages.notice(text.format(_name(job["file"])), "\n".join(map(": ".join, said)))
             return
         from CNCStepper.workbench import restart

@@ -27,7 +27,7 @@ class RetractRun:
     def __init__(self, parent: Any, link: Link, say: Callable[[str, str], None], changed: Callable[[], None]):
         self.flow = RetractFlow()
         self._link, self._say, self._changed = link, say, changed
-        lost = CNCStepperError("back-lost", "the process that finds the way back has ended", advice="try again")
+        lost = CNCStepperError("back-lost", "the process that calculates the retract has ended", advice="try again")
         self._questions = RequestQueue(WORKER, lost, parent=parent)
         self._questions.answered.connect(self._answered)
         self._questions.failed.connect(self._failed)

@@ -62,7 +62,7 @@ class ClosingGuard(QtCore.QObject):
             "cancel": (tr("Cancel"), "Reject"),
         }
         text = tr("The machine is cutting a job.")
-        more = tr("The cut goes on without FreeCAD; the controller's panel finds it again the next time it is opened.")
+        more = tr("The job continues without FreeCAD; the controller's panel shows it when it is opened again.")
         title = tr("A job is being cut")
         return messages.choose("CNCStepper_Dock_Closing", "Warning", title, text, answers, "cancel", more)
 

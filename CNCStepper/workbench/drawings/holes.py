@@ -55,7 +55,7 @@ def remarks(pairs: Sequence[tuple[Any, tuple[str, ...]]], holes: Sequence[Hole])
         if lines > 0 and not placed_shape(drawing).Solids:
             said.append(
                 Text(
-                    "lines of '{drawing}' that are no whole circles and want no holes: {lines}",
+                    "lines of '{drawing}' that are not whole circles, so that no hole is drilled: {lines}",
                     drawing=drawing.Label,
                     lines=lines,
                 )

@@ -113,7 +113,7 @@ def parts_of(drawing: Any, picked: Sequence[str] = ()) -> list[Any]:
     except (ValueError, IndexError, RuntimeError) as error:
         raise GeometryError(
             "picked-missing",
-            Text("what was picked of '{drawing}' is not there any more", drawing=drawing.Label),
+            Text("the elements picked of '{drawing}' no longer exist", drawing=drawing.Label),
             value=", ".join(picked),
             advice="pick it again",
         ) from error

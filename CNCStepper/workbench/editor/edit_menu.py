@@ -56,7 +56,7 @@ VERBS = (
     Verb("rotate", later("Rotate…"), (Field("angle_deg", later("Degrees, counter-clockwise"), 90.0),)),
     Verb("mirror", later("Mirror…"), (
         Field("axis", later("Axis whose sign changes"), "x", ("x", "y")),
-        Field("at_mm", later("Where the mirror stands, mm"), 0.0),
+        Field("at_mm", later("Place of the mirror, mm"), 0.0),
     )),
     Verb("feeds", later("Feeds by a factor…"), (Field("factor", later("Feeds times"), 1.0),)),
     Verb("units", later("Convert units…"), (Field("units", later("Units"), "mm", ("mm", "inch")),)),

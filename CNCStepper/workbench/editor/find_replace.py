@@ -103,7 +103,7 @@ class FindBar(QtGui.QWidget):
         if self._found(wanted, back):
             return True
         self._edit.setTextCursor(here)
-        self.said.emit(tr("'{0}' does not stand in the program").format(wanted))
+        self.said.emit(tr("'{0}' is not in the program").format(wanted))
         return False
 
     def _found(self, wanted: str, back: bool) -> bool:

@@ -222,9 +222,7 @@ class EditorPanel(QtGui.QWidget):
         if text.rstrip("\n") == self.text().rstrip("\n"):
             return
         if self.modified:
-            self._say(
-                tr("{0} has changed in the document meanwhile; here is still what you typed").format(self.source.name)
-            )
+            self._say(tr("{0} has changed in the document; your typed values are kept here").format(self.source.name))
         elif text:
             self._open(text)
 

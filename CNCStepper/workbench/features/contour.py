@@ -27,7 +27,7 @@ class Contour(Operation):
     OWN = ("tabs_by",)
     PROPERTIES = (
         *OPERATION,
-        *drawn(LINES, later("The sketch, wires or faces whose lines are followed")),
+        *drawn(LINES, later("The sketch, wires or faces to follow")),
         *properties_of(ContourParameters, TABS_BY),
         *LEVELS,
         Property("tabs", "TabsMade", INTEGER, RESULT, later("Tabs"), later("How many tabs hold the part"), 0,

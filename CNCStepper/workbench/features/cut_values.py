@@ -27,7 +27,7 @@ CUT_VALUES = (
     Property("cut_height_mm", "CutHeight", DISTANCE, CHART, later("Cut height"),
              later("The torch above the sheet while it cuts; 0: that of the chart"), 0.0),
     Property("amperes", "Amperes", FLOAT, CHART, later("Current"),
-             later("What is set at the power source; 0: that of the chart"), 0.0),
+             later("The current set at the power source; 0: from the chart"), 0.0),
     Property("power_percent", "Power", FLOAT, CHART, later("Power"),
              later("A share of the machine's greatest power; 0: that of the chart"), 0.0),
 )  # fmt: skip

@@ -25,7 +25,7 @@ class EllipticalPocket(Operation):
         *properties_of(EllipticalPocketParameters),
         *PASSES,
         Property("unreachable_mm", "Unreachable", DISTANCE, RESULT, later("Unreachable"),
-                 later("What the round tool must leave at the ends of the long axis"), 0.0, output=True),
+                 later("Material that a round tool leaves at the ends of the long axis"), 0.0, output=True),
     )  # fmt: skip
 
     @classmethod

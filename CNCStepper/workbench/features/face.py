@@ -21,7 +21,7 @@ class Face(Operation):
     NO_DRAWING = later("the whole stock")
     PROPERTIES = (
         *OPERATION,
-        *drawn(later("Region"), later("Closed lines round what is faced; without it the whole stock")),
+        *drawn(later("Region"), later("Closed lines around the area to face; without them the whole stock")),
         *properties_of(FaceParameters),
         *PASSES,
     )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""CNCStepper_Freehand: points in drawing order become a wire, simplified within a tolerance."""
+"""CNCStepper_Freehand: points in drawing order become a wire, simplified or smoothed within a tolerance."""
 
 from __future__ import annotations
 
@@ -20,6 +20,9 @@ class Freehand(Feature):
         Property("points_mm", "Points", POINTS, LINE, later("Points"), later("The points as they were drawn"), ()),
         Property("tolerance_mm", "Tolerance", DISTANCE, LINE, later("Tolerance"),
                  later("The wire stays this close to every drawn point; 0 keeps every point that bends the line"), 0.0),
+        Property("smooth_mm", "Smooth", DISTANCE, LINE, later("Smooth"),
+                 later("Arcs and lines this close to the drawn points, instead of the tolerance; 0: straight lines"),
+                 0.0),
         Property("closed", "Closed", BOOL, LINE, later("Closed"), later("Whether the last point joins the first"),
                  False),
         Property("kept", "Kept", INTEGER, LINE, later("Points kept"), later("How many points the wire has"), 0,
@@ -29,13 +32,12 @@ class Freehand(Feature):
     def make(self, obj: Any) -> None:
         """Make the wire from the points; raises GeometryError when they make no line."""
         packages.require("numpy", "shapely")
-        import FreeCAD
-        import Part
+        from CNCStepper.workbench.drawings.freehand_points import freehand_curve
+        from CNCStepper.workbench.drawings.wires import wire_of
 
-        from CNCStepper.workbench.drawings.freehand_points import simplified_line
-
-        height_mm, xy = simplified_line([tuple(point) for point in obj.Points], float(obj.Tolerance), bool(obj.Closed))
+        points = [tuple(point) for point in obj.Points]
+        height_mm, curve = freehand_curve(points, float(obj.Tolerance), float(obj.Smooth), bool(obj.Closed))
         placement = obj.Placement
-        obj.Shape = Part.makePolygon([FreeCAD.Vector(x, y, height_mm) for x, y in xy])
+        obj.Shape = wire_of(curve, height_mm)
         obj.Placement = placement
-        obj.Kept = len(xy)
+        obj.Kept = len(curve.xy)

@@ -17,13 +17,14 @@ from CNCStepper.workbench.features.base import (
     POINTS,
     POSITION,
     SPEED,
+    TEXT,
     Property,
 )
 from CNCStepper.workbench.services.translation import later
 
 UNIT = re.compile("_(mm_min|mm|deg|s)$")
 NUMBER = {"mm_min": SPEED, "mm": DISTANCE, "deg": ANGLE}
-TYPES = {int: INTEGER, bool: BOOL}
+TYPES = {int: INTEGER, bool: BOOL, str: TEXT}
 
 RESULT = later("In whole passes")
 MADE = later("Result")

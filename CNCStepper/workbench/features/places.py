@@ -34,7 +34,7 @@ def pattern_properties() -> dict[str, Property]:
 
 
 PATTERN = (
-    Property(KIND, "Places", ENUMERATION, PLACES, later("Places"), later("Where the holes stand"), "bolt_circle",
+    Property(KIND, "Places", ENUMERATION, PLACES, later("Places"), later("The places of the holes"), "bolt_circle",
              choices=(DRAWN, *(choice for pattern in PATTERNS for choice in declared(pattern)[0].choices))),
     *drawn(PLACES, later("The circles and points of sketches, or the circular edges of solids"),
            only=(KIND, (DRAWN,))),

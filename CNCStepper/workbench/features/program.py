@@ -24,7 +24,7 @@ class Program(Feature):
     Type = "CNCStepper_Program"
     PROPERTIES = (
         Property("job", "Job", LINK, PROGRAM, later("Job"),
-                 later("The job whose machine, stock, tools and clamps the program is for")),
+                 later("The job with the machine, stock, tools and clamps for the program")),
         Property("program", "Program", "App::PropertyFileIncluded", PROGRAM, later("Program"),
                  later("The program, kept in this document"), output=True),
         Property("made_from", "MadeFrom", TEXT, PROGRAM, later("Made from"),
@@ -33,7 +33,7 @@ class Program(Feature):
                  later("The G-code file that it is, which has nothing to do with the operations of its job"), "",
                  output=True),
         Property("note", "Note", TEXT, PROGRAM, later("Note"),
-                 later("What happened to the job's own program since"), "", output=True),
+                 later("Changes of the job's own program since then"), "", output=True),
     )  # fmt: skip
 
     def add_properties(self, obj: Any) -> None:

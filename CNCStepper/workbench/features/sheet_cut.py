@@ -114,7 +114,7 @@ class SheetCut(Operation):
     OWN = (MARKS.key, *(entry.key for entry in CHOOSERS))
     PROPERTIES = (
         *OPERATION,
-        *drawn(LINES, later("The sketch, wires or faces whose lines are cut: closed ones are parts and holes in turn")),
+        *drawn(LINES, later("The sketch, wires or faces to cut: closed lines are parts and holes in turn")),
         _with_what_decides(MARKS),
         *_properties(),
         Property("parts", "Parts", INTEGER, MADE, later("Parts"), later("How many parts are cut free"), 0,

@@ -21,7 +21,7 @@ class WireCut(Operation):
     BY = ("hot-wire",)
     PROPERTIES = (
         *OPERATION,
-        *drawn(LINES, later("The sketch, wires or faces whose lines are cut: closed ones are parts and holes in turn")),
+        *drawn(LINES, later("The sketch, wires or faces to cut: closed lines are parts and holes in turn")),
         *properties_of(WireParameters),
         Property("parts", "Parts", INTEGER, MADE, later("Parts"), later("How many parts are cut free"), 0,
                  output=True),

@@ -38,11 +38,12 @@ class Handles(Mode):
         """Take the points from the line."""
         import FreeCAD
 
-        from CNCStepper.workbench.drawings.freehand_points import simplified_line
+        from CNCStepper.workbench.drawings.freehand_points import freehand_curve
 
         line = self._line
         rows = [tuple(point) for point in line.Points]
-        self._height_mm, kept = simplified_line(rows, float(line.Tolerance), bool(line.Closed))
+        self._height_mm, drawn = freehand_curve(rows, float(line.Tolerance), 0.0, bool(line.Closed))  # no ends of arcs
+        kept = drawn.xy
         self._points = [(float(x), float(y)) for x, y in (kept[:-1] if line.Closed else kept)]
         self._before = list(self._points)
         height = FreeCAD.Placement(FreeCAD.Vector(0, 0, self._height_mm), FreeCAD.Rotation())

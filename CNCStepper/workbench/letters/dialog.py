@@ -38,7 +38,7 @@ SIZE = (820, 640)
 POLL_MS = 50
 MOST_BY_HAND = 1_000_000
 NOT_CONNECTED = later("Connect to the machine first, in the controller's panel.")
-NO_PULSES = later("Choose in the controller's panel a machine whose pulses this computer makes.")
+NO_PULSES = later("In the controller's panel choose a machine whose pulses this computer makes.")
 NOT_IDLE = later("The machine must be idle: wait, or home or unlock it first.")
 COUNTERS = ("x", "y", "z", "pulse", "elapsed", "total", "on")
 
@@ -229,7 +229,7 @@ class Letters(QtGui.QDialog):
 
     def _state_words(self, status: Any) -> str:
         if status is None or not self._runs:
-            return tr("The letters begin where the machine stands.")
+            return tr("The letters start at the machine's position.")
         return tr("Being sent, {0} left").format(duration(status.remaining_s))
 
     def _offer_axes(self) -> None:

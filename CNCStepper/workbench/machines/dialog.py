@@ -120,7 +120,7 @@ class Machines(QtGui.QDialog):
         self.note.setText("\n".join(words.values()))
         self.note.setVisible(bool(words))
         self.save_button.setEnabled(not problems and self.draft.is_changed)
-        self.save_button.setToolTip(tr("Mend what is marked first.") if problems else "")
+        self.save_button.setToolTip(tr("Correct the marked fields first.") if problems else "")
         self.revert_button.setEnabled(self.draft.is_changed)
         self._show_marks()
         return not problems
@@ -138,7 +138,7 @@ class Machines(QtGui.QDialog):
         self.draft.begin(profile_content(self.name))
         said = [tr("{0} is written.").format(written.path)]
         if written.copied_from:
-            said.append(tr("It is your copy of a shipped profile, and takes its place."))
+            said.append(tr("It is your copy of a shipped profile, and is used in its place."))
         if not written.comments_kept:
             said.append(tr("The file has a new layout: its comments are not in it."))
         self.look(self.name)

@@ -15,7 +15,7 @@ LABELS = {  # by key, or by table and key where the same key is two things
     "rapid_mm_min": later("Rapid speed"),
     "tool_change": later("Tool change"),
     "tool_length": later("Tool length"),
-    "retreat.outputs": later("Outputs on the way back"),
+    "retreat.outputs": later("Outputs during a retract"),
     "interpolation": later("Interpolation"),
     "junction_deviation_mm": later("Junction deviation"),
     "arc_tolerance_mm": later("Arc tolerance"),
@@ -79,18 +79,18 @@ LABELS = {  # by key, or by table and key where the same key is two things
 }
 HINTS = {
     "preset_rpm": later("The speeds that a gear or a switch has, rising; none where any speed can be set"),
-    "null_motor": later("Of a board that takes bytes: 0 to 3, or unused for a motor without an axis"),
+    "null_motor": later("For a board that receives bytes: 0 to 3, or unused for a motor without an axis"),
     "slower": later("By which share the lathe may be slower than its published step times"),
     "controller": later("Its language and its link: grbl, grblhal, fluidnc, linuxcnc, thesis-a …"),
-    "feed_mm_min": later("What a program without F takes, and the cutting speed of a language without F"),
+    "feed_mm_min": later("The feed of a program without F, and the cutting speed of a language without F"),
     "rapid_mm_min": later("The speed of rapids, where the language leaves it to the machine"),
     "torque": later("Points of the pull-out curve, rpm and Nm: 0 1.2; 300 1.0"),
-    "motors": later("The axis of each motor in turn; -y is one that is mounted the other way round: x y -y z"),
+    "motors": later("The axis of each motor in order; -y is mounted the other way round: x y -y z"),
     "table_ms": later("The waits between steps from rest, in ms, none longer than the one before it"),
     "travel_min_mm": later("In machine coordinates"),
     "travel_max_mm": later("In machine coordinates"),
     "steps_per_mm": later("Left out, it follows from the drive"),
-    "backlash_mm": later("What the motor turns at a reversal before the axis moves"),
+    "backlash_mm": later("Travel of the motor at a reversal before the axis moves"),
     "name": later("As people call the machine"),
 }
 CHOICES = {

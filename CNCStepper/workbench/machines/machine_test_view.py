@@ -183,7 +183,7 @@ class MachineTest(QtGui.QWidget):
         self.distance = _number(f"{NAME}_distance", 5.0, FARTHEST_MM, 3, " mm")
         self.play_words = _words(f"{NAME}_play_words", self)
         form.addRow(tr("Axis"), self.play_axis)
-        form.addRow(tr("Comes from"), self.distance)
+        form.addRow(tr("Entry from"), self.distance)
         below = self._button("below", tr("Come from below"), partial(self._come, 0))
         above = self._button("above", tr("Come from above"), partial(self._come, 1))
         form.addRow(_row(below, above))

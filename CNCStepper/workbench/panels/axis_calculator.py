@@ -51,7 +51,7 @@ TYPED = (
              25_000.0),
 )  # fmt: skip
 BACKLASH = Property("backlash_mm", "", DISTANCE, MACHINE, later("Backlash"),
-                    later("What the axis loses at a reversal, as the profile says; moves that are sent take it up"),
+                    later("Backlash of the axis in the profile; the moves sent compensate it"),
                     0.0)  # fmt: skip
 RESULTS = {
     "steps_per_mm": ("", later("Steps/mm")),

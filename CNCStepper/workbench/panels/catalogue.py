@@ -7,7 +7,9 @@ from typing import Any
 
 from CNCStepper.cycles.parameter import FINISH, LEADS, PATH, TABS
 from CNCStepper.cycles.sheet_cutting.sheet_parameters import RULES
+from CNCStepper.job.shape_forms.text_parameters import SETTING
 from CNCStepper.workbench.features.base import JOB, proxy_type
+from CNCStepper.workbench.features.drawings.drawing import REPAIR
 from CNCStepper.workbench.features.operation import Operation
 from CNCStepper.workbench.features.tool import FORM, LIMITS
 from CNCStepper.workbench.panels.drawing_fields import DrawingField, DrawingsField, MarksField
@@ -19,6 +21,8 @@ from CNCStepper.workbench.panels.tool_field import ToolField
 KINDS = {"tool": ToolField, "mark_drawings": MarksField, "pattern_points_mm": PointsField}
 RARE = (FINISH, PATH, TABS, LEADS, RULES)  # groups of operations
 FREEHAND = "CNCStepper_Freehand"
+DRAWING = "CNCStepper_Drawing"
+OUTLINES = ("CNCStepper_Text", "CNCStepper_Shape")
 HIDDEN = {FREEHAND: ("points_mm",)}
 
 
@@ -31,6 +35,15 @@ def panel_of(obj: Any) -> Panel:
         return JobPanel(obj)
     folded = RARE if isinstance(obj.Proxy, Operation) else (FORM, LIMITS)
     drawings = DrawingField if getattr(obj.Proxy, "SHAPE", ()) else DrawingsField
+    if name == DRAWING:
+        from CNCStepper.workbench.panels.drawing import DrawingPanel, FileField
+
+        return DrawingPanel(obj, Editor(obj, {"file": FileField}, (REPAIR,)))
+    if name in OUTLINES:
+        from CNCStepper.workbench.panels.text import FontField, LinesField, OutlinePanel
+
+        is_new = obj.Shape.isNull()
+        return OutlinePanel(obj, Editor(obj, {"text": LinesField, "font": FontField}, (SETTING,)), is_new)
     editor = Editor(obj, {**KINDS, "drawings": drawings}, folded, HIDDEN.get(name, ()))
     if name == FREEHAND:
         from CNCStepper.workbench.panels.freehand import FreehandPanel

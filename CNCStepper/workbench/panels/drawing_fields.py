@@ -156,9 +156,9 @@ class DrawingsField(_Taking):
                 (
                     "take",
                     tr("Take selected"),
-                    tr("Follow what is selected, and nothing else"),
+                    tr("Follow only the selected lines"),
                 ),
-                ("add", tr("Add selection"), tr("Follow what is selected as well")),
+                ("add", tr("Add selection"), tr("Also follow the selected lines")),
             )
         )
         return [drawings]

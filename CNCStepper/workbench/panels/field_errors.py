@@ -27,11 +27,16 @@ BY_CODE = {  # of errors that speak of several keys
     "chart-consumable": "consumable",
     "chart-feed": "feed_mm_min",
     "process-machine": "process",
+    "font-unknown": "font",
+    "font-style": "style",
+    "text-glyph": "text",
+    "text-script": "text",
+    "text-empty": "text",
 }
 NOT_BETWEEN = later("must be 0, or at least {0}")
 SENTENCES = {
     "depth": later("goes far beyond the stock; at most {0}"),
-    "travel": later("goes beyond what the machine can travel; at most {0}"),
+    "travel": later("exceeds the machine's travel; at most {0}"),
     "width": later("goes far beyond the stock and the machine; at most {0}"),
     "feed": later("goes far beyond the machine's fastest axis; at most {0}"),
 }
@@ -47,6 +52,14 @@ def model_of_type(obj: Any) -> Any:
         from CNCStepper.job.model import Job
 
         return Job
+    if proxy_type(obj) == "CNCStepper_Drawing":
+        from CNCStepper.job.shape_forms.drawing_form import DrawingForm
+
+        return DrawingForm
+    if proxy_type(obj) == "CNCStepper_Text":
+        from CNCStepper.job.shape_forms.text_form import TextForm
+
+        return TextForm
     if not getattr(obj.Proxy, "CYCLE", ""):
         return None
     from CNCStepper.cycles.catalogue import cycle_class

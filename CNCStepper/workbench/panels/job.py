@@ -141,7 +141,7 @@ class JobPanel(Panel):
     def _add_stock_button(self) -> None:
         button = QtGui.QPushButton(tr("Fit to drawing"), self.editor)
         button.setObjectName(f"{NAME}_stock_fit")
-        button.setToolTip(tr("Put the stock around what is selected, or around the drawings of the operations"))
+        button.setToolTip(tr("Put the stock around the selection, or around the drawings of the operations"))
         button.setAutoDefault(False)
         button.clicked.connect(guarded(self.fit_stock))
         self.editor.form.add_widget(STOCK, button)

@@ -111,7 +111,7 @@ class OperationList(ObjectList):
 
     def __init__(self, job: Any, parent: Any):
         super().__init__(job, "operations", parent)
-        self.list.setToolTip(tr("Cut in this order; what is not checked is left out of the program"))
+        self.list.setToolTip(tr("Cut in this order; unchecked operations are left out of the program"))
         self.button("up", tr("Earlier"), tr("Cut it before the one above"), lambda: self.move(-1))
         self.button("down", tr("Later"), tr("Cut it after the one below"), lambda: self.move(1))
         self.list.itemChanged.connect(guarded(self.switch))

@@ -279,7 +279,7 @@ class ChartNote(QtGui.QWidget):
         column = QtGui.QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         self.hint = note_label(f"{NAME}_chart_hint", CHART_COLOUR, self)
-        self.hint.setText(tr("Grey values are from the chart; what you type wins"))
+        self.hint.setText(tr("Grey values are from the chart; typed values replace them"))
         for label in (self.note, self.hint):
             column.addWidget(label)
         self.refresh()

@@ -132,7 +132,7 @@ def _converted(quantity: Any, measure: Measure, text: str) -> float:
     if quantity.Unit == FreeCAD.Units.Unit():
         return float(quantity.Value) * measure.factor
     if not measure.quantity:
-        raise Refused(later("This takes a number without a unit, not '{0}'"), shortened(text))
+        raise Refused(later("This needs a number without a unit, not '{0}'"), shortened(text))
     if quantity.Unit != getattr(FreeCAD.Units, measure.quantity):
         raise Refused(later("'{0}' is no value in {1}"), shortened(text), measure.unit)
     return float(quantity.Value) * measure.per_freecad

@@ -164,7 +164,7 @@ class RestartPanel(QtGui.QWidget):
 
     def _lock(self, why_not: str) -> None:
         self._send.setEnabled(not why_not)
-        self._send.setToolTip(why_not or tr("Goes on in the controller's panel: connect, work zero, start."))
+        self._send.setToolTip(why_not or tr("Next, in the controller's panel: connect, work zero, start."))
 
     def _place(self) -> Any:
         self.line = _spin("line", 1, 1)
@@ -210,8 +210,8 @@ class RestartPanel(QtGui.QWidget):
 
 def _advice() -> str:
     return tr(
-        "Choose a line, an entry of the list, or click a cut in the 3D view. All before it counts as cut: if unsure, "
-        "choose an earlier one."
+        "Choose a line, an entry of the list, or click a cut in the 3D view. Everything before it counts as cut; if"
+        " unsure, choose an earlier one."
     )
 
 

@@ -81,6 +81,17 @@ WORDS = {
     "xps": later("XPS foam"),
     "fr4": later("FR4 (glass fibre)"),
     "carbon-fibre": later("carbon fibre"),
+    "cap": later("the capitals"),
+    "em": later("the em (font size)"),
+    "center": later("middle"),
+    "all": later("all"),
+    "outlines": later("outlines"),
+    "outline": later("outline"),
+    "section": later("at a height"),
+    "holes": later("holes"),
+    "automatic": later("automatic"),
+    "layer": later("by layer"),
+    "chain": later("by contour"),
 }
 
 
@@ -124,7 +135,7 @@ CUT_WORDS = {
     "front": later("front"),
     "back": later("rear"),
 }
-OF_KEY = {("leave", "back"): later("back the way it came"), ("leave", "edge"): later("to the nearest edge")}
+OF_KEY = {("leave", "back"): later("back along the entry"), ("leave", "edge"): later("to the nearest edge")}
 WORDS |= {**PROCESS_WORDS, **CHART_WORDS, **CUT_WORDS}
 
 

@@ -69,7 +69,7 @@ def _until(end_s: float, clock: Callable[[], float], refusal: Callable[[], CNCSt
 
 def _waits() -> CNCStepperError:
     what = "large cuts are being prepared, once after an installation"
-    return CNCStepperError(WAITS, what, advice="this one is made by itself when that is done, in about a minute")
+    return CNCStepperError(WAITS, what, advice="this one is made when that is done, in about a minute")
 
 
 def _is_long() -> CNCStepperError:
@@ -77,5 +77,5 @@ def _is_long() -> CNCStepperError:
     assert long_refused is not None
     hurry = True
     long_refused()
-    what = "this takes long, and is being made beside the window"
-    return CNCStepperError(LONG, what, advice="it is there by itself when that is done")
+    what = "this takes long and is calculated in the background"
+    return CNCStepperError(LONG, what, advice="it appears when that is done")

@@ -1,15 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the core says, in FreeCAD's language.
+"""Sentences of the core in FreeCAD's language.
 
-The core knows nothing of languages: a sentence with values is a `Text`. The catalogue holds its template (see
-tools/translations.py), which is translated and formatted with the same values.
+A sentence with values is a `Text`. The catalogue holds its template (see tools/translations.py), which is translated
+and formatted with the same values.
 
-English that has lost its template is recognised: what an older version has stored, or a program's own comment says.
+English without its template is recognised: a sentence that a document has stored, or the comment of a program. The
+sentences of earlier versions are in former_sentences.json, each with the one that replaced it.
 """
 
 from __future__ import annotations
 
 import functools
+import json
 import re
 import xml.etree.ElementTree as ET
 from typing import Any
@@ -19,6 +21,7 @@ from CNCStepper.workbench import packages
 
 CONTEXT = "CNCStepper core"
 CATALOGUE = packages.ROOT / "resources" / "translations" / "CNCStepper.ts"
+FORMER = CATALOGUE.with_name("former_sentences.json")
 VALUE = re.compile(r"\{(\w+)[^{}]*\}")
 NOW = ". Now "  # as `control/stream/job_run.py` says how the machine stands behind why the job has ended
 # as CNCStepperError.sentence puts it together: what (value …, limit …); advice [code]
@@ -72,8 +75,8 @@ def _known(english: str, strict: bool = True) -> str:
     sentence, values = _recognised(english, strict)
     if not values:
         return _look_up(sentence) if sentence else ""
-    said = dict(zip(VALUE.findall(sentence), (_known(value) or value for value in values), strict=True))
-    return VALUE.sub(lambda field: said[field[1]], _look_up(sentence))
+    translations = dict(zip(VALUE.findall(sentence), (_known(value) or value for value in values), strict=True))
+    return VALUE.sub(lambda field: translations[field[1]], _look_up(sentence))
 
 
 @functools.lru_cache(maxsize=1000)  # a list of refused operations says the same at each change
@@ -129,7 +132,13 @@ def _numbers(english: str) -> str:
 def _look_up(sentence: str) -> str:
     import FreeCAD
 
-    return str(FreeCAD.Qt.translate(CONTEXT, sentence))
+    return str(FreeCAD.Qt.translate(CONTEXT, _former().get(sentence, sentence)))
+
+
+@functools.cache
+def _former() -> dict[str, str]:
+    """Return the sentences of earlier versions, each with the present one, which has the same values."""
+    return json.loads(FORMER.read_text("utf-8"))
 
 
 def _values(pieces: list[str], english: str) -> list[str]:
@@ -153,5 +162,6 @@ def _catalogue() -> tuple[frozenset[str], list[tuple[list[str], str]]]:
     contexts = ET.parse(CATALOGUE).getroot().iter("context")
     core = (context for context in contexts if context.findtext("name") == CONTEXT)
     sentences = [str(message.findtext("source")) for context in core for message in context.iter("message")]
+    sentences += _former()
     with_values = sorted((sentence for sentence in sentences if VALUE.search(sentence)), key=lambda one: -len(one))
     return frozenset(sentences) - frozenset(with_values), [(VALUE.split(one)[::2], one) for one in with_values]

@@ -60,7 +60,9 @@ def how_to_get(lacking: list[str]) -> str:
     python = f"py -{version}" if os.name == "nt" else f"python{version}"
     names = " ".join(dependencies.pip_names(lacking))
     return (
-        tr("To get what is missing, type in a terminal, with Python {0}, and start FreeCAD again:").format(version)
+        tr("To install the missing packages, type in a terminal, with Python {0}, and start FreeCAD again:").format(
+            version
+        )
         + f'\n\n{python} -m pip install --target "{packages.own_folder()}" {names}'
     )
 

@@ -153,14 +153,14 @@ class SimulationPanel(QtGui.QWidget):
     def _keep_button(self) -> Any:
         self._keep = QtGui.QPushButton(tr("Keep as mesh"))
         self._keep.setObjectName("CNCStepper_Simulation_keep")
-        self._keep.setToolTip(tr("Add the part, as it stands now, to the document as a mesh"))
+        self._keep.setToolTip(tr("Add the part in its present state to the document as a mesh"))
         self._keep.clicked.connect(self.keep)
         return self._keep
 
     def _restart_button(self) -> Any:
         button = QtGui.QPushButton(tr("Restart from here…"))
         button.setObjectName("CNCStepper_Simulation_restart")
-        button.setToolTip(tr("Go on with the program from the line under way, all before it taken as cut"))
+        button.setToolTip(tr("Restart the program at the present line; everything before it counts as cut"))
         button.clicked.connect(self.restart)
         return button
 

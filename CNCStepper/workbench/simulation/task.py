@@ -223,7 +223,7 @@ class SimulationTask(ViewTask):
 
     def _changed(self) -> None:
         if self._result is not None:
-            self.form.say(tr("The program has changed since: what is shown is the one before."), again=True)
+            self.form.say(tr("The program has changed since: the view shows the earlier one."), again=True)
 
     def _deleted(self) -> None:
         QtCore.QTimer.singleShot(0, messages.guarded(self.reject))

@@ -43,7 +43,7 @@ class TimelineClient(QtCore.QObject):
         self._result = result  # keeps its folder
         self._wanted: list[dict[str, Any]] = []
         self._asked = self._answered = self._given_up = False
-        what, advice = "the process that knows the part at every moment has ended", "move the slider to start it again"
+        what, advice = "the simulation's process has ended", "move the slider to start it again"
         lost = CNCStepperError("timeline-lost", what, advice=advice)
         self._questions = RequestQueue(WORKER, lost, result.folder.name, parent=self)
         self._questions.answered.connect(guarded(self._on_message))

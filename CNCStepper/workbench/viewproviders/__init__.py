@@ -39,6 +39,7 @@ def _kind(obj: Any) -> type:
     from CNCStepper.workbench.features.base import JOB, proxy_type
     from CNCStepper.workbench.features.operation import Operation as Feature
     from CNCStepper.workbench.viewproviders.base import ViewProvider
+    from CNCStepper.workbench.viewproviders.drawing import Drawing
     from CNCStepper.workbench.viewproviders.job import Job
     from CNCStepper.workbench.viewproviders.operation import Operation
     from CNCStepper.workbench.viewproviders.preview import Preview
@@ -46,4 +47,10 @@ def _kind(obj: Any) -> type:
 
     if isinstance(obj.Proxy, Feature):
         return Operation
-    return {JOB: Job, "CNCStepper_Preview": Preview, "CNCStepper_Program": Program}.get(proxy_type(obj), ViewProvider)
+    kinds = {
+        JOB: Job,
+        "CNCStepper_Preview": Preview,
+        "CNCStepper_Program": Program,
+        "CNCStepper_Drawing": Drawing,
+    }
+    return kinds.get(proxy_type(obj), ViewProvider)

@@ -306,7 +306,7 @@ def test_a_tool_table_tells_lengths_and_diameters_to_every_verb(tmp_path: Path) 
     )
     for verb in verbs:
         bare = run(*verb, "--dialect", "linuxcnc")
-        assert bare.exit_code == 1 and "tool 1 does not stand in the tool table" in f"{bare.exception}{bare.output}"
+        assert bare.exit_code == 1 and "tool 1 is not in the tool table" in f"{bare.exception}{bare.output}"
         told = run(*verb, "--dialect", "linuxcnc", "--tool-table", table)
         assert told.exit_code == 0, told.output
 

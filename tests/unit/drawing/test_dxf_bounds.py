@@ -215,7 +215,7 @@ def test_names_and_the_words_of_ezdxf_drive_no_terminal(
 def test_what_ezdxf_logs_does_not_reach_the_terminal(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
     path = tmp_path / "a.dxf"
     new().saveas(path)
-    real = ezdxf.readfile
+    real = ezdxf.read
 
     def loud(*given: Any) -> Any:
         logging.getLogger("ezdxf").error("lost \x1b[31mhandle")

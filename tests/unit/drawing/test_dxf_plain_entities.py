@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 from CNCStepper.drawing.drawing import Drawing
-from CNCStepper.drawing.dxf.plain_entities import split_text
+from CNCStepper.drawing.dxf.plain_entities import NotSplit, SplitText, split_text
 from CNCStepper.drawing.dxf.reader import read_dxf
 
 SEEDS = range(12)
@@ -57,6 +57,10 @@ def add_random(space: Any, rng: np.random.Generator, kinds: list[str]) -> str:
     return case
 
 
+def left_to_ezdxf(content: bytes) -> SplitText:
+    raise NotSplit
+
+
 def assert_same(one: Drawing, other: Drawing) -> None:
     assert one.skipped == other.skipped and one.unit_mm == other.unit_mm
     assert [chain.attributes for chain in one.chains] == [chain.attributes for chain in other.chains]
@@ -83,11 +87,10 @@ def test_both_ways_give_the_same_drawing(
         path = tmp_path / f"{seed}.dxf"
         document.saveas(path)
         split = split_text(path.read_bytes())
-        assert split is not None
         read_straight += len(split.plain)
         straight = read_dxf(path, 0.01)
         with monkeypatch.context() as patch:
-            patch.setattr("CNCStepper.drawing.dxf.reader.split_text", lambda content: None)
+            patch.setattr("CNCStepper.drawing.dxf.reader.split_text", left_to_ezdxf)
             assert_same(straight, read_dxf(path, 0.01))
     print(f"seeds {SEEDS}: {cases}, {read_straight} read straight")
     assert len(cases) == len(kinds) and read_straight > 100
@@ -109,6 +112,8 @@ def text(entities: str) -> bytes:
         ("11\n50\n", "11\n50\n11\n51\n"),  # a value that stands twice
         ("11\n50\n21\n0\n", "21\n0\n11\n50\n"),  # in another order
         ("11\n50\n", ""),
+        ("8\n0\n", "8\n0\n62\nnan\n"),  # a colour that is no number
+        ("8\n0\n", "8\n0\n420\n1e400\n"),
         ("8\n0\n", "8\n0\n67\n1\n"),  # in the paper space
         ("8\n0\n", "8\n0\n210\n1\n220\n0\n230\n0\n"),
         ("8\n0\n", "8\n0\n1001\nACAD\n1000\nnote\n"),
@@ -119,8 +124,15 @@ def test_what_is_not_ordinary_is_left_to_ezdxf(changed: tuple[str, str]) -> None
     other = LINE.replace("A1", "A2").replace(*changed)
     assert other != LINE.replace("A1", "A2")
     split = split_text(text(LINE + other))
-    assert split is not None and [entity.handle for entity in split.plain] == ["A1"]
+    assert [entity.handle for entity in split.plain] == ["A1"]
     assert split.numbers == {"A2": 1} and split.rest == text(other)
+
+
+def test_a_bulge_before_the_first_vertex_is_not_given_to_the_polyline_before() -> None:
+    square = "0\nLWPOLYLINE\n5\n{}\n8\n0\n90\n2\n70\n1\n{}10\n0\n20\n0\n10\n9\n20\n0\n"
+    split = split_text(text(square.format("A1", "") + square.format("A2", "42\n1\n")))
+    (before,) = split.plain
+    assert before.handle == "A1" and not before.curve.bulge.any() and split.numbers == {"A2": 1}
 
 
 @pytest.mark.parametrize(
@@ -135,7 +147,33 @@ def test_what_is_not_ordinary_is_left_to_ezdxf(changed: tuple[str, str]) -> None
     ],
 )
 def test_a_damaged_file_or_one_without_handles_is_left_to_ezdxf(content: bytes) -> None:
-    assert split_text(content) is None
+    with pytest.raises(NotSplit):
+        split_text(content)
+
+
+@pytest.mark.parametrize("fault", [TypeError, ValueError, LookupError])
+def test_a_fault_of_the_quick_reader_is_not_hidden(
+    tmp_path: Path, fault: type[Exception], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def faulty(content: bytes) -> SplitText:
+        raise fault("planted")
+
+    path = tmp_path / "line.dxf"
+    path.write_bytes(text(LINE))
+    monkeypatch.setattr("CNCStepper.drawing.dxf.reader.split_text", faulty)
+    with pytest.raises(fault, match="planted"):
+        read_dxf(path, 0.01)
+
+
+def test_a_rest_that_ezdxf_refuses_is_a_fault_where_the_file_is_whole(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "line.dxf"
+    path.write_bytes(text(LINE))
+    assert read_dxf(path, 0.01).damage == ""
+    monkeypatch.setattr("CNCStepper.drawing.dxf.reader.split_text", lambda content: SplitText((), content[:-20], {}))
+    with pytest.raises(ezdxf.DXFError):
+        read_dxf(path, 0.01)
 
 
 def test_a_full_circle_is_closed_and_a_half_turn_is_one_arc() -> None:
@@ -145,7 +183,6 @@ def test_a_full_circle_is_closed_and_a_half_turn_is_one_arc() -> None:
     document.modelspace().add_arc((0, 0), 2, 0, 180)
     document.write(stream)
     split = split_text(stream.getvalue().encode())
-    assert split is not None
     circle, half = (entity.curve for entity in split.plain)
     assert circle.closed and circle.area_mm2 == pytest.approx(9 * math.pi) and len(circle) == 2
     assert len(half) == 1 and half.length_mm == pytest.approx(2 * math.pi)

@@ -276,7 +276,7 @@ def test_a_certificate_of_before_names_no_process() -> None:
         check_cut(Certificate(content), TORCH, cut_content(TORCH, PROCESSES["plasma"], STEEL))
     bare = certificate_of(prove("G21 G90\nG0 X10 Y10\nM2\n", TORCH, file="t.nc"))
     assert bare.content["cut"] == {"process": None, "row": None}  # nobody has said how it cuts
-    with pytest.raises(JobError, match="what no proof has"):
+    with pytest.raises(JobError, match="that no proof has"):
         check_cut(Certificate(content | {"cut": 3}), TORCH, None)
 
 

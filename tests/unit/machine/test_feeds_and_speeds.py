@@ -151,7 +151,7 @@ def test_findings_tell_the_feeds_that_are_out_of_range_at_the_tools_first_line()
 def test_flutes_that_are_assumed_are_told_where_the_feed_comes_of_them() -> None:
     cutter = tool().model_copy(update={"flutes": 0, "feed_mm_min": 0.0, "spindle_rpm": 0.0})
     (told,) = [remark for remark in remarks_on(cutter, material("plywood"), TABLE) if "flutes" in remark.text]
-    assert told.severity == "info" and told.text.endswith("reckoned with 2") and "flutes" in told.advice
+    assert told.severity == "info" and told.text.endswith("calculated with 2") and "flutes" in told.advice
     given = cutter.model_copy(update={"feed_mm_min": 800.0, "spindle_rpm": 16000.0})
     for other in (given, cutter.model_copy(update={"flutes": 2})):
         assert not [remark for remark in remarks_on(other, material("plywood"), TABLE) if "flutes" in remark.text]

@@ -129,7 +129,7 @@ def test_free_numbers_go_around_those_that_are_taken(tmp_path: Path) -> None:
     ]
     write_chart(tmp_path / "a.cfg", rows)
     assert [row.number for row in read_chart(tmp_path / "a.cfg")] == [2, 1, 4, 3]
-    with pytest.raises(JobError, match="stands twice"):
+    with pytest.raises(JobError, match="is used twice"):
         write_chart(tmp_path / "b.cfg", [rows[1], rows[1]])
     with pytest.raises(JobError, match="laser"):
         write_chart(tmp_path / "b.cfg", list(shipped_chart("laser")))
@@ -181,7 +181,7 @@ SECTION = DOCUMENTED[DOCUMENTED.index("[MATERIAL_NUMBER_12]") :]
         (DOCUMENTED.replace("= 3000", "="), "material-file", "no CUT_SPEED"),
         (DOCUMENTED.replace("CUT_SPEED           = 3000\n", ""), "material-file", "no CUT_SPEED"),
         (DOCUMENTED.replace("CUT_SPEED", "CUT_FEED"), "material-file", "no key CUT_FEED"),
-        (DOCUMENTED.replace("CUT_AMPS ", "CUT_VOLTS"), "material-file", "stands twice"),
+        (DOCUMENTED.replace("CUT_AMPS ", "CUT_VOLTS"), "material-file", "is twice in one material"),
         (DOCUMENTED.replace("THC                 = 1", "THC = 2"), "material-file", "0 or 1"),
         (DOCUMENTED.replace("CUT_MODE            = 1", "CUT_MODE = 1.5"), "material-file", "0 to 3"),
         (DOCUMENTED.replace("= 0.5", "= 0"), "quantity", "KERF_WIDTH"),

@@ -218,7 +218,7 @@ def test_a_job_takes_its_tools_from_a_file_and_says_more_of_them(tmp_path: Path)
 def test_what_was_guessed_of_a_tool_goes_with_the_job(tmp_path: Path) -> None:
     (tmp_path / "tool.tbl").write_text("T1 D1 ;mysterious\nT2 D3 ;odd\n", encoding="utf-8")
     job, _ = load_job(job_with(tmp_path, '"tool.tbl"'))
-    assert len(job.notes) == 1 and "tool 1 of tool.tbl: taken as a flat mill" in job.notes[0]
+    assert len(job.notes) == 1 and "tool 1 of tool.tbl: read as a flat mill" in job.notes[0]
 
 
 def test_a_job_takes_its_tools_from_a_library(tmp_path: Path) -> None:

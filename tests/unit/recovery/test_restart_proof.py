@@ -155,7 +155,7 @@ def test_words_tell_where_from_what_height_and_with_what() -> None:
         "starts the spindle at 12000 rpm, turning clockwise (M3)",
         "waits for 3 s",
         "goes down at 200 mm/min",
-        "then runs 4 lines of the program as they are; all before them is taken as cut",
+        "then runs 4 lines of the program unchanged; everything before them counts as cut",
     ]
     assert [row[:2] for row in contour_table(proven.restart.program)] == [(1, 7)]
 

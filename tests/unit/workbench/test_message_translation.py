@@ -19,7 +19,7 @@ from CNCStepper.errors import JobError, ProgramError, Text, joined
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.state import Start
 from CNCStepper.workbench.services import messages
-from CNCStepper.workbench.services.message_translation import CATALOGUE, translated
+from CNCStepper.workbench.services.message_translation import CATALOGUE, FORMER, VALUE, translated
 
 LIMIT = Text("at most {largest_tool}", largest_tool=3)
 BAD = sorted((Path(__file__).parents[2] / "bad").glob("*.nc"))
@@ -51,6 +51,20 @@ def test_every_refusal_is_said_in_portuguese(path: Path) -> None:
     assert translated(error.what) != error.what
     assert translated(error.sentence).startswith(translated(error.what))
     assert not error.value or error.value in translated(error.sentence)
+
+
+def test_sentences_of_earlier_versions_have_a_present_one_with_the_same_values() -> None:
+    former = json.loads(FORMER.read_text("utf-8"))
+    known = {text for context, text in PORTUGUESE if context == "CNCStepper core"}
+    assert set(former.values()) <= known and not former.keys() & known
+    assert not [old for old, new in former.items() if sorted(VALUE.findall(old)) != sorted(VALUE.findall(new))]
+
+
+def test_a_sentence_that_an_earlier_version_has_stored_is_translated() -> None:
+    stored = "tool 7 does not stand in the tool table"
+    assert translated(stored) == "a ferramenta 7 não está na tabela de ferramentas"
+    template = Text("tool {tool} does not stand in the tool table", tool=7)
+    assert translated(template) == translated(stored)
 
 
 def test_the_limit_and_the_advice_are_translated_and_the_value_stays() -> None:
@@ -109,7 +123,7 @@ def test_english_without_a_template_is_recognised() -> None:
 MESSAGES_OF_OUR_CONTROLLERS = (
     "the lathe cannot be stopped over its link: it runs on for 3.1 s, to X12.500 Z-40.000",
     f"the lathe is in automatic mode and cannot be jogged: {SWITCH_ON_AGAIN}",
-    f"the lathe takes a zero in manual mode only: {SWITCH_ON_AGAIN}",
+    f"the zero of the lathe can be set in manual mode only: {SWITCH_ON_AGAIN}",
     "switch the lathe on in manual mode before it moves; its position is reckoned, nothing reports it",
     "the tool is not at the work zero, where a program begins: jog it there, or set the zero here",
     "nothing more is sent to the lathe: its program has ended with M02",

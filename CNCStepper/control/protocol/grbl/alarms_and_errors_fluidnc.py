@@ -31,7 +31,7 @@ FLUIDNC_ERRORS: dict[int, Code] = GRBL_ERRORS | {
     61: Code("the file cannot be read", _FILE),
     62: Code("the folder cannot be opened", _FILE),
     63: Code("the folder does not exist", "correct the folder's name"),
-    64: Code("the file is empty", "send the file anew"),
+    64: Code("the file is empty", "send the file again"),
     65: Code("the file does not exist", "correct the file's name"),
     66: Code("the file cannot be opened", "correct the file's name"),
     67: Code("the file system is busy", "wait a moment, then try again"),
@@ -57,7 +57,7 @@ FLUIDNC_ERRORS: dict[int, Code] = GRBL_ERRORS | {
     152: Code(
         "the configuration is not valid", "read the controller's start-up messages ($SS) and correct its configuration"
     ),
-    160: Code("the file could not be taken over", _AGAIN),
+    160: Code("the file could not be loaded", _AGAIN),
     161: Code("the file could not be handed out", _AGAIN),
     162: Code("this setting can only be read", _CONFIGURATION),
     170: Code("the expression divides by zero", _EXPRESSION),
@@ -77,7 +77,7 @@ FLUIDNC_ERRORS: dict[int, Code] = GRBL_ERRORS | {
 FLUIDNC_ALARMS: dict[int, Code] = {number: code for number, code in GRBL_ALARMS.items() if number < 10} | {
     8: lost("a limit switch stayed pressed after homing", "raise pulloff_mm in its configuration, or check the switch"),
     9: lost("homing found no limit switch", "check the switches, and max_travel_mm in its configuration"),
-    10: lost("the spindle does not do as it is told", "look at spindle and inverter, then home the machine"),
+    10: lost("the spindle does not follow the program", "look at spindle and inverter, then home the machine"),
     11: lost(
         "an input was active at start", "release buttons, door, switches and emergency stop, then home the machine"
     ),

@@ -26,7 +26,7 @@ GRBLHAL_ERRORS: dict[int, Code] = GRBL_ERRORS | {
         "a limit switch is pressed; only homing is allowed", "home the machine, or move it off the switch by hand"
     ),
     46: Code("the machine must be homed first", "home the machine"),
-    47: Code("the tool changer does not know which tool it holds", "say it with M61 Q and the tool's number"),
+    47: Code("the tool changer does not know which tool it holds", "set it with M61 Q and the tool's number"),
     48: Code("two words of the line contradict each other", CORRECT_LINE),
     49: Code(
         "the controller's own test at power-up failed", "switch it off and on again; if it stays, look at its wiring"
@@ -40,7 +40,7 @@ GRBLHAL_ERRORS: dict[int, Code] = GRBL_ERRORS | {
         "two self-squaring axes cannot be homed at the same time", "give them different homing passes ($44 to $46)"
     ),
     56: Code("the work system is locked", "unlock it in the settings, or use another work system"),
-    57: Code("a `%` stands where no file begins or ends", "remove the lines with `%`"),
+    57: Code("a `%` is neither at the begin nor at the end of the file", "remove the lines with `%`"),
     58: Code("the auxiliary port does not exist or is in use", "correct the P word, or the board's settings"),
     60: Code("the memory card cannot be mounted", _CARD),
     61: Code("the file cannot be read", _CARD),
@@ -57,8 +57,8 @@ GRBLHAL_ERRORS: dict[int, Code] = GRBL_ERRORS | {
     74: Code("a value in the expression does not fit its operation", _EXPRESSION),
     75: Code("the expression cannot be read", _EXPRESSION),
     76: Code("the expression's result is not a finite number", _EXPRESSION),
-    77: Code("the controller wants to know who you are", "log in first"),
-    78: Code("the controller does not allow this to this user", "log in as a user who may do it"),
+    77: Code("the controller asks for a login", "log in first"),
+    78: Code("the controller does not allow this to this user", "log in as a user with that permission"),
     79: Code(
         "this is not allowed while an emergency stop or a limit is active", "clear the cause, then reset the controller"
     ),

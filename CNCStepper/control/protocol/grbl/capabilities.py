@@ -13,10 +13,10 @@ from CNCStepper.errors import MachineRefusal, Text
 CANNOT_CODE = "cannot"
 SWITCH = "press the machine's own switch, or let it run to its end"
 REASONS: dict[str, tuple[str, str]] = {  # of each word of [CANNOT:...]: why not, and what to do
-    "hold": ("this machine cannot be held while its program runs: its link takes no such command", SWITCH),
+    "hold": ("this machine cannot be held while its program runs: its link has no such command", SWITCH),
     "resume": ("this machine cannot be resumed over its link", "use the machine's own buttons"),
     "stop": (
-        "this machine cannot be stopped while it runs what it was sent",
+        "this machine cannot be stopped while it runs the lines that it has",
         "press the machine's switch; no further line is sent",
     ),
     "override": ("this machine's speeds cannot be changed while its program runs", "change F in the program"),
@@ -25,7 +25,10 @@ REASONS: dict[str, tuple[str, str]] = {  # of each word of [CANNOT:...]: why not
     "back": ("this machine cannot go back along its cut", "restart the program at a line before it"),
     "home": ("this machine cannot find its own zero", "move the tool to the work zero and set it there"),
     "probe": ("this machine has no probe", "set the zero by hand"),
-    "position": ("this machine does not report its position: it is counted from what was sent", "look at the machine"),
+    "position": (
+        "this machine does not report its position: it is calculated from the lines sent",
+        "look at the machine",
+    ),
 }
 OF_PROGRAMS = frozenset(REASONS) - {"home", "probe", "jog"}  # that matter while a program runs
 NEEDS: dict[str, tuple[str, ...]] = {  # the ability that each command needs

@@ -112,7 +112,7 @@ def read_modes(driver: Grbl, timing: Timing) -> str:
     if not modes or not all(map(MODE.fullmatch, modes.split())):
         raise LinkError(
             "modes-unknown",
-            Text("{link} does not say its modes: question or answer was damaged", link=driver.link.name),
+            Text("{link} does not report its modes: question or answer was damaged", link=driver.link.name),
             advice="check the cable, and look that the controller is not in check mode ($C leaves it); then send again",
         )
     return modes
@@ -236,7 +236,7 @@ def _not_grbl(driver: Grbl, timing: Timing, said: list[Received]) -> LinkError:
 def _units_unknown() -> MachineRefusal:
     return MachineRefusal(
         "units-unknown",
-        "the controller does not say whether it reports in mm or in inches",
+        "the controller does not report whether it uses mm or inches",
         advice="update its firmware",
     )
 

@@ -61,10 +61,10 @@ class FloodLimit:
         self._lines = 0.0
         raise LinkError(
             "link-flood",
-            Text("{name} says more than anybody asked for", name=name),
+            Text("{name} sends more than was asked for", name=name),
             value=Text("more than {most} lines", most=most),
             limit=f"{LINES_PER_S:g} lines/s",
-            advice="look at the baud rate, and at what reports the controller sends by itself",
+            advice="check the baud rate, and which reports the controller sends unasked",
         )
 
 

@@ -32,7 +32,7 @@ OWN_NAME = "cncstepper "  # begins the name of a CNCStepper controller in [FIRMW
 CANNOT = "CANNOT"  # of `$I`: functions that a CNCStepper controller lacks
 TOO_FAST = Code(
     "this computer cannot keep the pulse rate of this program",
-    "look at what it says, end other programs, or choose lower speeds",
+    "read its message, close other programs, or choose lower speeds",
 )
 
 
@@ -66,7 +66,7 @@ class Firmware:
     def error(self, number: int) -> Code:
         """Return what `error:number` means here."""
         if number < 0:
-            return Code("the controller refused the line", "look at what it says, and correct that line")
+            return Code("the controller refused the line", "read its message, and correct that line")
         return self.errors.get(number) or Code(Text("{name} lists no such error", name=self.name), LOOK_UP)
 
     def alarm(self, number: int) -> Code:

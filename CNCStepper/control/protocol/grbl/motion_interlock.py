@@ -14,6 +14,7 @@ import re
 from collections.abc import Callable
 
 from CNCStepper.errors import MachineRefusal
+from CNCStepper.gcode.syntax.words import code_pattern, packed_wire
 from CNCStepper.machine.pulse_letters import COMMAND as LETTERS
 
 UNKNOWN = "position-unknown"
@@ -25,9 +26,9 @@ SHOWN = 40  # characters of a refused line
 
 _NUMBER = r"[-+]?\d*\.?\d*"
 _RELATIVE_JOG = re.compile(rf"\$J=(?:G2[01]|G91|[A-CU-Z]{_NUMBER}|F{_NUMBER})*")
-_RELATIVE = re.compile(r"G91(?![\d.])")
+_RELATIVE = re.compile(code_pattern("G", "91"))
 _SET_ZERO = re.compile(rf"G10L20P\d(?:[A-CU-Z]{_NUMBER})*")
-_OUTPUTS = re.compile(rf"(?:N\d+|M0*[3-57-9](?![\d.])|S{_NUMBER}|G0*4(?![\d.])|P{_NUMBER})*")
+_OUTPUTS = re.compile(rf"(?:N\d+|{code_pattern('M', '[3-57-9]')}|S{_NUMBER}|{code_pattern('G', '4')}|P{_NUMBER})*")
 
 
 class MotionInterlock:
@@ -53,7 +54,7 @@ class MotionInterlock:
 
 def moves(text: str) -> bool:
     """Return whether a line may move a machine otherwise than by a relative jog or by homing."""
-    plain = text.replace(" ", "").upper()
+    plain = packed_wire(text)
     if plain.startswith("$J="):
         return not (_RELATIVE_JOG.fullmatch(plain) and _RELATIVE.search(plain))
     if plain.startswith(LETTERS):

@@ -56,7 +56,7 @@ def check_zero(confirmed: bool) -> None:
     if not confirmed:
         raise MachineRefusal(
             "zero-not-confirmed",
-            "nobody has confirmed the work zero",
+            "the work zero is not confirmed",
             advice="set the zero on the stock, then confirm it (--zero-confirmed)",
         )
 

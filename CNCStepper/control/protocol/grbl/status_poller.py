@@ -66,6 +66,6 @@ def _damaged(place: Place | None) -> LinkError:
         "reports-damaged",
         "where the machine is cannot be seen: every report of the controller is damaged",
         limit=f"{DAMAGED_S:g} s",
-        advice="check cable, grounding and baud rate, and that the firmware is one that this program knows",
+        advice="check cable, grounding and baud rate, and that this program supports the firmware",
         place=place,
     )

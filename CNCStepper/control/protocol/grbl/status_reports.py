@@ -20,10 +20,11 @@ import re
 from dataclasses import dataclass
 
 from CNCStepper.errors import Text
+from CNCStepper.word_pattern import DECIMAL
 
 MOST = 1e7  # of any position, speed or setting, in whatever unit
 MOST_COUNT = 100_000  # of a code, of free blocks and bytes
-_DECIMAL = re.compile(r"[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)")
+_DECIMAL = re.compile(DECIMAL)
 _COUNT = re.compile(r"[0-9]+")
 _LONGEST = 24  # characters of the longest number that a firmware writes
 

@@ -153,5 +153,5 @@ def _lost(name: str, error: Exception) -> LinkError:
     return LinkError(
         "link-lost",
         Text("the link to {name} broke: {error}", name=name, error=printable(str(error))),
-        advice="a move that the lathe has begun goes on: switch it off, then set its zero again",
+        advice="the lathe finishes a move that it has begun: switch it off, then set its zero again",
     )

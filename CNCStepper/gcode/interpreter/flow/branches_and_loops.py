@@ -42,7 +42,7 @@ class Blocks:
         known = self.labels.get(label)
         if known:
             what = Text(
-                "{line} stands in line {index} of {known_file} already",
+                "{line} is in line {index} of {known_file} already",
                 line=line.label,
                 index=known.index + 1,
                 known_file=known.source.file or "the text",

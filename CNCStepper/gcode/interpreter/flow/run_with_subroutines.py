@@ -263,7 +263,7 @@ class Flow:
     def _return(self, line: FlowLine) -> None:
         if not self.calls:
             if not self._defining:
-                raise refused(line, "not-in-sub", Text("{line} stands outside any subroutine", line=line.keyword))
+                raise refused(line, "not-in-sub", Text("{line} is outside any subroutine", line=line.keyword))
             if line.keyword == "endsub":
                 self.blocks.skipping = self._defining = ""
             return

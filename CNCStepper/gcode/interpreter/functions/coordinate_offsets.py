@@ -75,7 +75,7 @@ def set_table(block: Block, code: Code) -> None:
         if letter in block.plan.slots and letter not in others:
             raise ProgramError(
                 "unused-word",
-                Text("{letter} says nothing with G10 L{kind}", letter=letter, kind=kind),
+                Text("{letter} has no meaning with G10 L{kind}", letter=letter, kind=kind),
                 value=letter,
                 advice="drop it",
             )

@@ -72,7 +72,7 @@ def plasma_output(block: Block, code: Code) -> None:
     if round(block.value("P")) != TORCH_OUTPUT:
         output(block, code)
         return
-    block.uncompensated("the torch may not be taken off", code.name)
+    block.uncompensated("the torch cannot be switched off", code.name)
     plasma = replace(plasma_of(block), cut_off=code.name in ("M62", "M64"))
     block.model.plasma = plasma
     if plasma.tool is not None:

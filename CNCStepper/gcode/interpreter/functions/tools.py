@@ -6,7 +6,6 @@ A length lies along Z nearly always, but an entry has an offset for each of the 
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
@@ -16,10 +15,10 @@ from CNCStepper.gcode.dialects.codes import ALL_AXES, Code
 from CNCStepper.gcode.interpreter.block import Block
 from CNCStepper.gcode.interpreter.state import stand_alone_position
 from CNCStepper.gcode.interpreter.state.parameters import length_scale
+from CNCStepper.machine.tools.linuxcnc_tool_table import line_words
 from CNCStepper.state import ZERO9, ToolEntry
 
 LARGEST_ORIENTATION = 9
-_ITEM = re.compile(r"([A-Z])\s*([+-]?[0-9]*\.?[0-9]+)")
 USE_LENGTH = "USE_TOOL_LENGTH_OFFSET({} {} {}, {} {} {}, {} {} {})"
 
 
@@ -30,11 +29,11 @@ def read_tool_table(text: str, unit_mm: float = 1.0, file: str = "") -> dict[int
     """
     tools: dict[int, ToolEntry] = {}
     for number, line in enumerate(text.splitlines(), start=1):
-        items = dict(_ITEM.findall(line.partition(";")[0].upper()))
+        items = dict(line_words(line)[0])
         if not items:
             continue
         if "T" not in items or int(float(items["T"])) in tools:
-            what = "a line of a tool table names one tool, which stands in it once"
+            what = "a line of a tool table names one tool, and no other line names it"
             raise ProgramError("tool-table", what, value=items.get("T", ""), place=Place(file, number, 1))
         tools[int(float(items["T"]))] = _entry(items, unit_mm)
     return tools
@@ -56,7 +55,7 @@ def _entry(items: dict[str, str], unit_mm: float) -> ToolEntry:
 def entry_of(block: Block, tool: int, value: str) -> ToolEntry:
     """Return a tool's entry; raises ProgramError, which blames the word `value`, when the table has none."""
     if tool not in block.model.tools:
-        what = Text("tool {tool} does not stand in the tool table", tool=tool)
+        what = Text("tool {tool} is not in the tool table", tool=tool)
         raise ProgramError("tool-length", what, value=value, advice="give the tool with the start state")
     return block.model.tools[tool]
 

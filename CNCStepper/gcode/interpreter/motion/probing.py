@@ -29,7 +29,7 @@ def probe(block: Block, motion: int, before: int) -> None:
     end = end_point(model, block.plan, block.values)
     further = further_end(model, block.plan, block.values)
     if name in ("G38.2", "G38.4") and (end, further) == (model.position, model.further):
-        raise ProgramError("no-move", "the probe stands at its end already", value=name, advice="correct the end")
+        raise ProgramError("no-move", "the probe is at its target already", value=name, advice="correct the end")
     block.event("probe", text=name)
     block.call("TURN_PROBE_ON()")
     begin = model.position

@@ -32,7 +32,7 @@ def bezier(block: Block, motion: int, before: int) -> None:
     block.uncompensated("no spline may be cut", name)
     _check_feed(block, motion)
     if block.model.nurbs is not None:  # LinuxCNC 2.9 takes its control points for this curve's
-        what: str = Text("{name} stands between G5.2 and G5.3", name=name)
+        what: str = Text("{name} is between G5.2 and G5.3", name=name)
         raise ProgramError("spline-open", what, value=name, advice="write G5.3 on a line before")
     if block.model.state.plane != "XY":
         raise ProgramError("plane", "splines lie in the plane XY", value=name, advice="write G17 before")
@@ -103,7 +103,7 @@ def end_nurbs(block: Block, code: Code) -> None:
         what = "G5.3 ends a NURBS: no other motion may share its line"
         raise ProgramError("axis-conflict", what, value=other, advice="write it on the next line")
     if nurbs is None or MOTION_NAMES[model.motion] != "G5.2":
-        raise ProgramError("no-spline", "G5.3 ends what no G5.2 began", value="G5.3", advice="write G5.2 before")
+        raise ProgramError("no-spline", "G5.3 without a G5.2 before it", value="G5.3", advice="write G5.2 before")
     if len(nurbs.points) < nurbs.order:
         what = Text("a NURBS of order {order} needs as many control points", order=nurbs.order)
         raise ProgramError("control-points", what, value="G5.3", limit=str(nurbs.order), advice="add control points")

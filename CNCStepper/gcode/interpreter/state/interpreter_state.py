@@ -89,7 +89,7 @@ class Plasma:
             what = "this pin of the machine is not known to this reader"
             raise ProgramError("unknown-parameter", what, advice="write the value itself")
         if not values[name]:
-            what = "what the material that QtPlasmaC has chosen says is not in the text"
+            what = "the program does not contain the values of the material that QtPlasmaC has selected"
             example = "(nu=7, ph=3.8, pd=0.4, ch=1.5, fr=3850, kw=1.5)"
             advice = Text(
                 "write its comment before, such as {example}, or name material and thickness", example=example

@@ -42,7 +42,7 @@ class SystemParameters:
             return _tool(self.model)[number - TOOL[0]]
         value = self.parameters.get(number)
         if value != value:
-            what = Text("what #{number} will hold is known only when the program runs", number=number)
+            what = Text("the value of #{number} is known only when the program runs", number=number)
             raise ProgramError("unknown-parameter", what, advice="a probe or an input sets it on the machine")
         return value
 

@@ -65,13 +65,13 @@ FACES = {
     "connecting": Face(later("Connecting…"), OFF, later("Waiting for the controller to answer.")),
     "unreached": Face(later("No connection"), DANGER, later("Look at the port, then connect again.")),
     "gone": Face(later("Connection lost"), DANGER, later("Look at the machine, then connect again.")),
-    "idle": Face(later("Idle"), CALM, later("The machine stands and waits.")),
+    "idle": Face(later("Idle"), CALM, later("The machine is at rest and waits.")),
     "running": Face(later("Running"), GOING, later("The job is being cut.")),
     "finishing": Face(later("Finishing"), GOING, later("All lines are sent; the last moves are being cut.")),
     "holding": Face(later("Holding…"), WAITING, later("The machine slows down.")),
-    "held": Face(later("Held"), WAITING, later("The machine stands; nothing is lost. Resume or stop.")),
+    "held": Face(later("Held"), WAITING, later("The machine is at rest; nothing is lost. Resume or stop.")),
     Phase.RETREATED: Face(later("On its cut"), WAITING, later("The job waits on its cut. Resume cuts on from there.")),
-    "paused": Face(later("Paused"), WAITING, later("The program waits. Resume goes on.")),
+    "paused": Face(later("Paused"), WAITING, later("The program waits; Resume continues it.")),
     "door": Face(later("Door"), WAITING, later("Close the safety door, then resume.")),
     "stopping": Face(later("Stopping…"), WAITING, later("The machine slows down, then the job is ended.")),
     "alarm": Face(later("Alarm"), DANGER, later("Find the cause, then home the machine or unlock it.")),
@@ -79,7 +79,7 @@ FACES = {
     "homing": Face(later("Homing"), GOING, later("The machine looks for its switches.")),
     "busy": Face(later("Busy"), WAITING, later("The controller does something that was not asked for here.")),
 }
-LOST = later("Where the table stands is not known: home the machine, or set the work zero anew.")
+LOST = later("The position of the table is unknown: home the machine, or set the work zero again.")
 WITH_OWN_WORDS = ("paused", "alarm", "gone", "unreached", "held", "door")  # where a message says more than our sentence
 
 
@@ -111,12 +111,12 @@ NOT_CONNECTED = later("Connect to a controller first.")
 RULES = {
     "hold": Rule(
         frozenset({"running", "finishing", "jogging", "busy"}),
-        later("Hold: slow down and stand still; nothing is lost, the spindle goes on turning."),
+        later("Hold: slow down and stop on the path; nothing is lost, the spindle keeps turning."),
         later("Nothing moves that could be held."),
     ),
     "resume": Rule(
         STANDING,
-        later("Go on after a hold, a pause or the door."),
+        later("Resume after a hold, a pause or the door."),
         later("The machine is not held: there is nothing to resume."),
     ),
     "back": Rule(
@@ -126,19 +126,19 @@ RULES = {
     ),
     "aside": Rule(
         frozenset({"held"}),
-        later("Let the machine be jogged: spindle or beam off; Resume goes back to the cut over a safe way."),
+        later("Allow jogging: spindle or beam off; Resume returns to the cut on a safe path."),
         later("The machine is made free to jog while a job is held."),
     ),
     "forward": Rule(
         frozenset({"held", Phase.RETREATED}),
-        later("Go forward again along the cut by this length, to where it had come at most."),
+        later("Go forward along the cut by this length, at most to where it was held."),
         later("The tool goes forward again only after it went back."),
     ),
     "stop": Rule(
         JOB_RUNS - {"stopping"} | {"jogging", "homing", "busy"},
         later(
-            "Stop: slow down, stand still, spindle off; the rest of the job is not cut. "
-            "This is not an emergency stop: the emergency stop is on the machine."
+            "Stop: slow down, stop, spindle off; the rest of the job is not cut. This is not an emergency stop: the"
+            " emergency stop is on the machine."
         ),
         later("Nothing moves that could be stopped. The emergency stop is on the machine."),
     ),
@@ -154,12 +154,12 @@ RULES = {
     ),
     "home": Rule(
         frozenset({"idle", "alarm"}),
-        later("Let the machine find its own zero with its switches."),
+        later("Home the machine: it finds its zero with its limit switches."),
         later("Homing works only while the machine is idle or in alarm."),
     ),
     "unlock": Rule(
         frozenset({"alarm"}),
-        later("Take the alarm away without homing: only when the position is surely right."),
+        later("Unlock the alarm without homing: only if the position is certainly right."),
         later("The machine is not in alarm: there is nothing to unlock."),
     ),
     "override": Rule(
@@ -183,7 +183,7 @@ AT_A_STAND = {  # the machine states in which these work between two lines, or t
     Phase.RETREATED: {"jog": ("Idle", "Jog"), "hold": ("Jog",)},  # what lies behind was cut from the zero that it has
 }
 HELD_AND_LOST = later(
-    "The machine's position is unknown: stop what it was doing, then home it or set the zero of all axes."
+    "The machine's position is unknown: stop the job, then home the machine or set the zero of all axes."
 )
 NO_HOMING = later("This machine has no homing switches set up ($22=0).")
 

@@ -29,12 +29,12 @@ DOES = {
     FORWARD: RULES["forward"].does,
     ASIDE: RULES["aside"].does,
 }
-UNDER_WAY = later("The way along the cut is being found: wait, hold or stop.")
-NOTHING_AHEAD = later("The tool stands where the cut has come to.")
+UNDER_WAY = later("The retract along the cut is being calculated: wait, hold or stop.")
+NOTHING_AHEAD = later("The tool is at the end of the cut.")
 FINDING = later("The place on the cut is being looked for…")
-PROVING = later("The way along the cut is being checked…")
+PROVING = later("The retract along the cut is being checked…")
 GOING = later("The tool moves along the cut.")
-UNKNOWN = later("The tool can go back along exactly the way by which it came.")
+UNKNOWN = later("The tool can retract along exactly the path by which it came.")
 
 
 def request_of(status: SenderStatus | None) -> Request | None:
@@ -135,5 +135,5 @@ def state_text(flow: RetractFlow, moment: ControllerSnapshot) -> str:
     if not flow.line:
         return UNKNOWN
     if flow.behind_mm < THERE_MM:
-        return later("The tool stands on line {0}, where the cut has come to.")
-    return later("The tool stands on line {0}, {1} behind where the cut has come to.")
+        return later("The tool is on line {0}, at the end of the cut.")
+    return later("The tool is on line {0}, {1} behind the end of the cut.")

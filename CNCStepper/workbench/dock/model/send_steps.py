@@ -46,7 +46,7 @@ STEPS = {
         later("Connect"), later("Choose above where to cut, then connect."), CALM, later("Connect"), number=2
     ),
     "zero": Step(
-        later("Work zero"), later("Is the work zero set on the stock and the way free?"), WAITING, later("Start"),
+        later("Work zero"), later("Is the work zero set on the stock, and is the path free?"), WAITING, later("Start"),
         number=3,
     ),
     "starting": Step(later("Starting"), later("The controller's settings are compared."), GOING, away="", number=4),

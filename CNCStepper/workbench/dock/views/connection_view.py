@@ -25,7 +25,7 @@ from CNCStepper.workbench.dock.views.keyboard import KeyButton
 from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.services.translation import later, tr
 
-DISCONNECT_FIRST = later("Disconnect first: this is what the dock is connected to.")
+DISCONNECT_FIRST = later("Disconnect first: the dock is connected to this machine.")
 
 
 class FreshBox(QtGui.QComboBox):
@@ -126,7 +126,7 @@ class ConnectionView(QtGui.QWidget):
         self._moment = moment
         self.button.setText(tr("Disconnect") if self._connected else tr("Connect"))
         if self._connected:
-            widgets.lock(self.button, why_not_disconnect(moment), later("Let go of the controller."))
+            widgets.lock(self.button, why_not_disconnect(moment), later("Disconnect from the controller."))
         else:
             widgets.lock(
                 self.button, why_not_connect(moment, self.port), later("Connect to the controller at this port.")

@@ -134,7 +134,7 @@ class CutDialog(QtGui.QDialog):
 def _feed_words(row: CutData) -> str:
     """Return in words which feed and kerf the row gives."""
     whose = ", ".join(words_of(name) for name in (row.material, row.consumable) if name)
-    told = tr("A program without F takes {0} mm/min ({1}; kerf {2} mm).")
+    told = tr("A program without F runs at {0} mm/min ({1}; kerf {2} mm).")
     return told.format(_number(row.feed_mm_min), whose, _number(row.kerf_mm))
 
 

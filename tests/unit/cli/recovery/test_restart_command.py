@@ -94,7 +94,7 @@ def test_all_that_send_was_given_is_offered_again_and_proven_as_pasted(
     dry = [word for word in offered.words[1:] if word not in ("--port", "COM3", "--baud", "9600", "--home")]
     result = CliRunner().invoke(group, dry)
     assert result.exit_code == 0, result.output
-    assert "cut on the stock that the moves before it have left" in result.output
+    assert "simulated on the stock that the earlier moves have left" in result.output
 
 
 def test_a_profile_that_is_gone_is_offered_as_the_journal_has_it(

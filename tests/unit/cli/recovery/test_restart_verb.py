@@ -109,7 +109,7 @@ def test_a_machine_is_needed(program: Path) -> None:
 
 def test_without_stock_it_says_so_and_is_not_sent(program: Path) -> None:
     result = called(program, "--machine", "table-a", "--line", "10")
-    assert result.exit_code == 0 and "NOT cut on any stock" in result.output
+    assert result.exit_code == 0 and "NOT simulated on a stock" in result.output
     assert "NOT cut" not in called(program, *AGAINST, "--line", "10").output
     result = called(program, "--machine", "table-a", "--line", "10", "--port", "COM999")
     assert result.exit_code == 2 and "or --without-stock" in " ".join(result.output.split())
@@ -192,5 +192,5 @@ def test_what_resume_offers_runs_as_it_is_pasted(
     assert pasted[:2] == ["cncstepper", "restart"] and str(profile) in pasted
     result = CliRunner().invoke(group, [*pasted[1:], "--zero-confirmed", "--resume-pauses"])
     assert result.exit_code == 0, result.output
-    assert "cut on the stock that the moves before it have left" in result.output
+    assert "simulated on the stock that the earlier moves have left" in result.output
     assert "the machine is idle" in result.output

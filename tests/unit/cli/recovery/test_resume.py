@@ -88,7 +88,7 @@ def test_a_zero_that_was_set_within_the_job_is_told_and_restarted_with(tmp_path,
     end = {"zero": zero, "end": "stopped", "why": "stopped as asked", "position_known": True}
     text = told(tmp_path, file=str(program), group=group, end=end, **PATH | {"homing": homing})
     assert "set again at the pause at line 2: G54 X-100.000 Y-50.000 Z-12.500 (machine, mm)" in text
-    assert "kept only if the controller has had power" in text and "may still be on" not in text
+    assert "kept only if the controller stayed powered" in text and "may still be on" not in text
     words = ["--line", "3", "--without-stock", "--machine", "table-a", *option.split(), "--port", "COM3"]
     assert text.endswith(" ".join(words) + "\n")  # the position is kept: no --home
 

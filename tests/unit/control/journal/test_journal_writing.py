@@ -228,7 +228,7 @@ def test_who_resumes_with_the_disk_still_full_is_refused_and_the_machine_stays(t
     assert bench.run().kind == STOPPED
     assert held == [held[0]] * 3 and "~" not in bench.controller.realtime
     assert bench.refused == ["journal-unwritable"] * 2
-    assert [text for text in bench.told if "could not be ended" in text]
+    assert [text for text in bench.told if "could not be closed" in text]
     story = bench.story()  # as of a killed job, and true
     assert story.end != STOPPED and story.finished <= 100 <= held[0] <= story.may_be_sent
 

@@ -129,7 +129,7 @@ def test_a_tool_that_stands_higher_is_not_sent_down() -> None:
     table = Table()
     outcome = sent(table, [], lift=LIFT)
     assert outcome.kind == REFUSED and outcome.error and outcome.error.code == "restart-above"
-    assert "stands at Z 60.000, and the restart goes straight down to Z 5.000 first" in outcome.text
+    assert "is at Z 60.000, and the restart first goes straight down to Z 5.000" in outcome.text
     assert "the height 60.0" in outcome.text
     assert not moved(table)
 

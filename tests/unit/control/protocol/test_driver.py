@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A controller that says more than anybody asked for ends the job; one that repeats each line does not."""
+"""A controller that sends more than was asked for ends the job; one that repeats each line does not."""
 
 from __future__ import annotations
 
@@ -48,6 +48,6 @@ def test_a_line_may_be_repeated_once() -> None:
 
 
 def test_a_line_that_is_repeated_again_and_again_is_a_flood() -> None:
-    with pytest.raises(LinkError, match="says more than anybody asked for") as refused:
+    with pytest.raises(LinkError, match="sends more than was asked for") as refused:
         cut(3)
     assert refused.value.code == "link-flood"

@@ -165,7 +165,7 @@ def test_fluidnc_is_asked_in_what_units_it_reports(answer, inches):
 def test_fluidnc_that_does_not_say_its_units_is_refused():
     bench = Bench("fluidnc")
     del bench.controller.named["$/report_inches"]
-    with pytest.raises(MachineRefusal, match="mm or in inches"):
+    with pytest.raises(MachineRefusal, match="uses mm or inches"):
         bench.meet()
 
 

@@ -294,7 +294,7 @@ def test_a_write_that_is_late_by_a_pulse_of_the_program_ends_it(
     player = VirtualPlayer(monkeypatch, machine(), patience_ns=0, is_real=True, takes_ns={100: late_ns})
     player.output.append(*even_plan(500, speed=25.0, acceleration=UNLIMITED).columns)
     if stalls:
-        with pytest.raises(LinkError, match="came too late with a pulse"):
+        with pytest.raises(LinkError, match="was late with a pulse"):
             player.run_until("idle")
     else:
         player.run_until("idle")
@@ -340,7 +340,7 @@ def test_a_device_that_takes_nothing_any_more_is_lost_and_none_that_rested(playe
     player.output.append(*even_plan(2000).columns)
     player.port.waiting = 17
     player.run_for(0.9)
-    with pytest.raises(LinkError, match="takes nothing for 1 s") as caught:
+    with pytest.raises(LinkError, match="accepted nothing for 1 s") as caught:
         player.run_for(0.2)
     assert caught.value.code == "port-lost"
 

@@ -57,7 +57,7 @@ def test_machine_that_just_started_counts_from_where_it_stands(visit):
     visit.receive(lambda: iter(()))
     assert (
         "warning",
-        "the controller restarted when its port was opened; it counts from where it stands",
+        "the controller restarted when its port was opened; it counts from its present position",
     ) in visit.told
     assert visit.desk.status().position_known is False
 

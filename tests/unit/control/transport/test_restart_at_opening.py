@@ -54,7 +54,10 @@ def test_first_opening_clears_the_flag_and_says_so_once(terminal):
     spares, told = opened(name)
     assert spares and "no later opening restarts it" in told
     assert not hangs_up(slave)
-    assert opened(name) == (False, "the controller restarted when its port was opened; it counts from where it stands")
+    assert opened(name) == (
+        False,
+        "the controller restarted when its port was opened; it counts from its present position",
+    )
     set_hangup(slave)  # plugged in anew
     assert opened(name)[0]
 

@@ -212,7 +212,7 @@ def test_every_cutter_that_cuts_sideways_leaves_the_part_as_drawn(shape: str, ke
 def test_the_kerf_decides_how_far_beside_the_line_a_jet_runs() -> None:
     path, answer = cut(contour(kerf_mm=0.4), tool(0.3, shape="jet"))
     far = shapely.distance(shapely.LinearRing(BOX.xy[:-1]), shapely.points(floor(path, -4.0)))
-    assert far == pytest.approx(0.2) and "0.4 mm wide" in answer.warnings[0]
+    assert far == pytest.approx(0.2) and "a kerf of 0.4 mm" in answer.warnings[0]
     assert answer.removals[0].tolerance_mm == pytest.approx(0.06)
 
 

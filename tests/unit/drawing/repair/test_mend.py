@@ -128,7 +128,7 @@ def test_a_polyline_of_many_points_becomes_few_arcs_and_its_arcs_stay() -> None:
 
 def test_too_many_lines_on_each_other_are_refused_in_no_time() -> None:
     crowd = Drawing(tuple(Chain(circle((0, 0), 10), Attributes("CUT")) for _ in range(6000)))
-    with pytest.raises(GeometryError, match="lie on each other"):
+    with pytest.raises(GeometryError, match="on top of each other"):
         problems_of(crowd, LIMITS)
 
 

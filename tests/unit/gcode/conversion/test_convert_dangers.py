@@ -59,7 +59,7 @@ def test_what_the_table_hides_is_told():
         "G21 G90 F100\nM3\nG53 G0 Z0\nG41.1 D4\nG1 X10\nX20\nG40\nX30\nG61.1\nX31\nG0 Z5\nG84 X1 Y1 Z-5 R2\nG80\nM2\n"
     )
     said = "; ".join(map(str, convert(text, "linuxcnc", "grbl", ZERO).notes))
-    for what in ("radius went into the path", "places of the machine", "tapping became", "G61.1", "S0"):
+    for what in ("contains the tool's radius", "places of the machine", "tapping became", "G61.1", "S0"):
         assert what in said
     for source, what in (("linuxcnc", "lines with / are cut always"), ("grbl", "lines with / are left out")):
         (note,) = convert("G21 G90 F100\n/G1 X1\nG1 X2\nM2\n", source, "mach", ZERO).notes

@@ -195,7 +195,7 @@ def test_a_probe_is_never_made_into_two(start: Start) -> None:
 
 
 def test_records_of_the_mini_lathe_are_refused() -> None:
-    with pytest.raises(ProgramError, match="no play can be taken up"):
+    with pytest.raises(ProgramError, match="backlash cannot be compensated"):
         prepare("N30 G00 X-10. # ?", "mini-lathe", "", AT_ZERO, PLAY)
 
 

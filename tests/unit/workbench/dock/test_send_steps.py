@@ -127,6 +127,6 @@ def test_nothing_starts_while_the_position_is_unknown(happenings) -> None:
 
 
 def test_what_an_earlier_job_left_held_is_not_resumed_while_the_position_is_unknown() -> None:
-    assert "stop what it was doing" in why_not("resume", ControllerSnapshot("held", position_known=False))
+    assert "stop the job" in why_not("resume", ControllerSnapshot("held", position_known=False))
     assert not why_not("resume", ControllerSnapshot("held", job=True, position_known=False))
     assert not why_not("resume", ControllerSnapshot("held"))

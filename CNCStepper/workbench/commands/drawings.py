@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The commands that bring drawings in."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from CNCStepper.workbench.commands.create_object import create, labelled
+from CNCStepper.workbench.document import targets
+from CNCStepper.workbench.services import missing_packages
+from CNCStepper.workbench.services.command import Command
+from CNCStepper.workbench.services.translation import QT_TRANSLATE_NOOP, tr
+
+
+class ImportDrawing(Command):
+    """Makes objects of the file of a drawing; also a document, when none is open."""
+
+    name = "CNCStepper_ImportDrawing"
+    menu_text = QT_TRANSLATE_NOOP("CNCStepper_ImportDrawing", "Import drawing…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "CNCStepper_ImportDrawing", "Brings in SVG, DXF, STEP, STL, pictures, points or G-code, linked to the file"
+    )
+
+    def why_not(self) -> str:
+        """Return why nothing can be imported."""
+        return missing_packages.why_not() or targets.why_no_panel()
+
+    def run(self) -> None:
+        """Ask for the file, and open the panel of what is read from it."""
+        from CNCStepper.workbench.document.drawing_files import ask_file
+
+        document = targets.document()
+        folder = Path(document.FileName).parent if document is not None and document.FileName else Path.home()
+        ask_file(str(folder), self.take)
+
+    def take(self, path: str) -> None:
+        """Make the group of a file and open its panel, which reads it."""
+        import FreeCAD
+
+        document = targets.document() or FreeCAD.newDocument()
+        create(document, self.text(), lambda: _group(document, path))
+
+
+def _group(document: Any, path: str) -> Any:
+    from CNCStepper.workbench import api
+
+    return labelled(api.add_drawing(document, path), Path(path).stem)
+
+
+class Text(Command):
+    """Adds a text; also a document, when none is open."""
+
+    name = "CNCStepper_Text"
+    menu_text = QT_TRANSLATE_NOOP("CNCStepper_Text", "Text")
+    tooltip = QT_TRANSLATE_NOOP("CNCStepper_Text", "Adds a text in any font, or in single lines for engraving")
+
+    def why_not(self) -> str:
+        """Return why no text can be added."""
+        return missing_packages.why_not() or targets.why_no_panel()
+
+    def run(self) -> None:
+        """Make the text and open its panel."""
+        import FreeCAD
+
+        from CNCStepper.workbench import api
+
+        document = targets.document() or FreeCAD.newDocument()
+        create(document, self.text(), lambda: labelled(api.add_text(document, tr("Text")), tr("Text")))
+
+
+class Shapes(Command):
+    """Shows the library of basic shapes, and adds one of them; also a document, when none is open."""
+
+    name = "CNCStepper_Shapes"
+    menu_text = QT_TRANSLATE_NOOP("CNCStepper_Shapes", "Shapes…")
+    tooltip = QT_TRANSLATE_NOOP("CNCStepper_Shapes", "Adds a shape by its dimensions: holes, slots, flanges, brackets")
+
+    def why_not(self) -> str:
+        """Return why no shape can be added."""
+        return missing_packages.why_not() or targets.why_no_panel()
+
+    def run(self) -> None:
+        """Show the pictures."""
+        from CNCStepper.workbench.panels.shape_gallery import open_gallery
+
+        open_gallery(self.take)
+
+    def take(self, kind: str) -> None:
+        """Add a shape of a kind and open the panel of its dimensions."""
+        import FreeCAD
+
+        from CNCStepper.drawing.shape_library.shape_families import library_shape
+        from CNCStepper.workbench import api
+
+        document = targets.document() or FreeCAD.newDocument()
+        title = tr(library_shape(kind).title)
+        create(document, title, lambda: labelled(api.add_shape(document, kind), title))

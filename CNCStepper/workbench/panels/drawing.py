@@ -1,0 +1,231 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The task panel of an imported drawing: how it is read, what was found in it, *Reload* and *Mend*.
+
+typed ──► Editor ──► the object's options ──► other than those it was read with? ──► Reading ──► report
+                                                                            (beside the window)
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from PySide import QtCore, QtGui
+
+from CNCStepper import text_json
+from CNCStepper.errors import CNCStepperError
+from CNCStepper.workbench.document.drawing_files import Reading, ask_file, look_now
+from CNCStepper.workbench.features.drawings.drawing import FOUND, is_stale
+from CNCStepper.workbench.panels.fields import NAME, TextField, WorkNote
+from CNCStepper.workbench.panels.object_form import Editor
+from CNCStepper.workbench.panels.task_panel import Panel
+from CNCStepper.workbench.services.message_translation import translated
+from CNCStepper.workbench.services.messages import guarded
+from CNCStepper.workbench.services.translation import later, tr
+from CNCStepper.workbench.services.view_fit import show_all
+
+ROWS_SEEN = 6
+FOUND_WORDS = {
+    "open": later("Open contour"),
+    "gap": later("Gap"),
+    "double": later("Drawn twice"),
+    "tiny": later("Tiny contour"),
+    "crossing": later("Contour that crosses itself"),
+    "overlap": later("Contours that cross"),
+}
+MENDED_WORDS = {
+    "double": later("Taken out, drawn twice"),
+    "tiny": later("Taken out, tiny"),
+    "joined": later("Ends joined"),
+    "closed": later("Gap closed"),
+    "fitted": later("Simplified"),
+}
+
+
+class FileField(TextField):
+    """The file of a drawing, with a button that asks for another one."""
+
+    def make(self) -> list[Any]:
+        """Add the line and the button."""
+        row = QtGui.QHBoxLayout()
+        row.setSpacing(3)
+        self._column.addLayout(row)
+        line = self.line("", row)
+        button = QtGui.QToolButton(self.widget)
+        button.setText("…")
+        button.setObjectName(f"{NAME}_file_choose")
+        button.setAccessibleName(tr("Choose another file"))
+        button.setToolTip(tr("Choose another file"))
+        button.clicked.connect(guarded(lambda: ask_file(str(Path(self.obj.File).parent), self._take)))
+        row.addWidget(button)
+        return [line]
+
+    def _take(self, path: str) -> None:
+        self.editors[0].setText(path)
+        self.touched()
+
+
+class Report(QtGui.QWidget):
+    """What was found in a drawing: a sentence, and a list of what is wrong, was mended or left out."""
+
+    def __init__(self, obj: Any, parent: Any):
+        super().__init__(parent)
+        self._obj = obj
+        self.summary = QtGui.QLabel(self)
+        self.summary.setObjectName(f"{NAME}_report")
+        self.summary.setWordWrap(True)
+        self.rows = QtGui.QListWidget(self)
+        self.rows.setObjectName(f"{NAME}_findings")
+        self.rows.setAccessibleName(tr("What was found in it"))
+        self.rows.setWordWrap(True)
+        self.rows.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.work = WorkNote(f"{NAME}_reading", self)
+        column = QtGui.QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        for widget in (self.work, self.summary, self.rows):
+            column.addWidget(widget)
+        self.refresh()
+
+    def refresh(self) -> None:
+        """Show what the object knows of its drawing."""
+        told = text_json.loads(self._obj.Report) if self._obj.Report else None
+        lines = _lines(told) if told else []
+        self.summary.setText(_summary(told) if told else "")
+        self.summary.setVisible(bool(told))
+        self.rows.clear()
+        self.rows.addItems(lines)
+        seen = min(len(lines), ROWS_SEEN)
+        self.rows.setFixedHeight((2 * seen + 1) * self.fontMetrics().lineSpacing())
+        self.rows.setVisible(bool(lines))
+
+
+def _summary(told: dict[str, Any]) -> str:
+    left, front, right, back = told["box_mm"]
+    return tr("{0} × {1} mm, layers: {2}, open contours: {3}, the file's unit: {4} mm").format(
+        f"{right - left:.5g}", f"{back - front:.5g}", told["layers"], told["open"], f"{told['unit_mm']:.6g}"
+    )
+
+
+def _lines(told: dict[str, Any]) -> list[str]:
+    """Return the rows of the list: warnings, faults, changes, what was left out; each kind with the rest's count."""
+    rows = [translated(each) for each in told["warnings"]]
+    for (count, found), words in ((told["problems"], FOUND_WORDS), (told["changes"], MENDED_WORDS)):
+        rows += [_placed(words[kind], kind, layer, place, size) for kind, layer, place, size in found]
+        rows += _rest(count - len(found))
+    count, entries = told["skipped"]
+    for kind, layer, why in entries:
+        rows.append(tr("{0} on layer '{1}' was left out: {2}").format(kind, layer, translated(why)))
+    return rows + _rest(count - len(entries))
+
+
+def _placed(words: str, kind: str, layer: str, place_mm: list[float], size: float) -> str:
+    """Return a fault or a change with its layer, its place and its length; a fit counts segments."""
+    x, y = place_mm
+    said = tr("{0} on layer '{1}' at X {2} Y {3}").format(tr(words), layer, f"{x:.3f}", f"{y:.3f}")
+    return f"{said}, {size:.4g} mm" if size and kind != "fitted" else said
+
+
+def _rest(count: int) -> list[str]:
+    return [tr("… and {0} more").format(count)] if count > 0 else []
+
+
+class DrawingPanel(Panel):
+    """Edits how a drawing is read; all readings while it is open belong to its one undo step."""
+
+    def __init__(self, obj: Any, editor: Editor):
+        super().__init__(obj, editor)
+        self.obj, self.editor = obj, editor
+        self.report = Report(obj, editor)
+        editor.form.add_widget(FOUND, self.report)
+        editor.form.add_widget(FOUND, self._buttons())
+        self.reading: Reading | None = None
+        self.refused = False  # whether the file could not be read with these options
+        self._closing = False  # OK was pressed while it was read
+        self._is_new = not obj.ReadWith
+        editor.applied.connect(guarded(self.follow))
+        self.follow()
+
+    def follow(self) -> None:
+        """Read the file where options are not those that it was read with."""
+        if not self.editor.refused and is_stale(self.obj):
+            self.read()
+
+    def read(self) -> None:
+        """Read the file now, in place of a reading that is under way."""
+        if self.reading is not None:
+            self.reading.end()
+        self.refused = False
+        self._say("")
+        self.reading = Reading(self.obj, guarded(self._done), guarded(self._failed), self._share)
+        self.report.work.say(tr("Reading the drawing…"))
+        self.report.work.begin()
+        self.reading.begin()
+
+    def mend(self) -> None:
+        """Repair the drawing within the limits of the fields."""
+        self.editor.take({"mending": True})
+
+    def accept(self) -> bool:
+        """Keep all as one undo step, as soon as the file is read; stay open where it could not be."""
+        self.editor.apply()
+        if self.reading is not None:
+            self._closing = True
+            return False
+        return not self.refused and bool(super().accept())
+
+    def reject(self) -> bool:
+        """Leave the document as it was before."""
+        if self.reading is not None:
+            self.reading.end()
+            self.reading = None
+        return bool(super().reject())
+
+    def _buttons(self) -> Any:
+        bar = QtGui.QWidget(self.editor)
+        row = QtGui.QHBoxLayout(bar)
+        row.setContentsMargins(0, 0, 0, 0)
+        texts = (
+            ("reload", tr("Reload"), tr("Read the file again; operations keep their contours"), self._reload),
+            ("mend", tr("Mend"), tr("Repair what is wrong, as far as the values under Repair allow"), self.mend),
+        )
+        for name, text, tip, act in texts:
+            button = QtGui.QPushButton(text, bar)
+            button.setObjectName(f"{NAME}_{name}")
+            button.setToolTip(tip)
+            button.setAutoDefault(False)
+            button.clicked.connect(guarded(act))
+            row.addWidget(button)
+        return bar
+
+    def _reload(self) -> None:
+        self.editor.apply()
+        if self.reading is None:
+            self.read()
+
+    def _share(self, share: float) -> None:
+        self.report.work.say(tr("Reading the drawing: {0} %").format(f"{100 * share:.0f}"))
+
+    def _done(self) -> None:
+        self._end()
+        if self._is_new:
+            self._is_new = False
+            show_all()
+        self.editor.refresh()
+        self.report.refresh()
+        if self._closing:
+            self._closing = False
+            self.accept()
+
+    def _failed(self, error: CNCStepperError) -> None:
+        self._end()
+        look_now(self.obj)
+        self.refused, self._closing = True, False
+        self._say(translated(error.sentence))
+
+    def _end(self) -> None:
+        self.reading = None
+        self.report.work.end()
+
+    def _say(self, sentence: str) -> None:
+        self.editor.problem.setText(sentence)
+        self.editor.problem.setVisible(bool(sentence))

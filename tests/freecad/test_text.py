@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""CNCStepper_Text: exact wires in fonts of the system and in single lines, which recompute and survive reopening."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import FreeCAD
+import Part
+import pytest
+
+from CNCStepper.errors import JobError
+from CNCStepper.job.shape_forms.text_form import TextForm
+from CNCStepper.workbench import api
+from CNCStepper.workbench.features.base import problem_of
+
+FONT = "DejaVu Sans"
+
+
+def test_a_text_has_the_curves_of_the_same_text_in_a_job_file(document: Any) -> None:
+    text = api.add_text(document, "Peça à mão", font=FONT, height_mm=8)
+    document.recompute()
+    assert problem_of(text) == ""
+    curves = TextForm(text="Peça à mão", font=FONT, height_mm=8).curves(Path())
+    assert text.CurveCount == len(curves) == len(text.Shape.Wires)
+    assert text.Shape.Length == pytest.approx(sum(curve.length_mm for curve in curves), rel=1e-9)
+    assert all(wire.isClosed() for wire in text.Shape.Wires)
+    kinds = {edge.Curve.TypeId for edge in text.Shape.Edges}
+    assert kinds <= {"Part::GeomLine", "Part::GeomCircle"}
+
+
+def test_a_single_line_font_is_open_and_engraved(document: Any) -> None:
+    text = api.add_text(document, "ção", font="engraving")
+    job = api.new_job(document, stock_size_mm=(100, 70, 10))
+    api.add_tool(job, diameter_mm=3)
+    engraving = api.add_engrave(job, text, depth_mm=0.3)
+    document.recompute()
+    assert any(not wire.isClosed() for wire in text.Shape.Wires)
+    assert [problem_of(each) for each in (text, engraving, job)] == ["", "", ""]
+    before = api.program_text(job)
+    api.edit(text, text="mão")
+    document.recompute()
+    assert api.program_text(job) != before
+
+
+def test_letters_stand_along_an_arc(document: Any) -> None:
+    text = api.add_text(document, "ABC", font=FONT, along="arc", align="center", arc_radius_mm=30)
+    document.recompute()
+    assert problem_of(text) == ""
+    assert text.Shape.BoundBox.YMin > 20
+    assert text.Shape.BoundBox.Center.x == pytest.approx(0, abs=3)
+    api.edit(text, along="line", line_begin_mm=(0, 0), line_end_mm=(0, 80))
+    document.recompute()
+    assert text.Shape.BoundBox.YLength > text.Shape.BoundBox.XLength
+
+
+@pytest.mark.parametrize(
+    ("values", "sentence"),
+    [
+        ({"text": "a\u3042"}, "\u3042"),
+        ({"font": "No Such Font"}, "no font"),
+        ({"text": ""}, "text"),
+        ({"height_mm": -1}, "height_mm"),
+        ({"along": "arc", "arc_sweep_deg": 0}, "sweep"),
+    ],
+)
+def test_what_cannot_be_written_says_why(document: Any, values: dict[str, Any], sentence: str) -> None:
+    text = api.add_text(document, "A", font=FONT)
+    api.edit(text, **values)
+    document.recompute()
+    assert sentence in problem_of(text)
+
+
+def test_a_bad_choice_changes_nothing(document: Any) -> None:
+    with pytest.raises(JobError):
+        api.add_text(document, "A", align="upwards")
+    assert not document.Objects
+
+
+def test_it_survives_save_and_reopen_with_its_lines_and_place(document: Any, tmp_path: Path) -> None:
+    text = api.add_text(document, 'uma "linha"\noutra', font=FONT)
+    text.Placement.Base.x = 7
+    document.recompute()
+    length = text.Shape.Length
+    document.saveAs(str(tmp_path / "letras.FCStd"))
+    FreeCAD.closeDocument(document.Name)
+    (again,) = FreeCAD.openDocument(str(tmp_path / "letras.FCStd")).Objects
+    assert again.Text == 'uma "linha"\noutra'
+    again.touch()
+    again.Document.recompute()
+    assert (again.Shape.Length, again.Placement.Base.x) == (pytest.approx(length), 7)
+    assert isinstance(again.Shape, Part.Compound)
