@@ -11734,7 +11734,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>check cable and power; home the machine or set its zero again before its next move</source>
+            <source>check cable and power, then move the tool to the work zero and set it there before its next move</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12578,7 +12578,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>find the cause, switch the lathe off and on, and set its zero by hand: its position is lost</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>find the cause, then home the machine: its position is lost</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>find the cause, then move the tool to the work zero and set it there: its position is lost</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13046,10 +13054,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>home the machine before its next move</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>home the machine or set its zero again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13122,15 +13126,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>install it: python -m pip install platformdirs</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>install it: python -m pip install pyserial</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>install it: python -m pip install spyrrow</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>install it: python -m pip install {package}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14202,6 +14202,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>move the tool to the work zero and set it there before its next move</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>move the work zero {word} the {name} axis or make the program smaller</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14299,6 +14303,10 @@
         </message>
         <message>
             <source>name the machine (--machine)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>name the machine profile of the table that is wired to it (controller = "thesis-a")</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14958,10 +14966,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>platformdirs is not installed</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>please report it, with the drawing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15042,6 +15046,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>pulses, relays and trials of a rate: `cncstepper machine-test` does them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>put in tool {tool:g}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15059,10 +15067,6 @@
         </message>
         <message>
             <source>put the card in, then mount it with $FM</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>pyserial is not installed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19146,6 +19150,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>unlock it with $X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>until then nothing but homing, jogging and setting the zero is safe</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20614,6 +20622,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{name} is a parallel port, on which there is no controller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{name} is between G5.2 and G5.3</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20755,6 +20767,10 @@
         </message>
         <message>
             <source>{owner} sets the zero from where the tool stands after moves of the path</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{package} is not installed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -11734,8 +11734,8 @@
             <translation>verifique o cabo e a taxa (baud)</translation>
         </message>
         <message>
-            <source>check cable and power; home the machine or set its zero again before its next move</source>
-            <translation>verifique o cabo e a alimentação; referencie a máquina ou defina o zero de novo antes do próximo movimento</translation>
+            <source>check cable and power, then move the tool to the work zero and set it there before its next move</source>
+            <translation>verifique cabo e alimentação; depois leve a ferramenta ao zero-peça e defina-o ali antes do próximo movimento</translation>
         </message>
         <message>
             <source>check cable and power; home the machine or set its zero again before the next cut</source>
@@ -12578,8 +12578,16 @@
             <translation>avanços em tempo inverso viraram avanços por minuto</translation>
         </message>
         <message>
+            <source>find the cause, switch the lathe off and on, and set its zero by hand: its position is lost</source>
+            <translation>encontre a causa, desligue e ligue o torno e defina o zero à mão: a posição se perdeu</translation>
+        </message>
+        <message>
             <source>find the cause, then home the machine: its position is lost</source>
             <translation>encontre a causa e referencie a máquina: a posição se perdeu</translation>
+        </message>
+        <message>
+            <source>find the cause, then move the tool to the work zero and set it there: its position is lost</source>
+            <translation>encontre a causa, depois leve a ferramenta ao zero-peça e defina-o ali: a posição se perdeu</translation>
         </message>
         <message>
             <source>finish operation:</source>
@@ -13046,10 +13054,6 @@
             <translation>referencie a máquina de novo</translation>
         </message>
         <message>
-            <source>home the machine before its next move</source>
-            <translation>referencie a máquina antes do próximo movimento</translation>
-        </message>
-        <message>
             <source>home the machine or set its zero again</source>
             <translation>referencie a máquina ou defina seu zero de novo</translation>
         </message>
@@ -13122,16 +13126,12 @@
             <translation>instale-o para o Python que verifica (python -m pip install NOME)</translation>
         </message>
         <message>
-            <source>install it: python -m pip install platformdirs</source>
-            <translation>instale-o: python -m pip install platformdirs</translation>
-        </message>
-        <message>
-            <source>install it: python -m pip install pyserial</source>
-            <translation>instale-o: python -m pip install pyserial</translation>
-        </message>
-        <message>
             <source>install it: python -m pip install spyrrow</source>
             <translation>instale-o: python -m pip install spyrrow</translation>
+        </message>
+        <message>
+            <source>install it: python -m pip install {package}</source>
+            <translation>instale-o: python -m pip install {package}</translation>
         </message>
         <message>
             <source>install them in one (python -m pip install {packages}), or set {variable} to a Python that has them</source>
@@ -14202,6 +14202,10 @@
             <translation>leve a ferramenta ao zero da peça e defina-o ali</translation>
         </message>
         <message>
+            <source>move the tool to the work zero and set it there before its next move</source>
+            <translation>leve a ferramenta ao zero-peça e defina-o ali antes do próximo movimento</translation>
+        </message>
+        <message>
             <source>move the work zero {word} the {name} axis or make the program smaller</source>
             <translation>mova o zero-peça ({word}) no eixo {name} ou diminua o programa</translation>
         </message>
@@ -14300,6 +14304,10 @@
         <message>
             <source>name the machine (--machine)</source>
             <translation>indique a máquina (--machine)</translation>
+        </message>
+        <message>
+            <source>name the machine profile of the table that is wired to it (controller = "thesis-a")</source>
+            <translation>indique o perfil da máquina ligada a ela (controller = "thesis-a")</translation>
         </message>
         <message>
             <source>name the material, or write a [[tool]]</source>
@@ -14958,10 +14966,6 @@
             <translation>os planos são uma opção da compilação: omita-a, os arcos ficam em XY</translation>
         </message>
         <message>
-            <source>platformdirs is not installed</source>
-            <translation>o platformdirs não está instalado</translation>
-        </message>
-        <message>
             <source>please report it, with the drawing</source>
             <translation>por favor relate isso, com o desenho</translation>
         </message>
@@ -15042,6 +15046,10 @@
             <translation>só se volta pelos pulsos em pausa, não no estado {state}</translation>
         </message>
         <message>
+            <source>pulses, relays and trials of a rate: `cncstepper machine-test` does them</source>
+            <translation>pulsos, relés e ensaios de uma taxa: `cncstepper machine-test` os faz</translation>
+        </message>
+        <message>
             <source>put in tool {tool:g}</source>
             <translation>coloque a ferramenta {tool:g}</translation>
         </message>
@@ -15060,10 +15068,6 @@
         <message>
             <source>put the card in, then mount it with $FM</source>
             <translation>coloque o cartão e monte-o com $FM</translation>
-        </message>
-        <message>
-            <source>pyserial is not installed</source>
-            <translation>o pyserial não está instalado</translation>
         </message>
         <message>
             <source>radii and resolution must be positive</source>
@@ -19146,6 +19150,10 @@
             <translation>destrave-o nas configurações, ou use outro sistema de coordenadas</translation>
         </message>
         <message>
+            <source>unlock it with $X</source>
+            <translation>destrave-o com $X</translation>
+        </message>
+        <message>
             <source>until then nothing but homing, jogging and setting the zero is safe</source>
             <translation>até lá só é seguro referenciar, mover manualmente e definir o zero</translation>
         </message>
@@ -20614,6 +20622,10 @@
             <translation>{name} é uma porta paralela, e a máquina é uma placa</translation>
         </message>
         <message>
+            <source>{name} is a parallel port, on which there is no controller</source>
+            <translation>{name} é uma porta paralela, em que não há controlador</translation>
+        </message>
+        <message>
             <source>{name} is between G5.2 and G5.3</source>
             <translation>{name} está entre G5.2 e G5.3</translation>
         </message>
@@ -20756,6 +20768,10 @@
         <message>
             <source>{owner} sets the zero from where the tool stands after moves of the path</source>
             <translation>{owner} define o zero a partir de onde a ferramenta está depois de movimentos do percurso</translation>
+        </message>
+        <message>
+            <source>{package} is not installed</source>
+            <translation>{package} não está instalado</translation>
         </message>
         <message>
             <source>{path} cannot be read: {error}</source>

@@ -11,13 +11,12 @@ from CNCStepper.workbench.services.translation import later
 VIRTUAL = "virtual"
 VIRTUAL_TEXT = later("Virtual grbl (no machine)")
 BAUDS = (9600, 19200, 38400, 57600, 115200, 230400, 250000, 460800, 921600, 1000000)
-BAUD = 115200
 SPEEDS = (1, 10)
 
 
 @dataclass(frozen=True)
 class Choice:
-    """One entry of the port list; `port` is what is opened, `VIRTUAL` for the machine without hardware."""
+    """One entry of the port list; `port` is opened, `VIRTUAL` starts the virtual machine."""
 
     port: str
     text: str

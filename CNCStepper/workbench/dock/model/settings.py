@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the dock remembers in FreeCAD's parameters, and the units and the decimal point of its user."""
+"""The dock's settings in FreeCAD's parameters, and the user's units and decimal separator."""
 
 from __future__ import annotations
 
 from typing import Any
 
-from CNCStepper.workbench.dock.model.port_choices import BAUD, VIRTUAL
+from CNCStepper.machine.controller_family import BAUD
+from CNCStepper.workbench.dock.model.port_choices import VIRTUAL
 from CNCStepper.workbench.services.number_format import INCH, MM, Lengths
 
 GROUP = "User parameter:BaseApp/Preferences/Mod/CNCStepper/Dock"
