@@ -9750,6 +9750,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>CadQuery or build123d</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Chamfer along each side</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10550,6 +10554,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a drawing of that name is there already</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a drawing's unit lies between a nanometre and a kilometre</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11034,7 +11042,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a text runs along a line or an arc: give one of them</source>
+            <source>a text runs along a line, an arc or a shape: give one of them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a text runs along one curve, but the shape '{shape}' has several</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a text runs along the shape '{shape}', which does not stand before it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11315,6 +11331,10 @@
         </message>
         <message>
             <source>an expression begins with [</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>an external reference, whose file is not opened</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12830,6 +12850,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give the job another name</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give the material its number and name</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13626,6 +13650,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>leave out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>leave part = "holes" out</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14235,6 +14263,10 @@
         </message>
         <message>
             <source>name a script with the suffix .py</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>name a shape of one curve</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16862,7 +16894,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the font '{font}' lacks {names}; they are left out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the font is damaged: {why}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the fonts of {count} texts lack letters, which are left out: {names}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19966,6 +20006,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} is refused</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} mm each where the axes are square</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20082,6 +20126,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{count} lines have markers, which are not read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{count} paths are damaged and read up to the damage</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20090,7 +20138,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{count} texts are longer than their path; letters beyond it are left out: {names}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{count} texts are set in another font or style than the file names: {names}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{count} texts with places inside their textLength are not brought to it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

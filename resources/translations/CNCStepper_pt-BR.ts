@@ -9750,6 +9750,10 @@
             <translation>CadQuery ou FreeCAD</translation>
         </message>
         <message>
+            <source>CadQuery or build123d</source>
+            <translation>CadQuery ou build123d</translation>
+        </message>
+        <message>
             <source>Chamfer along each side</source>
             <translation>Chanfro ao longo de cada lado</translation>
         </message>
@@ -10550,6 +10554,10 @@
             <translation>um alívio de canto ficaria longo demais</translation>
         </message>
         <message>
+            <source>a drawing of that name is there already</source>
+            <translation>já existe um desenho com esse nome</translation>
+        </message>
+        <message>
             <source>a drawing's unit lies between a nanometre and a kilometre</source>
             <translation>a unidade de um desenho fica entre um nanômetro e um quilômetro</translation>
         </message>
@@ -11034,8 +11042,16 @@
             <translation>um texto precisa de um entre font, file e single_line</translation>
         </message>
         <message>
-            <source>a text runs along a line or an arc: give one of them</source>
-            <translation>um texto segue uma reta ou um arco: dê um dos dois</translation>
+            <source>a text runs along a line, an arc or a shape: give one of them</source>
+            <translation>um texto segue uma linha, um arco ou uma forma: informe um deles</translation>
+        </message>
+        <message>
+            <source>a text runs along one curve, but the shape '{shape}' has several</source>
+            <translation>um texto segue uma só curva, mas a forma '{shape}' tem várias</translation>
+        </message>
+        <message>
+            <source>a text runs along the shape '{shape}', which does not stand before it</source>
+            <translation>um texto segue a forma '{shape}', que não está antes dele</translation>
         </message>
         <message>
             <source>a tolerance must be above 0</source>
@@ -11316,6 +11332,10 @@
         <message>
             <source>an expression begins with [</source>
             <translation>uma expressão começa com [</translation>
+        </message>
+        <message>
+            <source>an external reference, whose file is not opened</source>
+            <translation>uma referência externa, cujo arquivo não é aberto</translation>
         </message>
         <message>
             <source>an incremental move needs a known position</source>
@@ -12830,6 +12850,10 @@
             <translation>informe a altura</translation>
         </message>
         <message>
+            <source>give the job another name</source>
+            <translation>dê outro nome ao trabalho</translation>
+        </message>
+        <message>
             <source>give the material its number and name</source>
             <translation>informe o número e o nome do material</translation>
         </message>
@@ -13626,6 +13650,10 @@
             <translation>deixe nele uma elipse, desenhada como elipse e não como B-spline</translation>
         </message>
         <message>
+            <source>leave out</source>
+            <translation>omitir</translation>
+        </message>
+        <message>
             <source>leave part = "holes" out</source>
             <translation>deixe part = "holes" fora</translation>
         </message>
@@ -14236,6 +14264,10 @@
         <message>
             <source>name a script with the suffix .py</source>
             <translation>indique um script com o sufixo .py</translation>
+        </message>
+        <message>
+            <source>name a shape of one curve</source>
+            <translation>indique uma forma de uma só curva</translation>
         </message>
         <message>
             <source>name both axes</source>
@@ -16862,8 +16894,16 @@
             <translation>faltam na fonte '{font}' caracteres do texto</translation>
         </message>
         <message>
+            <source>the font '{font}' lacks {names}; they are left out</source>
+            <translation>a fonte '{font}' não tem {names}; esses caracteres são omitidos</translation>
+        </message>
+        <message>
             <source>the font is damaged: {why}</source>
             <translation>a fonte está danificada: {why}</translation>
+        </message>
+        <message>
+            <source>the fonts of {count} texts lack letters, which are left out: {names}</source>
+            <translation>faltam letras nas fontes de {count} textos, que são omitidas: {names}</translation>
         </message>
         <message>
             <source>the grid has too many holes</source>
@@ -19966,6 +20006,10 @@
             <translation>{0} em ilhas {1}</translation>
         </message>
         <message>
+            <source>{0} is refused</source>
+            <translation>{0} foi recusado</translation>
+        </message>
+        <message>
             <source>{0} mm each where the axes are square</source>
             <translation>{0} mm cada, com os eixos em esquadro</translation>
         </message>
@@ -20082,6 +20126,10 @@
             <translation>{count} microjunções não cabem em {chain}</translation>
         </message>
         <message>
+            <source>{count} lines have markers, which are not read</source>
+            <translation>{count} linhas têm marcadores, que não são lidos</translation>
+        </message>
+        <message>
             <source>{count} paths are damaged and read up to the damage</source>
             <translation>{count} caminhos estão danificados e são lidos até o dano</translation>
         </message>
@@ -20090,8 +20138,16 @@
             <translation>{count} pulsos não cabem: falta espaço, ou os tempos não crescem</translation>
         </message>
         <message>
+            <source>{count} texts are longer than their path; letters beyond it are left out: {names}</source>
+            <translation>{count} textos são mais longos que o seu caminho; as letras além dele são omitidas: {names}</translation>
+        </message>
+        <message>
             <source>{count} texts are set in another font or style than the file names: {names}</source>
             <translation>{count} textos são compostos em outra fonte ou estilo que os do arquivo: {names}</translation>
+        </message>
+        <message>
+            <source>{count} texts with places inside their textLength are not brought to it</source>
+            <translation>{count} textos com posições dentro do seu textLength não são ajustados a ele</translation>
         </message>
         <message>
             <source>{count} transforms are damaged and not applied</source>
