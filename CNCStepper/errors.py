@@ -190,3 +190,10 @@ class OutputError(CNCStepperError, FileExistsError):
 
 class MissingPackage(CNCStepperError, ImportError):
     """An optional package that is not installed."""
+
+
+def missing_package(name: str) -> MissingPackage:
+    """Return the error for a package that is not installed; `name` as pip knows it."""
+    what = Text("{package} is not installed", package=name)
+    advice = Text("install it: python -m pip install {package}", package=name)
+    return MissingPackage(f"{name}-missing", what, advice=advice)

@@ -288,6 +288,21 @@ def prove_job(
     return with_findings(proof, list(_refused(earlier, file)))
 
 
+def inputs_of(job: Job, machine: Machine, answers: Sequence[Answer], start: Start | None) -> dict[str, Any]:
+    """Return the keyword arguments of `prove` and `prove_file` that a job gives."""
+    cut = job.on(machine)
+    return {
+        "start": job.started(start, machine),
+        "stock": job.stock.stock(),
+        "tools": tools_of(cut),
+        "process": job.cutting,
+        "cut_data": cut.cut_data,
+        "parts": [part for answer in answers for part in answer.parts],
+        "keep_out": job.clamps,
+        "edge_mm": job.stock.edge_mm,
+    }
+
+
 def prove_operations(
     job: Job,
     machine: Machine,
@@ -306,23 +321,8 @@ def prove_operations(
     answers: of the operations that it runs, of which `first` of the job's come before. removals: what those before
     and these want removed together.
     """
-    cut = job.on(machine)
-    proof = prove(
-        text,
-        machine,
-        file=file,
-        start=job.started(start, machine),
-        stock=job.stock.stock(),
-        tools=tools_of(cut),
-        process=job.cutting,
-        cut_data=cut.cut_data,
-        parts=[part for answer in answers for part in answer.parts],
-        removals=removals,
-        keep_out=job.clamps,
-        edge_mm=job.stock.edge_mm,
-        before=before,
-        **options,
-    )
+    inputs = inputs_of(job, machine, answers, start)
+    proof = prove(text, machine, file=file, removals=removals, before=before, **inputs, **options)
     lines, spans = FirstLines.of(proof.toolpath), proof.toolpath.spans
     own = list(findings_of(job, machine, lines, spans, answers, file, first))
     return with_findings(with_answers(proof, answers), own)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The proof of a job's program in a file, which is read piece by piece, against the shapes that the job wants."""
+"""The proof of a job's program in a file, which is read piece by piece, against the job's shapes."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pathlib import Path
 
 from CNCStepper.job.findings import findings_of
 from CNCStepper.job.model import Job
-from CNCStepper.job.prove import answers_of, tools_of, with_answers, with_findings
+from CNCStepper.job.prove import answers_of, inputs_of, with_answers, with_findings
 from CNCStepper.job.prove_file import FileProof, prove_file
 from CNCStepper.machine.profile import Machine
 from CNCStepper.state import Start
@@ -31,24 +31,9 @@ def prove_job_file(
     name, sent, share: as `prove_file` takes them. tell: as `prove` does.
     """
     tell("make")
-    answers, file, cut = answers_of(job, machine, 0), name or str(path), job.on(machine)
-    proof = prove_file(
-        path,
-        machine,
-        dialect=dialect,
-        start=job.started(start, machine),
-        stock=job.stock.stock(),
-        tools=tools_of(cut),
-        process=job.cutting,
-        cut_data=cut.cut_data,
-        parts=[part for answer in answers for part in answer.parts],
-        removals=[removal for answer in answers for removal in answer.removals],
-        keep_out=job.clamps,
-        edge_mm=job.stock.edge_mm,
-        sent=sent,
-        name=file,
-        share=share,
-        tell=tell,
-    )
+    answers, file = answers_of(job, machine, 0), name or str(path)
+    inputs = inputs_of(job, machine, answers, start)
+    inputs["removals"] = [removal for answer in answers for removal in answer.removals]
+    proof = prove_file(path, machine, dialect=dialect, sent=sent, name=file, share=share, tell=tell, **inputs)
     own = findings_of(job, machine, proof.lines, proof.spans, answers, file)
     return with_findings(with_answers(proof, answers), list(own))

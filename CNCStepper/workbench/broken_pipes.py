@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A process of ours that has died must not take FreeCAD with it."""
+"""The death of one of our processes must not end FreeCAD."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What happens when the workbench is opened: toolbar and menu the first time, what is missing every time."""
+"""Opening the workbench: toolbar and menu the first time, missing packages every time."""
 
 from __future__ import annotations
 

@@ -13122,15 +13122,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>install it: python -m pip install platformdirs</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>install it: python -m pip install pyserial</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>install it: python -m pip install spyrrow</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>install it: python -m pip install {package}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14954,10 +14950,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>platformdirs is not installed</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>please report it, with the drawing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15055,10 +15047,6 @@
         </message>
         <message>
             <source>put the card in, then mount it with $FM</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>pyserial is not installed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20731,6 +20719,10 @@
         </message>
         <message>
             <source>{owner} sets the zero from where the tool stands after moves of the path</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{package} is not installed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

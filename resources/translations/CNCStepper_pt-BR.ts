@@ -13122,16 +13122,12 @@
             <translation>instale-o para o Python que verifica (python -m pip install NOME)</translation>
         </message>
         <message>
-            <source>install it: python -m pip install platformdirs</source>
-            <translation>instale-o: python -m pip install platformdirs</translation>
-        </message>
-        <message>
-            <source>install it: python -m pip install pyserial</source>
-            <translation>instale-o: python -m pip install pyserial</translation>
-        </message>
-        <message>
             <source>install it: python -m pip install spyrrow</source>
             <translation>instale-o: python -m pip install spyrrow</translation>
+        </message>
+        <message>
+            <source>install it: python -m pip install {package}</source>
+            <translation>instale-o: python -m pip install {package}</translation>
         </message>
         <message>
             <source>install them in one (python -m pip install {packages}), or set {variable} to a Python that has them</source>
@@ -14954,10 +14950,6 @@
             <translation>os planos são uma opção da compilação: omita-a, os arcos ficam em XY</translation>
         </message>
         <message>
-            <source>platformdirs is not installed</source>
-            <translation>o platformdirs não está instalado</translation>
-        </message>
-        <message>
             <source>please report it, with the drawing</source>
             <translation>por favor relate isso, com o desenho</translation>
         </message>
@@ -15056,10 +15048,6 @@
         <message>
             <source>put the card in, then mount it with $FM</source>
             <translation>coloque o cartão e monte-o com $FM</translation>
-        </message>
-        <message>
-            <source>pyserial is not installed</source>
-            <translation>o pyserial não está instalado</translation>
         </message>
         <message>
             <source>radii and resolution must be positive</source>
@@ -20732,6 +20720,10 @@
         <message>
             <source>{owner} sets the zero from where the tool stands after moves of the path</source>
             <translation>{owner} define o zero a partir de onde a ferramenta está depois de movimentos do percurso</translation>
+        </message>
+        <message>
+            <source>{package} is not installed</source>
+            <translation>{package} não está instalado</translation>
         </message>
         <message>
             <source>{path} cannot be read: {error}</source>

@@ -37,7 +37,7 @@ _OPTIONS = (
 
 @dataclass(frozen=True)
 class ChartOptions:
-    """What the command line says of the cut; nothing of it need be said."""
+    """The cut options of the command line; all are optional."""
 
     material: str = ""
     thickness: float | None = None

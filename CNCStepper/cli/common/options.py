@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What several verbs take from the command line, and how it is read.
+"""Options and arguments that several verbs have, and their parsers.
 
 With which options a job was made: its journal keeps them, so that its restart can be offered whole.
 

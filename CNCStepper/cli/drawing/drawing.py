@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""`cncstepper drawing`: what is in a drawing, what is wrong with it, and the drawing mended."""
+"""`cncstepper drawing`: lists the chains and problems of a drawing, and mends it."""
 
 from __future__ import annotations
 

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class ReadingOptions:
-    """What the options say; None where they say nothing."""
+    """The values of the options; None without one."""
 
     unit_mm: float | None
     tolerance_mm: float

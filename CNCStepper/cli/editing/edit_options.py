@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the verbs that change a program share: their options, the check, the difference, and how the result is saved."""
+"""Shared parts of the verbs that change a program: options, check, difference, saving."""
 
 from __future__ import annotations
 

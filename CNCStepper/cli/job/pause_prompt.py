@@ -132,7 +132,7 @@ LOOK_EVERY_S = 0.05
 
 
 class SessionListener:
-    """Used as a context while somebody is asked about a pause; at the end raises the error of a lost link.
+    """A context for the question about a pause; at its end it raises the error of a lost link.
 
     hear: gets every event but the statuses. tell: gets words.
     """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the verbs share that act on a job which runs already, sent from another terminal or from FreeCAD's window."""
+"""Shared parts of the verbs that act on a running job, sent from another terminal or from FreeCAD's window."""
 
 from __future__ import annotations
 

@@ -129,7 +129,7 @@ def command(at: ServicePort) -> None:
 
 
 class Session:
-    """What the words of a console do."""
+    """The actions of the console's words."""
 
     def __init__(self, talk: ServiceClient):
         self._talk = talk

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""`cncstepper machine-test`: pulses, relays, inputs, motion in air, and what is measured and corrected."""
+"""`cncstepper machine-test`: pulses, relays, inputs, motion in air, measurements and corrections."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""`cncstepper ports`: where a controller may be, and what answers there."""
+"""`cncstepper ports`: lists serial ports, and the controllers that answer there."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What machine verbs share: commands to the connection service at a port, and their results.
+"""Shared parts of the machine verbs: commands to the connection service at a port, and their results.
 
 A service that runs at that port already, a window's for example, is asked; else one is started. It stays open for the
 quiet time, for the next verbs, so that the board is not restarted by each.

@@ -101,7 +101,7 @@ def restart_options(function: Callable[..., Any]) -> Callable[..., Any]:
 
 @dataclass(frozen=True)
 class _Against:
-    """What the restart program is proven against."""
+    """Machine, start and stock for the proof of the restart."""
 
     machine: Machine
     dialect: str

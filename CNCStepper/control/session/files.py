@@ -24,7 +24,7 @@ from typing import Any, TextIO
 from CNCStepper.control.processes.process_file import LOOK_EVERY_S, ProcessFile, is_alive, is_closed
 from CNCStepper.control.session.local_socket import is_abandoned, make_private, socket_paths
 from CNCStepper.control.transport.port_identity import PortIdentity, identify, read_identity
-from CNCStepper.errors import JobError, LinkError, MissingPackage, Text
+from CNCStepper.errors import JobError, LinkError, Text, missing_package
 
 KEPT = 20  # sessions whose outcome and log are kept
 RECENT_S = 600.0  # younger files are kept in any case: a client may be about to read them
@@ -42,11 +42,7 @@ def session_folder() -> Path:
     try:
         from platformdirs import user_state_path
     except ImportError as error:
-        raise MissingPackage(
-            "platformdirs-missing",
-            "platformdirs is not installed",
-            advice="install it: python -m pip install platformdirs",
-        ) from error
+        raise missing_package("platformdirs") from error
     folder = user_state_path("cncstepper", appauthor=False) / "sessions"
     try:
         folder.parent.mkdir(parents=True, exist_ok=True)

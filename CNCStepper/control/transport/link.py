@@ -27,7 +27,7 @@ from typing import Any
 from CNCStepper.control.transport.controller_link import LINE_BAUD, has_no_controller, open_controller
 from CNCStepper.control.transport.output_queue import WireQueue
 from CNCStepper.control.transport.telnet import TelnetPort, socket_url
-from CNCStepper.errors import CNCStepperError, LinkError, MissingPackage, Text
+from CNCStepper.errors import CNCStepperError, LinkError, Text, missing_package
 from CNCStepper.safe_text import printable
 
 READ_BYTES = 4096
@@ -219,9 +219,7 @@ def load_pyserial() -> Any:
     try:
         import serial
     except ImportError as error:
-        raise MissingPackage(
-            "pyserial-missing", "pyserial is not installed", advice="install it: python -m pip install pyserial"
-        ) from error
+        raise missing_package("pyserial") from error
     return serial
 
 

@@ -16,7 +16,7 @@ from importlib import resources
 from importlib.resources.abc import Traversable
 from pathlib import Path
 
-from CNCStepper.errors import MissingPackage
+from CNCStepper.errors import MissingPackage, missing_package
 
 SUFFIX = ".toml"
 NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]{0,59}")
@@ -27,11 +27,7 @@ def own_folder() -> Path:
     try:
         from platformdirs import user_config_path
     except ImportError as error:
-        raise MissingPackage(
-            "platformdirs-missing",
-            "platformdirs is not installed",
-            advice="install it: python -m pip install platformdirs",
-        ) from error
+        raise missing_package("platformdirs") from error
     return user_config_path("cncstepper", appauthor=False) / "machines"
 
 

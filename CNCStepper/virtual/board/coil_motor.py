@@ -7,9 +7,9 @@
      |       |     |      one coil alone lies between two of them: a half step
     L4       5 ─── 6      both coils of a phase, or no coil, make no field
 
-The rotor turns to the nearest place at which the field holds it. So coils two places on (A then 5) move nothing: the
-field pulls neither way; three places on (A then 6) is one place back; a wrong order moves the rotor by what each of its
-words pulls, forwards or backwards.
+The rotor turns to the nearest place at which the field holds it. Coils two places on (A then 5) move nothing: the field
+pulls neither way. Three places on (A then 6) is one place back. In a wrong order each word moves the rotor by its own
+pull, forwards or backwards.
 """
 
 from __future__ import annotations

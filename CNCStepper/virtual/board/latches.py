@@ -58,7 +58,7 @@ class Fifo:
 
 
 class Latches:
-    """Which motor is selected, and what each one's coils carry.
+    """The selected motor, and the coils of each motor.
 
     coils: the low nibble of each motor's latch. unclocked: bytes with coils that no change of the selection took in.
     """

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Fault plans: what goes wrong on a virtual serial line, in a virtual controller and around it, and when."""
+"""Fault plans: timed faults of a virtual serial line, of a virtual controller, and of its surroundings."""

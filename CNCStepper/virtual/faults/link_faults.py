@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """One way of the wire under faults: bytes that are lost, come twice, come changed or come late.
 
-What a controller says, under faults: answers that are kept back, messages that flood in between.
+Faults of a controller's answers: answers withheld, messages that flood the link.
 """
 
 from __future__ import annotations
@@ -94,7 +94,7 @@ ANSWER = b"ok" + LINE_END
 
 
 class FaultyAnswers:
-    """Whole lines of the controller; `fired` is told of a fault as it first does something."""
+    """Whole lines of the controller; `fired` is called when a fault first takes effect."""
 
     def __init__(self, fired: Callable[[Fault], None]):
         self.withheld = 0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A plan of faults: what goes wrong between a sender and a virtual controller, and when; from TOML, JSON or a seed.
+"""A plan of timed faults between a sender and a virtual controller, from TOML, JSON or a seed.
 
 [[fault]]           kinds of the wire       drop  delay  duplicate  corrupt   bytes of one way, "in" or "out"
 kind = "corrupt"              of the words  withhold  flood                   answers kept back, messages too many
@@ -102,7 +102,7 @@ class Fault(_Checked):
 
 
 class FaultPlan(_Checked):
-    """Faults, and the seed of what they leave to chance."""
+    """Faults, and the seed of their random choices."""
 
     seed: int = 0
     fault: tuple[Fault, ...] = ()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a board answers when it refuses: the error codes of grbl 1.1 that it can raise, 162 is FluidNC's."""
+"""The error codes of grbl 1.1 with which a board refuses a line; 162 is FluidNC's."""
 
 from __future__ import annotations
 

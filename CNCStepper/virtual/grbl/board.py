@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The board as the modules of its firmware know it: its parts, what it says, and where it waits for its axes.
+"""The board as the modules of its firmware use it: its parts, its output, and where it waits for its axes.
 
 What a line or a real-time byte does is told above, in the modules that change a `Board`; which of them is called, and
 how time passes, is told by the machine, which is the one kind of board there is.
@@ -34,7 +34,7 @@ LIMIT_ALARMS = (ALARM_HARD_LIMIT, ALARM_SOFT_LIMIT)
 
 
 class Board(ABC):
-    """The parts of a board and what they do together; see `Grbl` for the parameters. It begins with `forget`."""
+    """The parts of a board and their interaction; see `Grbl` for the parameters. It begins with `forget`."""
 
     pin_names: tuple[str, ...] = tuple(PINS)
 

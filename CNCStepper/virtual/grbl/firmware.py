@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the board says and takes as grbl 1.1h, grblHAL or FluidNC, from each one's own sources.
+"""The differences between grbl 1.1h, grblHAL and FluidNC, from their own sources.
 
-Only what a sender meets differs: greeting, `$I`, `$$`, `$G`, receive buffer, line length, M6, drilling cycles and work
-systems of grblHAL, and a few refusals. All three plan and move as grbl does.
+Only the differences that a sender sees are here: greeting, `$I`, `$$`, `$G`, receive buffer, line length, a few
+refusals, and grblHAL's M6, drilling cycles and work systems. All three plan and move as grbl does.
 """
 
 from __future__ import annotations

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The input pins of the board, as a person's finger holds them: what the firmware does at the press, and what it tells.
+"""The input pins of the board as a person presses them: the firmware's reaction, and its report.
 
     P probe   X Y Z limit switches   D door   R reset   H feed hold   S cycle start
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The virtual board: bytes in, bytes out, and time that passes only when it is told to.
+"""The virtual board: bytes in, bytes out; its time passes only when it is advanced.
 
 The firmware is one program that waits here and there: for a line, for room in the planner, for the end
 of a dwell. So is this one: `_program` is a generator, each `yield` a place where it waits. Real-time bytes

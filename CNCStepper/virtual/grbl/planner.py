@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The axes as the firmware knows them, and simulated ones: the planner's live object and the switches at the ends."""
+"""The axes of the firmware, and simulated axes: the planner's live motion and the limit switches."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ COASTING_STEPS = 3  # of every axis, when motors that turn are stopped without a
 
 
 class Axes(ABC):
-    """Where the machine is, in steps, and what it is doing; how it moves, a subclass knows.
+    """Position in steps and motion of the machine; subclasses make the moves.
 
     lost_steps: true place minus reported place. declared: how often a place was declared rather than reached.
     """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the firmware prints: status, parameters, parser state, messages."""
+"""Reports of the firmware: status, parameters, parser state, messages."""
 
 from __future__ import annotations
 

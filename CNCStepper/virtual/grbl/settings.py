@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The `$` settings: made from a machine profile, listed, changed one by one, and turned back into a profile.
 
-What the board keeps without power: settings, work systems, start-up lines, build text.
+The board's EEPROM: settings, work systems, start-up lines, build text.
 
 The virtual board's memory lives as long as its process; a soft reset leaves it alone, as it should.
 """

@@ -10,7 +10,7 @@ OFF = 5  # the M number; 3 is clockwise, 4 counter-clockwise
 
 
 class Spindle:
-    """What the spindle is told; `direction` is the M number in force on the output."""
+    """State of the spindle output; `direction` is the M number in force."""
 
     def __init__(self, settings: Settings, overrides: Overrides):
         self._settings = settings

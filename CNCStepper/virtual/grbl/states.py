@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The states of the machine, by the word that the status report has for them.
 
-What the board remembers of a hold until it goes on; suspend.py says what happens meanwhile.
+State of a hold until the resume; suspend.py has the actions during it.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from enum import Enum
 
 
 class State(Enum):
-    """What the machine is doing; Hold and Door carry a digit in the report."""
+    """State of the machine; Hold and Door have a digit in the report."""
 
     IDLE = "Idle"
     RUN = "Run"

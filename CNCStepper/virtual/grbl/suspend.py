@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What happens between a hold and the going on: feed hold, jog cancel, safety door, sleep.
+"""The board between a hold and its resume: feed hold, jog cancel, safety door, sleep.
 
 hold asked ──► slowing down (Hold:1, Door:2) ──► stopped (Hold:0, Door:0) ──► ~ ──► going on
                                                       │ door: outputs off       └ Door:3 while they return

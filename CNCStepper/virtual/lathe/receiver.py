@@ -3,7 +3,7 @@
 
 computer ──► adapter, 64 bytes ahead ──► line, 11 bits a byte ──► buffer of the controller, its full size unpublished
 
-Nothing comes back, so a sender cannot know how full the buffer is. Bytes for which there is no room are lost.
+The lathe sends nothing, so a sender cannot know the fill of the buffer. Bytes for which there is no room are lost.
 """
 
 from __future__ import annotations

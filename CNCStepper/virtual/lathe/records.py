@@ -41,7 +41,7 @@ class Steps(NamedTuple):
 
 @dataclass
 class Reader:
-    """Reads one record after another; what stays from record to record is in its fields.
+    """Reads one record after another; its fields hold the modal state.
 
     g20: what G20 means, g70: what G70 means. steps_per_mm: of X and Z. places: steps of X and Z, absolute.
     """

@@ -4,8 +4,8 @@
     read         |<------- the read before ... this read ------->|      three bytes, any time within
     at                                                 .   .   .         the likely times: evenly, up to the read
 
-A pulse that may have been long enough is never called too short: a limit counts as broken only where no time within
-the spans would keep it. Bytes with exact times have spans of no length.
+A pulse that may have been long enough is never called too short: a limit is violated only if no time within the spans
+meets it. Bytes with exact times have spans of no length.
 """
 
 from __future__ import annotations

@@ -28,7 +28,7 @@ PLACE, SPEED, TIME, FIELD, FIELD_SPEED, FIELD_TIME, POWER = range(7)  # of the k
 
 @dataclass(frozen=True)
 class MotorLimits:
-    """What a motor can follow: acceleration at standstill and pull-out speed, in pulses; microsteps a full step."""
+    """Limits of a motor: acceleration at standstill and pull-out speed, in pulses; microsteps a full step."""
 
     acceleration_pulses_s2: float
     pull_out_pulses_s: float

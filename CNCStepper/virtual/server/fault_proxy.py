@@ -26,7 +26,7 @@ MOMENTS: dict[str, Callable[[Grbl], bool]] = {
 
 
 class FaultyLink:
-    """Stands for a `Link`, and spoils what passes it.
+    """A proxy of a `Link` that corrupts its traffic.
 
     outside: carries out what is no fault of link or board ("kill", "disk"). told: hears of every fault as it happens.
     fired: how often each kind has happened.

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The virtual grbl as a program: a board, its serial line and its clock behind a port.
 
-The board is powered up when the first client comes, so that the client reads the greeting. Later
-clients find it as the last one left it: opening the port does not reset it, unless `restarts` asks for
-what a real board does where the serial adapter's DTR line is wired to its reset.
+The board is powered up when the first client comes, so that the client reads the greeting. Later clients find it as the
+last one left it: opening the port does not reset it. With `restarts` it does, as on a board whose reset is wired to the
+adapter's DTR line.
 
 Simulated time runs `speed` times as fast as the clock on the wall, in small steps with a look at the
 port between them. A server that was kept waiting by the system does not make up for the time lost,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A person's hand at a virtual machine: presses its input pins as a timeline says, or as somebody types.
+"""Presses the input pins of a virtual machine, by a timeline or by typed lines.
 
 [[press]]        of a TOML file             P            typed: press the probe's pin for 0.3 s
 pin = "P"                                   press P      and keep it pressed
@@ -39,7 +39,7 @@ class Pressable(Protocol):
 
 
 class PinPresses:
-    """What is still to be pressed and let go at one machine, by the machine's clock.
+    """Pending presses and releases of one machine, by the machine's clock.
 
     tell: hears what a typed line did, or why it did nothing.
     """

@@ -17,7 +17,7 @@ PTY_POLL_S = 0.02  # a terminal that nobody has open cannot be waited for
 
 
 class Port(Protocol):
-    """One client at a time; `address` is what it connects to."""
+    """One client at a time; it connects to `address`."""
 
     address: str
 

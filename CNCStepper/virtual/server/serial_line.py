@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The serial line: bytes reach the board and leave it one after another, at baud/10 a second.
 
-Both queues are the whole byte path between a client and the board; what spoils bytes on real cables
-can be put in here.
+Both queues are the whole byte path between a client and the board; faults of real cables are injected here.
 """
 
 from __future__ import annotations

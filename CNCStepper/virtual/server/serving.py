@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What every virtual machine as a program has: its one port, and an end by a signal."""
+"""The frame of every virtual machine as a program: one port, and an end by a signal."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a virtual machine leaves on disk: the places of its axes as a CSV file, and the raw bytes that came.
+"""Files of a virtual machine: the positions of its axes as CSV, and the raw bytes received.
 
-Both are written while it runs, so that one that is killed leaves what it had.
+Both are written while it runs, so that a killed machine leaves its data.
 """
 
 from __future__ import annotations

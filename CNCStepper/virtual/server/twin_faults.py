@@ -65,7 +65,7 @@ class Twin(Protocol):
 
 
 class FaultyTwin:
-    """Stands for a `Twin`, and spoils what passes it as a plan says; see there.
+    """A proxy of a `Twin` that corrupts its traffic by a plan.
 
     outside: carries out what is no fault of the machine ("kill"). fired: how often each kind has happened.
     """

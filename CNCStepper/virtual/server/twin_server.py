@@ -2,7 +2,7 @@
 """A published machine without hardware as a program: behind a port, by the clock on the wall.
 
 Its bytes are its clock where the computer makes the pulses (parallel port, board): each read notes between which times
-its bytes came. A machine that was kept waiting makes up for the time lost, since nobody waits for its answers.
+its bytes came. A machine that was delayed catches up, since no client waits for its answers.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ Tell = Callable[[float, str], None]
 
 
 class Notes:
-    """Tells each note once, and then once a second how often it came again: a reader that waits is not flooded."""
+    """Prints each note once, then once a second how often it was repeated, so that a reader is not flooded."""
 
     def __init__(self, tell: Tell):
         self._tell = tell

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Cuts and programs made beside the window, in one process (`cycle_cutting`); the last value wins.
+"""Cuts and programs made in one background process (`cycle_cutting`); the last value wins.
 
     who asks ──► ask ──► the process ──► cut_answers ──► who asks makes his objects, which calculates nothing any more
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Programs are drawn anew when the keys pause.
+"""Programs are redrawn when typing pauses.
 
 A picture is only looked at, and FreeCAD draws that of a long program for longer than a key may take:
 

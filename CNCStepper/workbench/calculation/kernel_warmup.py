@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Compiles the kernels once after an installation, in a process of its own, while the window goes on.
+"""Compiles the kernels once after an installation, in a background process.
 
 begin() ──► no stamp? ──► workers/kernel_warm_up.py in a Python of FreeCAD's version ──► stamp ──► what had to wait is
 made

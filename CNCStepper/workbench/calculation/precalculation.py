@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What making changed objects would calculate: asked of the cut process before anything in the document changes."""
+"""Requests to the cut process for changed objects, before anything in the document changes."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Making our objects anew while a person types.
+"""Recomputes our objects while a person types.
 
 FreeCAD's own recompute of a document runs its progress bar, which takes the keys that are typed meanwhile away from the
 field that they are meant for. An object alone is made without it.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the cut process has answered, by what it was asked, so that making an object again calculates nothing.
+"""Answers of the cut process by their requests, so that a recompute calculates nothing twice.
 
     a question (plain data) ──► key ──► Cut or Programs, or the error that refuses it
 
@@ -30,7 +30,7 @@ RETRY_S = 2.0  # after which such a question is asked anew
 
 @dataclass(frozen=True)
 class Cut:
-    """What an operation's cut reports: its figures by name, and what it warns of."""
+    """The report of an operation's cut: figures by name, and warnings."""
 
     figures: dict[str, float]
     warnings: tuple[str, ...]

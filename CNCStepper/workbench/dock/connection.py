@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The dock's end of the wire: it starts a controller's process, attaches to one, polls it and lets it go.
 
-Everything returns at once; what became of it is in `moment`, `status` and the events of `poll`.
+Every call returns at once; its result is in `moment`, `status` and the events of `poll`.
 """
 
 from __future__ import annotations

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The button that sends a G-code file: for the job that is meant, or one that is made from what a person chooses.
+"""The button that sends a G-code file: for the active job, or for a job made from a person's choices.
 
 Where a process with a cut chart cuts it, material, thickness and consumable are asked first, and the feed is shown that
 a program without F takes. Values other than those of the job make a job of their own for the file.
@@ -24,7 +24,7 @@ SHEET_MM = (500.0, 500.0, 3.0)  # that is offered where there is no job
 
 
 class FileSending:
-    """The button, and what it does; profile: gives the machine profile that the dock names."""
+    """The button and its action; profile: returns the machine profile of the dock."""
 
     def __init__(self, send: Callable[[Any], None], profile: Callable[[], str]) -> None:
         self._send, self._profile = send, profile

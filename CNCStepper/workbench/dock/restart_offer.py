@@ -66,7 +66,7 @@ class RestartOfferView(QtGui.QWidget):
 
 
 class RestartOffer:
-    """What the view's two buttons do; the offer is looked for whenever a controller was met."""
+    """The actions of the view's two buttons; the offer is searched for after each connection."""
 
     def __init__(self, link: Link, send: Sender):
         self._link, self._send, self._reading = link, send, Reading()

@@ -22,7 +22,7 @@ COMMANDS = ("tell_place", "retrace")  # of the process; it is told itself why th
 
 
 class RetractRun:
-    """The retract of one job at a time; say: adds a sentence to the messages. changed: the view is out of date."""
+    """The retract of one job at a time; say: adds a message. changed: the view is out of date."""
 
     def __init__(self, parent: Any, link: Link, say: Callable[[str, str], None], changed: Callable[[], None]):
         self.flow = RetractFlow()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The virtual grbl as a process beside FreeCAD: it ends by itself after its client has left."""
+"""The virtual grbl as a background process, which ends when its client disconnects."""
 
 from __future__ import annotations
 

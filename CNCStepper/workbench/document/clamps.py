@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Solids of a document that hold the work down: what the tool keeps clear of, seen from above.
+"""Solids of a document that clamp the work: the areas that the tool avoids, seen from above.
 
 A job keeps the outlines of its clamps in one list of points, in the document's coordinates: ring after ring, each
 closed by its first point, the height of the points that of the clamp's top.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a job object takes from its cut chart or material: the chart's row with the job's own values, and tools' feeds.
+"""Values of a job object from its cut chart or material: the chart's row with the job's own values, and tools' feeds.
 
 Process, Material, Consumable, Chart, thickness of the stock ──► row of the chart ──► values of the job ──► CutData
 """

@@ -170,7 +170,7 @@ def differences(obj: Any, job: Job) -> list[str]:
         made = job_of(obj)
     except CNCStepperError as error:  # the operation that cannot be made says it too
         return [error.sentence]
-    found = []
+    found: list[str] = []
     for number, (ours, theirs) in enumerate(zip(made.operation, job.operation, strict=True), start=1):
         by_curves = {*CURVES, MARKS, "closed", *(("offset_mm",) if _drawn(theirs) else ())}
         by_curves |= {"pattern"} if _has_places(theirs) else set()

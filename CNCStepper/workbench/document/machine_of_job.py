@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The machine that a job object names, and what of its tools is out of the range of its material."""
+"""The machine of a job object, and the values of its tools that are outside the range for its material."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The order of a job's operations: moved, duplicated, and pasted ones taken into the job of their original.
 
-Nothing leaves a job here. Whoever calls opens the transaction.
+Nothing leaves a job here. The caller opens the transaction.
 """
 
 from __future__ import annotations

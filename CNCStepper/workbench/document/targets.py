@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a command works on: the open document, the job that is meant, the drawing or solid that is selected.
+"""The targets of a command: the open document, the active job, the selected drawing or solid.
 
 All of it is asked several times a second, so nothing here computes or loads.
 """

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """After an undo or redo all is made again: FreeCAD only marks what changed as out of date.
 
-Without this a job would say after every undo that its program is not that of its drawing.
+Otherwise after every undo a job would report that its program does not match its drawing.
 """
 
 from __future__ import annotations

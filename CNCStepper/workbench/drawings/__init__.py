@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What drawings in a FreeCAD document hold: curves, circles, rectangles, ellipses, islands."""
+"""Geometry of drawings in a FreeCAD document: curves, circles, rectangles, ellipses, islands."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The menu of what can be done to a whole program: asked for its numbers, shown as a difference, then applied."""
+"""The menu of edits of a whole program: a dialog for the values, then the difference, then the edit."""
 
 from __future__ import annotations
 
@@ -194,7 +194,7 @@ def agreed(dialog: Any) -> bool:
 
 
 class _Colours(QtGui.QSyntaxHighlighter):
-    """Colours what goes and what comes."""
+    """Colours removed and added lines."""
 
     def __init__(self, document: Any, lightness: int):
         super().__init__(document)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The questions about files: which to open, where to save, and what becomes of a text that is not saved."""
+"""Dialogs for files: open, save, and the question about unsaved text."""
 
 from __future__ import annotations
 

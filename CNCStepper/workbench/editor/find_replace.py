@@ -19,7 +19,7 @@ BACK = QtGui.QTextDocument.FindFlag.FindBackward
 
 
 class FindBar(QtGui.QWidget):
-    """A bar below the text; `said` sends its results."""
+    """A bar below the text; the signal `said` has its results."""
 
     said = QtCore.Signal(str)
 

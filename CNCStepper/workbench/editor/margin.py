@@ -18,7 +18,7 @@ SeenLines = Callable[[], Iterable[tuple[int, int, int]]]
 
 
 class Margin(QtGui.QWidget):
-    """Stands at the left of the text of `edit` and scrolls with it.
+    """The margin at the left of the text of `edit`, which scrolls with it.
 
     seen_lines: returns number (from 0), top and height in pixels of the lines that are seen.
     """

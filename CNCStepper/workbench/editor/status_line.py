@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Two lines below the text: where the tool is and what is in force after the cursor's line, and what is wrong there."""
+"""Two lines below the text: position and modal state after the cursor's line, and its error."""
 
 from __future__ import annotations
 

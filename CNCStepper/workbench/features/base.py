@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What all document objects share: a table of properties, and a proxy that survives save and reopen.
+"""The base of all document objects: a table of properties, and a proxy that survives save and reopen.
 
 A property has two names: `key`, by which job files, cycles and scripts know it, with the unit as its
 suffix ("depth_mm"), and `name`, by which FreeCAD's property editor shows it ("Depth"), with a unit of

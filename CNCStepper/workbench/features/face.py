@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""CNCStepper_Face: the top of the stock, or of what a drawing encloses, made flat."""
+"""CNCStepper_Face: faces the top of the stock, or the area that a drawing encloses."""
 
 from __future__ import annotations
 

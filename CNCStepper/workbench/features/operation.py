@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What all operations share: a tool, a cycle made from their properties, and a job that cuts them in order."""
+"""The base of all operations: a tool, a cycle made from their properties, and a job that cuts them in order."""
 
 from __future__ import annotations
 

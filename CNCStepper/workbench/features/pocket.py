@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""CNCStepper_Pocket: what the closed lines of a drawing enclose, less the islands in it."""
+"""CNCStepper_Pocket: the area inside the closed lines of a drawing, without its islands."""
 
 from __future__ import annotations
 

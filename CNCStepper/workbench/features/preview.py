@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""CNCStepper_Preview: FreeCAD's own Path object, showing what a job's program text says.
+"""CNCStepper_Preview: FreeCAD's own Path object, which shows a job's program text.
 
 It is only looked at: nothing ever reads the program back from it.
 """

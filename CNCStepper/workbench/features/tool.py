@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""CNCStepper_Tool: a cutter and what it may do, linked by the operations that use it."""
+"""CNCStepper_Tool: a cutter with its limits, linked by the operations that use it."""
 
 from __future__ import annotations
 

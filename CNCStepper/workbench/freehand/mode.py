@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What drawing and editing have in common: they begin, show what goes on, and leave a view as it was."""
+"""The base of drawing and editing: both begin, show their state, and restore the view."""
 
 from __future__ import annotations
 

@@ -2,7 +2,7 @@
 """The left mouse button and a few keys of one 3D view, taken before FreeCAD's navigation sees them.
 
 Some navigation styles turn or pan the view with the left button before the scene gets any event; what a
-filter of Qt takes reaches none of them. Everything that its listener does not want goes on to FreeCAD.
+filter of Qt takes reaches none of them. Events that its listener does not use are passed on to FreeCAD.
 """
 
 from __future__ import annotations

@@ -23,7 +23,7 @@ PINS: Path = ("signals", "pins")
 
 @dataclass(frozen=True)
 class Row:
-    """One value of a profile: where it stands, of what kind, and what it is when it is left out.
+    """One value of a profile: its key, its kind, and its default.
 
     default: None where there is none, or it must be given. unit: "" for bare numbers.
     """

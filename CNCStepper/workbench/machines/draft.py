@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A profile while it is changed: every value as the text that a person typed, and what is wrong with it; no Qt.
+"""A profile while it is changed: every value as typed, and its error; no Qt.
 
     content (TOML) ──► texts ──typed──► texts ──► content and problems ──► a machine, or the problem of each field
 

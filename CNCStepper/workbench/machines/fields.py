@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The widgets of a machine's page: one for each kind of value, with what is wrong below it."""
+"""The widgets of a machine's page: one for each kind of value, with its error below."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ class Field(QtGui.QWidget):
 
 
 class Editor:
-    """What shows a text and reports another one."""
+    """A widget that shows a text and reports a change."""
 
     def show_text(self, text: str) -> None:
         """Show a value."""
@@ -69,7 +69,7 @@ class Editor:
 
 
 class LineEditor(QtGui.QLineEdit, Editor):
-    """A line; what stands there when nothing is typed is the value in force."""
+    """A line edit; without text it shows the value in force."""
 
     def __init__(self, row: Row, changed: Changed):
         super().__init__()
@@ -99,7 +99,7 @@ class CheckEditor(QtGui.QCheckBox, Editor):
 
 
 class ChoiceEditor(QtGui.QComboBox, Editor):
-    """One of several; the first is what is in force where the profile says nothing."""
+    """One of several; the first is the default of a profile without this key."""
 
     def __init__(self, row: Row, changed: Changed):
         super().__init__()

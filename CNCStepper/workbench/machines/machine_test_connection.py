@@ -27,7 +27,7 @@ Done = Callable[[str], None]
 
 
 class Bench(QtCore.QObject):
-    """`changed` is sent after every report; `trouble` is what the machine refused last, "" for nothing."""
+    """`changed` is sent after every report; `trouble` is the machine's last refusal, or ""."""
 
     changed = QtCore.Signal()
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What was measured in the machine test of the window, and what follows from it as sentences; no Qt."""
+"""Measurements of the machine test in the window, and their results as sentences; no Qt."""
 
 from __future__ import annotations
 
@@ -73,7 +73,7 @@ class Travel:
 
 @dataclass
 class Play:
-    """What a dial showed at one place, come from below and from above."""
+    """Dial readings at one place, approached from below and from above."""
 
     axis: str = "x"
     below_mm: list[float] = field(default_factory=list)

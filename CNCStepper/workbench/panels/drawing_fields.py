@@ -53,7 +53,7 @@ def words_of_drawing(pair: Pair) -> str:
 
 
 class _Taking(Field):
-    """What both fields share: buttons that take the selection, and why what was selected is not used."""
+    """The base of both fields: buttons that use the selection, and the reason when it is refused."""
 
     def add_buttons(self, buttons: tuple[tuple[str, str, str], ...]) -> None:
         """Add buttons, each by its name, text and tooltip, and the note below them."""

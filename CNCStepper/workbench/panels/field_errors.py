@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What core, stock and machine refuse of values, as sentences beside the fields; the rules stay in the core."""
+"""Refusals of values by core, stock and machine, as sentences at the fields; the rules are in the core."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The fields of a form, one class a kind of property: shown, read, and marked with what is wrong below them."""
+"""The fields of a form, one class for each kind of property: shown, read, and marked with errors."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ GAP_PX = 2  # above and below a field
 
 
 class WorkNote(QtGui.QWidget):
-    """Says in a line that something takes a while, with a bar that moves; seen only when it does take one."""
+    """A progress line, which is shown only when a calculation takes a while."""
 
     def __init__(self, name: str, parent: Any):
         super().__init__(parent)

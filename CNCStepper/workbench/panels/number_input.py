@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Numbers as a person types and reads them, without FreeCAD: what a separator means, how many digits are shown."""
+"""Numbers as a person types and reads them, without FreeCAD: separators, and the digits shown."""
 
 from __future__ import annotations
 

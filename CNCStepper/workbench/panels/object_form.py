@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""An object and the form that edits it: what a person changes goes into the object as soon as it is good.
+"""An object and the form that edits it: valid changes go into the object at once.
 
     typed ──► read ──► judged by the core's model ──► cut and written by a process of its own ──► written, shown
                │       and by what the job can hold                 │

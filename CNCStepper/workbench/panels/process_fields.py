@@ -115,7 +115,7 @@ class ChartFileField(FileField):
 
 
 class ProcessField(ChoiceField):
-    """The processes; those that the machine cannot do are seen, but not chosen, and say why."""
+    """The processes; those that the machine lacks are disabled and show the reason."""
 
     def refresh(self) -> None:
         """Show the job's process, and which others its machine can do."""
@@ -270,7 +270,7 @@ class ChartValueField(NumberField):
 
 
 class ChartNote(QtGui.QWidget):
-    """Says which values are the chart's, or why it gives none."""
+    """Shows which values are the chart's, or why it has none."""
 
     def __init__(self, job: Any, parent: Any):
         super().__init__(parent)

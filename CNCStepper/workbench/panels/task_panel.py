@@ -16,7 +16,7 @@ LOOK_MS, LOOKS = 20, 100  # how often it is looked whether FreeCAD shows the pan
 
 
 class Panel:
-    """What FreeCAD's task view shows and asks; the transaction is open already."""
+    """The interface for FreeCAD's task view; the transaction is open already."""
 
     def __init__(self, obj: Any, editor: Editor):
         self.document = obj.Document.Name

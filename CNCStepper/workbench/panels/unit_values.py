@@ -31,7 +31,7 @@ PLAIN_UNITS = {"_rpm": "rpm", "_s": "s", "_percent": "%", "amperes": "A"}  # Fre
 
 @dataclass(frozen=True)
 class Measure:
-    """What a field measures.
+    """The quantity of a field.
 
     unit: as it is shown. factor: from it to the unit of the property's key. quantity: the name of FreeCAD's unit, ""
     for plain numbers. per_freecad: from FreeCAD's own unit to the key's.

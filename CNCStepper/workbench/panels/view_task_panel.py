@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What FreeCAD asks a task panel that shows something and leaves document, view and selection to the person."""
+"""A task panel that only shows something: document, view and selection stay free for the person."""
 
 from __future__ import annotations
 

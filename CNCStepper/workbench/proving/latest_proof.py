@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One proof at a time, for a caller that wants the newest answer only; where it begins, and where it leads."""
+"""One proof at a time, for a caller that needs the newest result only: its begin and its end."""
 
 from __future__ import annotations
 

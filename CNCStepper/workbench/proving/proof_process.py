@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The proof of a job's program, made by a process of its own while the window goes on.
+"""The proof of a job's program, made by a background process.
 
     run = ProofRun(job, parent)
     run.part.connect(show_part)     # Part and work zero, while the rest is still to come

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the commands share that take a job's program further, or one that was edited: check, send, save."""
+"""Shared steps of the commands for a job's program or an edited one: check, send, save."""
 
 from __future__ import annotations
 

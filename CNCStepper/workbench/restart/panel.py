@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What stands in the restart's task panel: the place, what the restart would do there, and what its proof has found."""
+"""The task panel of a restart: the place, the steps of the restart, and the findings of its proof."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The task of a restart: it lists the places, shows the path to click on, proves what is chosen, and sends it.
+"""The task of a restart: it lists the places, shows the path, proves the chosen restart, and sends it.
 
 program ──► reader: lines, path, contours, place under a click ──► choice ──► proof ──► words, findings ──► dock
 """
@@ -39,7 +39,7 @@ SETTLED_MS = 400  # so long a choice stands still before it is proven
 
 
 class RestartTask(ViewTask):
-    """What FreeCAD's task panel is given; `form` is its widget. An edit of the program is shown, or told, at once."""
+    """The object for FreeCAD's task panel; `form` is its widget. An edit of the program is shown at once."""
 
     def __init__(self, program: Any, send: Sender, line: int = 0, said: Sequence[tuple[str, str]] = ()):
         """Take what `open_restart` is given."""

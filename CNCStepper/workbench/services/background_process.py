@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A module of ours in a Python process of its own, of which the window hears by Qt's signals.
+"""A module of ours in a Python process of its own, which reports to the window by Qt's signals.
 
 Not by QProcess: that copies the window's process first (fork), tens of ms for what FreeCAD may hold in memory.
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What all commands share: enabled exactly when they can work, and a tooltip that says why when they cannot."""
+"""The base of all commands: enabled exactly when they can work; otherwise the tooltip has the reason."""
 
 from __future__ import annotations
 

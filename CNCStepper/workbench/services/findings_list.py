@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The findings of a proof as a list: one row each, with its weight, its line, what was seen, value and limit."""
+"""The findings of a proof as a list: a row has severity, line, text, value and limit."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What we say to the person at the window, and the one guard through which Qt and FreeCAD call us.
+"""Messages to the person at the window, and the one guard through which Qt and FreeCAD call us.
 
-A refusal of ours becomes a message in its own words. Anything else that escapes is a fault of the program: it
+A CNCStepperError becomes a message with its text. Anything else that escapes is a fault of the program: it
 becomes a message that says where to report it, with the details, and stands in the report view.
 """
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Which packages FreeCAD's Python lacks, what that means, and how to get them."""
+"""The packages that FreeCAD's Python lacks, the consequence, and how to install them."""
 
 from __future__ import annotations
 

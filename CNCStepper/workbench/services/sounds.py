@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Short sounds for what a person who looks away should notice; tools/sounds.py writes them.
+"""Short sounds for events that a person should notice; tools/sounds.py writes them.
 
 Qt plays them where its multimedia module is installed; elsewhere the computer beeps.
 """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Check and simulate: the cut part in FreeCAD's 3D view, the tool running along the path, and what was found."""
+"""Check and simulate: the cut part in FreeCAD's 3D view, the tool running along the path, and the findings."""
 
 from __future__ import annotations
 

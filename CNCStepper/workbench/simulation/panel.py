@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What stands in the task panel: first how far the proof is, then totals, player, legend, program and findings."""
+"""The task panel: first the progress of the proof, then totals, player, legend, program and findings."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The clock of a simulation: it plays a track of the tip, and it jumps where it is told."""
+"""The clock of a simulation: it plays a track of the tip, and seeks to a time."""
 
 from __future__ import annotations
 

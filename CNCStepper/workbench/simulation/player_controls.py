@@ -27,7 +27,7 @@ STEPS = ((LINE, later("Line")), (MOVE, later("Move")), (PULSE, later("Pulse")))
 
 
 class Controls(QtGui.QWidget):
-    """What a person plays with; it follows the player by itself."""
+    """The controls of the player; they follow its state."""
 
     def __init__(self, player: Player, parent: Any = None):
         super().__init__(parent)

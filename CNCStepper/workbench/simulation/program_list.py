@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The program's text beside the picture: its lines are asked for when they are seen, however many there are.
+"""The program's text beside the picture; its lines are loaded when they become visible.
 
 It is a table of one column because Qt lays a table of equal rows out without asking for any of them.
 """

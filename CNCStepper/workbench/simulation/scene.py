@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a simulation adds to FreeCAD's 3D view: the stock's outline, the cut part, the path, the tool, a marker.
+"""The nodes of a simulation in FreeCAD's 3D view: the stock's outline, the cut part, the path, the tool, a marker.
 
 view's scene graph
   root (not pickable) ── place (the job's work zero) ── stock ── part ── rapids ── feeds ── fallen

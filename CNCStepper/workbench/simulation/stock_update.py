@@ -24,7 +24,7 @@ AT_ONCE_S = 0.01  # of one turn of the window's events
 
 
 class Material(QtCore.QObject):
-    """Shows in the scene what is left of the stock; `end` it. shown: sent when the scene shows an asked moment."""
+    """Shows the remaining stock in the scene; `end` ends it. shown: sent when the scene shows an asked moment."""
 
     shown = QtCore.Signal()
 

@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 
 
 class SimulationTask(ViewTask):
-    """What FreeCAD's task panel is given; `form` is its widget. An edit of the program is shown, or told, at once."""
+    """The object for FreeCAD's task panel; `form` is its widget. An edit of the program is shown at once."""
 
     def __init__(self, job: Any, restart: Callable[[Any, int], object]):
         self.form = SimulationPanel(job.Label)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The 3D view while a simulation is open: what would hide it is hidden, and afterwards all is as it was."""
+"""The 3D view while a simulation is open: objects that cover it are hidden, and shown again at the end."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What all our objects have in common in the tree: icon, badge, double click, context menu."""
+"""The base of our objects in the tree: icon, badge, double click, context menu."""
 
 from __future__ import annotations
 

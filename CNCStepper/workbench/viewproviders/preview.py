@@ -9,7 +9,7 @@ from CNCStepper.workbench.viewproviders.base import ViewProvider
 
 
 class Preview(ViewProvider):
-    """The view of a preview; what FreeCAD's own Path view draws is left to that."""
+    """The view of a preview; FreeCAD's own Path view draws it."""
 
     def edit(self) -> None:
         """Open the panel of the job."""

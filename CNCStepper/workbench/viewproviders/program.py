@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How an edited program behaves in the tree: it stands below its job, and a double click opens the editor."""
+"""An edited program in the tree: it is below its job, and a double click opens the editor."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A job's stock and clamps in the 3D view: the edges of the stock round the work zero, a small cross at that zero.
 
-Where cuts must stay within the stock's edge, the line that they stay within is drawn on its top. Of a clamp it is
-what the tool keeps clear of: a block from its top down to the stock's bottom.
+Where cuts must stay within the stock's edge, the line that they stay within is drawn on its top. For a clamp it is the
+area that the tool avoids: a block from its top down to the stock's bottom.
 """
 
 from __future__ import annotations

@@ -24,7 +24,7 @@ PARTS = {"CNCStepper_Tool", "CNCStepper_Preview", "CNCStepper_Program"}
 
 @dataclass(frozen=True)
 class Drop:
-    """What a drop would do: order operations of a job beside one of them (None: at its end), or nothing, and why."""
+    """The effect of a drop: move operations next to one of their job (None: to its end), or none, with the reason."""
 
     job: Any = None
     operations: tuple[Any, ...] = ()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What one block of a program says, and the modal state that it meets.
+"""One block of a program, and the modal state before it.
 
 Positions are 32-bit floats in mm (kept in Python floats), machine coordinates, as in the firmware.
 """

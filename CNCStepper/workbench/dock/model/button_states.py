@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the dock says of a moment, and which of its controls can work then: no Qt, no FreeCAD, nothing remembered.
+"""The state sentence of the dock, and which controls are enabled in a state: no Qt, no FreeCAD, no memory.
 
 Texts here are marked for the translators and shown through `tr`.
 """

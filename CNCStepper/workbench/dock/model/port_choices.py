@@ -17,7 +17,7 @@ SPEEDS = (1, 10)
 
 @dataclass(frozen=True)
 class Choice:
-    """One entry of the port list; `port` is what is opened, `VIRTUAL` for the machine without hardware."""
+    """One entry of the port list; `port` is opened, `VIRTUAL` starts the virtual machine."""
 
     port: str
     text: str

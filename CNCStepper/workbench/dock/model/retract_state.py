@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The way back along the cut as the dock sees it: what was asked, what came of it, what can be asked now; no Qt."""
+"""The state of a retract in the dock: last request, its result, possible requests; no Qt."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the dock remembers in FreeCAD's parameters, and the units and the decimal point of its user."""
+"""The dock's settings in FreeCAD's parameters, and the user's units and decimal separator."""
 
 from __future__ import annotations
 

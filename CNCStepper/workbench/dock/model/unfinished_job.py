@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A job that did not end, as its journal tells it: no Qt, and nothing is waited for.
+"""A job that did not end, from its journal; no Qt, and no call blocks.
 
 A thread looks whether there is one, and whoever asked looks at `poll` now and then; what its path says takes a process
 of its own (`workers/unfinished_job.py`).

@@ -29,7 +29,7 @@ DISCONNECT_FIRST = later("Disconnect first: the dock is connected to this machin
 
 
 class FreshBox(QtGui.QComboBox):
-    """A list that looks for its entries anew whenever it is opened."""
+    """A list that refreshes its entries whenever it is opened."""
 
     def __init__(self, look: Callable[[], None]):
         super().__init__()

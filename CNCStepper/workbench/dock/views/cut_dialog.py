@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Asks how a G-code file is cut: process, material, thickness and consumable of the cut chart, whose feed it shows.
 
-A program without F takes that feed. Where there is no job yet the size of the sheet is asked too.
+A program without F takes that feed. Without a job it also asks for the size of the sheet.
 """
 
 from __future__ import annotations

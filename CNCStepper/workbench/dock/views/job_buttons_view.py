@@ -43,7 +43,7 @@ class PauseView(QtGui.QWidget):
 
 
 class JobView(QtGui.QWidget):
-    """What is cut and how far it is; hidden while nothing is cut."""
+    """The running program and its progress; hidden while no job runs."""
 
     def __init__(self) -> None:
         super().__init__()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The keyboard in the dock: its keys act on what it shows or on nothing, and only a person moves the focus.
+"""The keyboard in the dock: keys act only on the dock's controls, and only a person moves the focus.
 
 key ──► the control with the focus ──► what it leaves, the dock takes: no shortcut of FreeCAD acts on the tree
 a control that is disabled or hidden ──► the focus goes to what contains it: no other control gets it by itself

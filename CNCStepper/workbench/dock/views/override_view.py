@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Feed, rapid and spindle in percent of what the program says, and the coolant, as the controller reports them."""
+"""Overrides of feed, rapid and spindle in percent, and the coolant, as the controller reports them."""
 
 from __future__ import annotations
 

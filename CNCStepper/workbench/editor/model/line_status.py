@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the status line says of a line: where the tool is after it, what is in force, and when. It knows no Qt."""
+"""The status line of a program line: position after it, modal state, and time. It knows no Qt."""
 
 from __future__ import annotations
 

@@ -57,7 +57,7 @@ BOLD = ("motion", "code", "flow")
 
 
 class Span(NamedTuple):
-    """Characters [start, start + length) of a line, and what kind they are."""
+    """Characters [start, start + length) of a line, and their kind."""
 
     start: int
     length: int

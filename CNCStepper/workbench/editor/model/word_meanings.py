@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the word under the cursor means, in a sentence. It knows no Qt."""
+"""The meaning of the word under the cursor, in one sentence. It knows no Qt."""
 
 from __future__ import annotations
 
