@@ -55,12 +55,10 @@ __all__ = [
     "chart_tool",
     "edit",
     "edit_program",
-    "export_job",
     "import_drawing",
     "import_tools",
     "job_model",
     "new_job",
-    "open_job",
     "program_text",
     "reload_drawing",
     "require_valid",
@@ -291,30 +289,6 @@ def _write(path: Path, text: str) -> Path:
         advice = "choose a folder that exists and that you may write to"
         raise JobError("program-unwritable", what, advice=advice, place=Place(str(path))) from error
     return path
-
-
-def export_job(job: Any, path: str | Path) -> None:
-    """Write a job object as a job file, TOML or JSON by its name, its curves within it; raises what the core raises."""
-    packages.require()
-    from CNCStepper.job.files.job_text import save_job_file
-    from CNCStepper.workbench.document.job_files import exported
-
-    require_valid(job)
-    save_job_file(exported(job), Path(path))
-
-
-def open_job(document: Any, path: str | Path) -> tuple[Any, list[str]]:
-    """Return a new job object with what a job file holds, and what of it FreeCAD's objects do not hold.
-
-    Raises JobError for a file that is no job.
-    """
-    packages.require()
-    from CNCStepper.job.model import Job as JobModel
-    from CNCStepper.workbench.document.job_files import differences, opened
-
-    model = JobModel.load(path)
-    job = opened(document, model, Path(path).stem)
-    return job, [*model.notes, *differences(job, model)]
 
 
 def job_model(job: Any) -> Model:

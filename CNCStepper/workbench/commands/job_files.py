@@ -49,9 +49,9 @@ class OpenJob(Command):
             notice(tr("{0} was opened").format(Path(path).name), "\n".join(map(translated, notes)))
 
     def _opened(self, document: Any, path: str) -> list[str]:
-        from CNCStepper.workbench import api
+        from CNCStepper.workbench.document.job_files import open_job
 
-        _, notes = api.open_job(document, path)
+        _, notes = open_job(document, path)
         document.recompute()
         return notes
 
@@ -77,8 +77,8 @@ class ExportJob(Command):
 
     def write(self, job: Any, path: str) -> None:
         """Write the file."""
-        from CNCStepper.workbench import api
+        from CNCStepper.workbench.document.job_files import export_job
 
         job.Document.recompute()
-        api.export_job(job, path)
+        export_job(job, path)
         note(tr("{0} was written").format(path))

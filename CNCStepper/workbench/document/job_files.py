@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 from CNCStepper.errors import CNCStepperError, JobError, Place, Text
 from CNCStepper.machine.processes import PROCESSES
+from CNCStepper.workbench import packages
 from CNCStepper.workbench.features.base import edit
 from CNCStepper.workbench.features.catalogue import operation_class
 from CNCStepper.workbench.services.messages import guarded
@@ -27,6 +28,29 @@ JOB_KEYS = ("units", "work_offset", "process", "clearance_mm", "retract_mm", "co
 CURVES = ("outlines", "islands", "curves")  # of an operation, that its drawings give
 MARKS, CIRCLES = "marks", "circles"
 OWN, NONE, COUNT, SPACING = "own", "none", "count", "spacing"
+
+
+def export_job(obj: Any, path: str | Path) -> None:
+    """Write a job object as a job file, TOML or JSON by its name, its curves within it; raises what the core raises."""
+    packages.require()
+    from CNCStepper.job.files.job_text import save_job_file
+    from CNCStepper.workbench import api
+
+    api.require_valid(obj)
+    save_job_file(exported(obj), Path(path))
+
+
+def open_job(document: Any, path: str | Path) -> tuple[Any, list[str]]:
+    """Return a new job object with what a job file holds, and what of it FreeCAD's objects do not hold.
+
+    Raises JobError for a file that is no job.
+    """
+    packages.require()
+    from CNCStepper.job.model import Job
+
+    model = Job.load(path)
+    job = opened(document, model, Path(path).stem)
+    return job, [*model.notes, *differences(job, model)]
 
 
 def exported(obj: Any) -> Job:
