@@ -5,6 +5,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from CNCStepper.machine.controller_family import BAUD
+
 if TYPE_CHECKING:
     from CNCStepper.control.session.status import Outcome
     from CNCStepper.job.make import Made
@@ -36,7 +38,7 @@ def prove(program: str, machine: Machine, job: Job | None = None, **given: Any) 
     return proofs.prove_job(job, machine, program, **given) if job else proofs.prove(program, machine, **given)
 
 
-def send(proof: Proof, port: str, *, zero_confirmed: bool = False, baud: int = 115_200, **more: Any) -> Outcome:
+def send(proof: Proof, port: str, *, zero_confirmed: bool = False, baud: int = BAUD, **more: Any) -> Outcome:
     """Send a proven program in a process of its own and return how it ended, when the machine is idle again.
 
     zero_confirmed: the work zero is set on the stock and the way is free. more: other fields of a `SendJob`, such as

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Blocks a second of processor time: our interpreter beside LinuxCNC's `rs274 -g`, same programs, same run.
 
-Then a file of ten times the blocks, read in processes of their own: how much memory a block takes, whole and as a
-stream, with progress and cancel. `python bench/bench_interpreter.py` prints the lines of docs/benchmarks.md.
+Beside it `cncstepper trace`, which prints the same calls, as a process of its own. Then a file of ten times the blocks,
+read in processes of their own: how much memory a block takes, whole and as a stream, with progress and cancel.
+`python bench/bench_interpreter.py` prints the lines of docs/benchmarks.md.
 """
 
 from __future__ import annotations
@@ -67,10 +68,10 @@ def ours_s(text: str) -> float:
     return taken
 
 
-def theirs_s(path: Path) -> float:
-    """Return the seconds of processor time that rs274 takes, its start included."""
+def process_s(*command: str) -> float:
+    """Return the seconds of processor time that a program takes, its start included."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    subprocess.run(["rs274", "-g", str(path), "/dev/null"], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
@@ -83,9 +84,12 @@ def compare(folder: Path) -> None:
         write(path, program(BLOCKS))
         text = path.read_text("ascii")
         first = first or ours_s(text)
-        ours, theirs = min(ours_s(text) for _ in range(AGAIN)), theirs_s(path)
+        ours, theirs = min(ours_s(text) for _ in range(AGAIN)), process_s("rs274", "-g", str(path), "/dev/null")
         print(f"interpreter, {program.__name__}: {BLOCKS} blocks: ours {BLOCKS / ours / 1e6:.2f} million/s, ", end="")
         print(f"rs274 {BLOCKS / theirs / 1e6:.3f} million/s, ratio {theirs / ours:.1f}")
+        traced = process_s(sys.executable, "-m", "CNCStepper.cli", "trace", str(path))
+        print(f"trace, {program.__name__}: {BLOCKS} blocks: cncstepper {traced:.2f} s, rs274 {theirs:.2f} s, ", end="")
+        print(f"starts included, ratio {theirs / traced:.1f}")
     print(f"interpreter, first call of the process: {BLOCKS / first / 1e6:.2f} million/s")
 
 

@@ -80,6 +80,8 @@ class PulseAxes(Axes):
         )  # the first pulse of each move that is not played, and its number
         self._appended = output.sent  # pulses, counted as the output counts those that it has played
         self._forgotten = 0  # the number of the newest move that a reset has forgotten
+        self._answered: deque[int] = deque()  # the newest move at each answered line that is not known to be made
+        self._has_letters = False  # among what is queued: their pulses have no moves of their own
         self._last_tick = 0
         self._shift = 0  # ticks by which the planner's clock is behind
         limits = self._limits()
@@ -95,6 +97,21 @@ class PulseAxes(Axes):
     def free_blocks(self) -> int:
         """How many more moves could be under way, planned or not, which a sender counts as not cut yet."""
         return max(0, self._most_moves - self._unplayed())
+
+    @property
+    def queued_lines(self) -> int:
+        """How many of the answered lines are not made to their last pulse."""
+        if self.idle:
+            self._answered.clear()
+            self._has_letters = False
+        made = -1 if self._has_letters else self._moves.last_move - self._unplayed()
+        while self._answered and self._answered[0] <= made:
+            self._answered.popleft()
+        return len(self._answered)
+
+    def note_answer(self) -> None:
+        """Note that a line is answered, of which all moves are queued."""
+        self._answered.append(self._moves.last_move)
 
     @property
     def moves(self) -> MoveSource:
@@ -150,6 +167,7 @@ class PulseAxes(Axes):
         move = np.full(count, self._moves.last_move)
         self._waiting.append(PlannedPulses(ticks, step, back, speeds, limits, np.zeros(count, bool), move))
         self._last_tick = int(ticks[-1])
+        self._has_letters = True
         self._shift += interval * count
         bits = np.arange(3)
         forward, backward = ((mask[:, None] >> bits & 1).sum(axis=0) for mask in (step & ~back, back))
@@ -264,6 +282,7 @@ class PulseAxes(Axes):
     def _clear(self) -> None:
         self._waiting.clear()
         self._begins.clear()
+        self._answered.clear()
         self._appended, self._forgotten = self._output.sent, self._moves.last_move
 
     def _stand_at(self, steps: tuple[int, ...]) -> None:

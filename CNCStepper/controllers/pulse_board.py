@@ -8,12 +8,12 @@ moves of it. Where the output ends by itself, the position is lost as by a reset
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Generator
 from contextlib import suppress
 from dataclasses import replace
 
 from CNCStepper.controllers.ended_output import EndedOutput, Output
-from CNCStepper.controllers.own_command_lines import MachineTestLines, message
+from CNCStepper.controllers.own_command_lines import LOCKED, MachineTestLines, message
 from CNCStepper.controllers.port_signals import Relays, Switches
 from CNCStepper.controllers.pulse_axes import PulseAxes, most_moves, moves_of
 from CNCStepper.errors import CNCStepperError, LinkError, MachineRefusal, Text
@@ -90,11 +90,12 @@ class PulseBoard(Grbl):
         return super().pins() + self._switches.letters
 
     def own_fields(self) -> list[str]:
-        """Return the status pins that are high and the relays that are on, where there is a parallel port."""
-        if family_of(self._machine) != "parport":
-            return []
-        high = ",".join(map(str, sorted(self._player.inputs())))
-        return [f"In:{high}", f"Out:{','.join(sorted(self._relays.on))}"]
+        """Return how many answered lines are not made yet; of a parallel port the pins and relays that are on too."""
+        fields = [] if self.state in LOCKED else [f"Queue:{self.axes.queued_lines}"]
+        if family_of(self._machine) == "parport":
+            high = ",".join(map(str, sorted(self._player.inputs())))
+            fields += [f"In:{high}", f"Out:{','.join(sorted(self._relays.on))}"]
+        return fields
 
     def stop_at_once(self) -> None:
         """Stop the motors without a ramp where they move, switch everything off and forget all moves."""
@@ -136,6 +137,11 @@ class PulseBoard(Grbl):
         moves.arc(block.target, centre, block.radius, modal.motion == ARC_CW, block.feed)
 
     # -- inside --------------------------------------------------------------------------------------
+
+    def _execute_command(self, line: str) -> Generator[None, None, str]:
+        answer = yield from super()._execute_command(line)
+        self.axes.note_answer()  # before the answer goes out
+        return answer
 
     def _carry_out(self, line: str) -> Waiting:
         if self._has_ended and line not in ALLOWED_WHEN_ENDED:

@@ -35,7 +35,6 @@ from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.machine.wiring import seen_by_sender
 from CNCStepper.motion.interpolation.dda_stream import dda_stream
-from CNCStepper.motion.planner.backlash_moves import motor_moves
 from CNCStepper.motion.planner.buffers import TICKS_PER_S
 from CNCStepper.motion.planner.plan import begun
 from CNCStepper.motion.signals.peak_rate import PeakRate
@@ -246,8 +245,7 @@ def peak_rate(job: SendJob) -> float:
         return 0.0
     text = "".join(f"{line}\n" for line in job.lines)
     path = interpret(text, start_from(job.retrace["start"]), job.dialect, job.file)
-    motors = motor_moves(require_straight_axes(path, job.file), Backlash.of(machine))
-    rate, way = PeakRate(), begun(motors)
+    rate, way = PeakRate(), begun(require_straight_axes(path, job.file))
     stream = pulse_stream(way, machine) if machine.interpolation == "planner" else dda_stream(way, machine)
     for _ in Timeline(replace(stream, chunks=_counted(stream, rate)), machine.signals):
         pass

@@ -192,7 +192,7 @@ class _FileProof:
         """Return the reading of the file through its wire text."""
         dialect = self._given.dialect
         if (target := translated_to(self._machine, dialect)) is not None:
-            return TranslatedFile(path, start, dialect, target, **options)
+            return TranslatedFile(path, start, dialect, target, self._play, **options)
         return wire_of_file(path, start, dialect, self._play, **options)
 
     def run(self) -> FileProof:

@@ -42,7 +42,7 @@ def wire_of(
 ) -> WireText:
     """Return the wire text of a program on a machine, with this backlash compensated; raises ProgramError."""
     if (target := translated_to(machine, dialect)) is not None:
-        return translate(text, dialect, target, file, start).wire
+        return translate(text, dialect, target, file, start, play=play).wire
     return prepare(text, dialect, file, start, play)
 
 
@@ -58,12 +58,12 @@ def wire_round_trip(
 
     share: called with the share that is read, from 0 to 1. Raises ProgramError for a text that cannot be read or sent.
     """
-    if (target := translated_to(machine, dialect)) is not None:
-        wire, path = translate(text, dialect, target, file, start, share)
-        return WireRoundTrip(wire, path, path)
     play = backlash_of(machine, dialect)
-    wire = prepare(text, dialect, file, start, play)
-    motors = read_back(wire, text, start, dialect, file, share)
+    if (target := translated_to(machine, dialect)) is not None:
+        wire, motors = translate(text, dialect, target, file, start, share, play)
+    else:
+        wire = prepare(text, dialect, file, start, play)
+        motors = read_back(wire, text, start, dialect, file, share)
     if play is None:
         return WireRoundTrip(wire, motors, motors)
     return WireRoundTrip(wire, motors, tool_moves(require_straight_axes(motors, file), play))

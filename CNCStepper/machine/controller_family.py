@@ -26,6 +26,7 @@ FAMILIES: dict[str, Family] = {
 }
 OWN: tuple[Family, ...] = ("parport", "board", "lathe")  # a process on this computer is their controller
 PULSES: tuple[Family, ...] = ("parport", "board")  # of these, those whose single pulses it makes
+BAUD = 115_200  # of a serial link to a controller of grbl's family, where nobody chooses another rate
 WIRE_LANGUAGE = "grbl"  # of lines to a CNCStepper controller that makes pulses
 LANGUAGES = {"usb-board": WIRE_LANGUAGE}  # of programs, where the controller's name is that of no dialect
 
@@ -44,5 +45,5 @@ def family_of(machine: Driven | None) -> Family:
 
 
 def makes_pulses(machine: Driven | None) -> bool:
-    """Return whether this computer makes the machine's pulses: backlash is taken up there, and outputs are its pins."""
+    """Return whether this computer makes the machine's pulses, so that outputs are its pins."""
     return family_of(machine) in PULSES

@@ -9770,6 +9770,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>CadQuery or build123d</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Chamfer along each side</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10574,6 +10578,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a drawing of that name is there already</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a drawing's unit lies between a nanometre and a kilometre</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11058,7 +11066,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a text runs along a line or an arc: give one of them</source>
+            <source>a text runs along a line, an arc or a shape: give one of them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a text runs along one curve, but the shape '{shape}' has several</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a text runs along the shape '{shape}', which does not stand before it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11339,6 +11355,10 @@
         </message>
         <message>
             <source>an expression begins with [</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>an external reference, whose file is not opened</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11738,7 +11758,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>check cable and power; home the machine or set its zero again before its next move</source>
+            <source>check cable and power, then move the tool to the work zero and set it there before its next move</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12582,7 +12602,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>find the cause, switch the lathe off and on, and set its zero by hand: its position is lost</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>find the cause, then home the machine: its position is lost</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>find the cause, then move the tool to the work zero and set it there: its position is lost</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12846,6 +12874,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give the job another name</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give the material its number and name</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13043,10 +13075,6 @@
         </message>
         <message>
             <source>home the machine again</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>home the machine before its next move</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13646,6 +13674,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>leave out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>leave part = "holes" out</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14194,6 +14226,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>move the tool to the work zero and set it there before its next move</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>move the work zero {word} the {name} axis or make the program smaller</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14254,6 +14290,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>name a shape of one curve</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>name both axes</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14287,6 +14327,10 @@
         </message>
         <message>
             <source>name the machine (--machine)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>name the machine profile of the table that is wired to it (controller = "thesis-a")</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15027,6 +15071,10 @@
         </message>
         <message>
             <source>pulses can be retracted only in a hold, not in state {state}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>pulses, relays and trials of a rate: `cncstepper machine-test` does them</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16878,7 +16926,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the font '{font}' lacks {names}; they are left out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the font is damaged: {why}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the fonts of {count} texts lack letters, which are left out: {names}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19126,6 +19182,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>unlock it with $X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>until then nothing but homing, jogging and setting the zero is safe</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19978,6 +20038,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} is refused</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} mm each where the axes are square</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20094,6 +20158,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{count} lines have markers, which are not read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{count} paths are damaged and read up to the damage</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20102,7 +20170,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{count} texts are longer than their path; letters beyond it are left out: {names}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{count} texts are set in another font or style than the file names: {names}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{count} texts with places inside their textLength are not brought to it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20575,6 +20651,10 @@
         </message>
         <message>
             <source>{name} is a parallel port, and the machine is a board</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} is a parallel port, on which there is no controller</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -9770,6 +9770,10 @@
             <translation>CadQuery ou FreeCAD</translation>
         </message>
         <message>
+            <source>CadQuery or build123d</source>
+            <translation>CadQuery ou build123d</translation>
+        </message>
+        <message>
             <source>Chamfer along each side</source>
             <translation>Chanfro ao longo de cada lado</translation>
         </message>
@@ -10574,6 +10578,10 @@
             <translation>um alívio de canto ficaria longo demais</translation>
         </message>
         <message>
+            <source>a drawing of that name is there already</source>
+            <translation>já existe um desenho com esse nome</translation>
+        </message>
+        <message>
             <source>a drawing's unit lies between a nanometre and a kilometre</source>
             <translation>a unidade de um desenho fica entre um nanômetro e um quilômetro</translation>
         </message>
@@ -11058,8 +11066,16 @@
             <translation>um texto precisa de um entre font, file e single_line</translation>
         </message>
         <message>
-            <source>a text runs along a line or an arc: give one of them</source>
-            <translation>um texto segue uma reta ou um arco: dê um dos dois</translation>
+            <source>a text runs along a line, an arc or a shape: give one of them</source>
+            <translation>um texto segue uma linha, um arco ou uma forma: informe um deles</translation>
+        </message>
+        <message>
+            <source>a text runs along one curve, but the shape '{shape}' has several</source>
+            <translation>um texto segue uma só curva, mas a forma '{shape}' tem várias</translation>
+        </message>
+        <message>
+            <source>a text runs along the shape '{shape}', which does not stand before it</source>
+            <translation>um texto segue a forma '{shape}', que não está antes dele</translation>
         </message>
         <message>
             <source>a tolerance must be above 0</source>
@@ -11340,6 +11356,10 @@
         <message>
             <source>an expression begins with [</source>
             <translation>uma expressão começa com [</translation>
+        </message>
+        <message>
+            <source>an external reference, whose file is not opened</source>
+            <translation>uma referência externa, cujo arquivo não é aberto</translation>
         </message>
         <message>
             <source>an incremental move needs a known position</source>
@@ -11738,8 +11758,8 @@
             <translation>verifique o cabo e a taxa (baud)</translation>
         </message>
         <message>
-            <source>check cable and power; home the machine or set its zero again before its next move</source>
-            <translation>verifique o cabo e a alimentação; referencie a máquina ou defina o zero de novo antes do próximo movimento</translation>
+            <source>check cable and power, then move the tool to the work zero and set it there before its next move</source>
+            <translation>verifique cabo e alimentação; depois leve a ferramenta ao zero-peça e defina-o ali antes do próximo movimento</translation>
         </message>
         <message>
             <source>check cable and power; home the machine or set its zero again before the next cut</source>
@@ -12582,8 +12602,16 @@
             <translation>avanços em tempo inverso viraram avanços por minuto</translation>
         </message>
         <message>
+            <source>find the cause, switch the lathe off and on, and set its zero by hand: its position is lost</source>
+            <translation>encontre a causa, desligue e ligue o torno e defina o zero à mão: a posição se perdeu</translation>
+        </message>
+        <message>
             <source>find the cause, then home the machine: its position is lost</source>
             <translation>encontre a causa e referencie a máquina: a posição se perdeu</translation>
+        </message>
+        <message>
+            <source>find the cause, then move the tool to the work zero and set it there: its position is lost</source>
+            <translation>encontre a causa, depois leve a ferramenta ao zero-peça e defina-o ali: a posição se perdeu</translation>
         </message>
         <message>
             <source>finish operation:</source>
@@ -12846,6 +12874,10 @@
             <translation>informe a altura</translation>
         </message>
         <message>
+            <source>give the job another name</source>
+            <translation>dê outro nome ao trabalho</translation>
+        </message>
+        <message>
             <source>give the material its number and name</source>
             <translation>informe o número e o nome do material</translation>
         </message>
@@ -13044,10 +13076,6 @@
         <message>
             <source>home the machine again</source>
             <translation>referencie a máquina de novo</translation>
-        </message>
-        <message>
-            <source>home the machine before its next move</source>
-            <translation>referencie a máquina antes do próximo movimento</translation>
         </message>
         <message>
             <source>home the machine or set its zero again</source>
@@ -13646,6 +13674,10 @@
             <translation>deixe nele uma elipse, desenhada como elipse e não como B-spline</translation>
         </message>
         <message>
+            <source>leave out</source>
+            <translation>omitir</translation>
+        </message>
+        <message>
             <source>leave part = "holes" out</source>
             <translation>deixe part = "holes" fora</translation>
         </message>
@@ -14194,6 +14226,10 @@
             <translation>leve a ferramenta ao zero da peça e defina-o ali</translation>
         </message>
         <message>
+            <source>move the tool to the work zero and set it there before its next move</source>
+            <translation>leve a ferramenta ao zero-peça e defina-o ali antes do próximo movimento</translation>
+        </message>
+        <message>
             <source>move the work zero {word} the {name} axis or make the program smaller</source>
             <translation>mova o zero-peça ({word}) no eixo {name} ou diminua o programa</translation>
         </message>
@@ -14254,6 +14290,10 @@
             <translation>indique um script com o sufixo .py</translation>
         </message>
         <message>
+            <source>name a shape of one curve</source>
+            <translation>indique uma forma de uma só curva</translation>
+        </message>
+        <message>
             <source>name both axes</source>
             <translation>indique os dois eixos</translation>
         </message>
@@ -14288,6 +14328,10 @@
         <message>
             <source>name the machine (--machine)</source>
             <translation>indique a máquina (--machine)</translation>
+        </message>
+        <message>
+            <source>name the machine profile of the table that is wired to it (controller = "thesis-a")</source>
+            <translation>indique o perfil da máquina ligada a ela (controller = "thesis-a")</translation>
         </message>
         <message>
             <source>name the material, or write a [[tool]]</source>
@@ -15028,6 +15072,10 @@
         <message>
             <source>pulses can be retracted only in a hold, not in state {state}</source>
             <translation>só se volta pelos pulsos em pausa, não no estado {state}</translation>
+        </message>
+        <message>
+            <source>pulses, relays and trials of a rate: `cncstepper machine-test` does them</source>
+            <translation>pulsos, relés e ensaios de uma taxa: `cncstepper machine-test` os faz</translation>
         </message>
         <message>
             <source>put in tool {tool:g}</source>
@@ -16878,8 +16926,16 @@
             <translation>faltam na fonte '{font}' caracteres do texto</translation>
         </message>
         <message>
+            <source>the font '{font}' lacks {names}; they are left out</source>
+            <translation>a fonte '{font}' não tem {names}; esses caracteres são omitidos</translation>
+        </message>
+        <message>
             <source>the font is damaged: {why}</source>
             <translation>a fonte está danificada: {why}</translation>
+        </message>
+        <message>
+            <source>the fonts of {count} texts lack letters, which are left out: {names}</source>
+            <translation>faltam letras nas fontes de {count} textos, que são omitidas: {names}</translation>
         </message>
         <message>
             <source>the grid has too many holes</source>
@@ -19126,6 +19182,10 @@
             <translation>destrave-o nas configurações, ou use outro sistema de coordenadas</translation>
         </message>
         <message>
+            <source>unlock it with $X</source>
+            <translation>destrave-o com $X</translation>
+        </message>
+        <message>
             <source>until then nothing but homing, jogging and setting the zero is safe</source>
             <translation>até lá só é seguro referenciar, mover manualmente e definir o zero</translation>
         </message>
@@ -19978,6 +20038,10 @@
             <translation>{0} em ilhas {1}</translation>
         </message>
         <message>
+            <source>{0} is refused</source>
+            <translation>{0} foi recusado</translation>
+        </message>
+        <message>
             <source>{0} mm each where the axes are square</source>
             <translation>{0} mm cada, com os eixos em esquadro</translation>
         </message>
@@ -20094,6 +20158,10 @@
             <translation>{count} microjunções não cabem em {chain}</translation>
         </message>
         <message>
+            <source>{count} lines have markers, which are not read</source>
+            <translation>{count} linhas têm marcadores, que não são lidos</translation>
+        </message>
+        <message>
             <source>{count} paths are damaged and read up to the damage</source>
             <translation>{count} caminhos estão danificados e são lidos até o dano</translation>
         </message>
@@ -20102,8 +20170,16 @@
             <translation>{count} pulsos não cabem: falta espaço, ou os tempos não crescem</translation>
         </message>
         <message>
+            <source>{count} texts are longer than their path; letters beyond it are left out: {names}</source>
+            <translation>{count} textos são mais longos que o seu caminho; as letras além dele são omitidas: {names}</translation>
+        </message>
+        <message>
             <source>{count} texts are set in another font or style than the file names: {names}</source>
             <translation>{count} textos são compostos em outra fonte ou estilo que os do arquivo: {names}</translation>
+        </message>
+        <message>
+            <source>{count} texts with places inside their textLength are not brought to it</source>
+            <translation>{count} textos com posições dentro do seu textLength não são ajustados a ele</translation>
         </message>
         <message>
             <source>{count} transforms are damaged and not applied</source>
@@ -20576,6 +20652,10 @@
         <message>
             <source>{name} is a parallel port, and the machine is a board</source>
             <translation>{name} é uma porta paralela, e a máquina é uma placa</translation>
+        </message>
+        <message>
+            <source>{name} is a parallel port, on which there is no controller</source>
+            <translation>{name} é uma porta paralela, em que não há controlador</translation>
         </message>
         <message>
             <source>{name} is between G5.2 and G5.3</source>

@@ -11,7 +11,7 @@ from typing import Any
 import click
 
 from CNCStepper.cli.common.keep_open import keep_option
-from CNCStepper.control.transport.link import BAUD
+from CNCStepper.machine.controller_family import BAUD
 
 _OPTIONS = (
     click.option("--baud", type=click.IntRange(min=300), default=BAUD, show_default=True),

@@ -10,6 +10,7 @@ import click
 from CNCStepper.cli.common.verb import Verb
 from CNCStepper.cli.machine.service_client import profile_option
 from CNCStepper.errors import CNCStepperError
+from CNCStepper.machine.controller_family import BAUD
 
 if TYPE_CHECKING:
     from CNCStepper.control.protocol.grbl.connect import ControllerInfo
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
 
 @click.command("ports", cls=Verb)
 @click.option("--ask", "asked", multiple=True, metavar="PORT", help="Ask what answers at this port or URL; repeatable.")
-@click.option("--baud", type=click.IntRange(min=300), default=115200, show_default=True)
+@click.option("--baud", type=click.IntRange(min=300), default=BAUD, show_default=True)
 @profile_option
 @click.pass_context
 def command(context: click.Context, asked: tuple[str, ...], baud: int, machine: str) -> None:

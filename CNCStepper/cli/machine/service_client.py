@@ -21,6 +21,7 @@ from CNCStepper.cli.common.keep_open import keep_option, tell_kept
 from CNCStepper.cli.common.options import Named
 from CNCStepper.cli.job.status_text import OVERRIDES_TOLD_S, overrides_in_words
 from CNCStepper.errors import CNCStepperError, MachineRefusal
+from CNCStepper.machine.controller_family import BAUD
 
 if TYPE_CHECKING:
     from CNCStepper.control.service.connection_client import ConnectionClient
@@ -58,7 +59,7 @@ class ServicePort:
     """
 
     name: str
-    baud: int = 115200
+    baud: int = BAUD
     machine: str = ""
     keep_min: float = 0.0
 
@@ -77,7 +78,7 @@ def port_options(function: Any, needs_machine: bool = False) -> Any:
         "telnet://fluidnc.local, rfc2217://host:port); of a machine that this computer controls also /dev/parport0 or "
         "record:FILE.",
     )
-    baud = click.option("--baud", type=click.IntRange(min=300), default=115200, show_default=True)
+    baud = click.option("--baud", type=click.IntRange(min=300), default=BAUD, show_default=True)
     return port(baud(profile_option(keep_option(command), needs_machine)))
 
 

@@ -26,8 +26,8 @@ def command(
     --tool-table and --parameters are the files that `rs274 -t` and `rs274 -v` take: as there, the machine's own unit
     is the inch, whatever the program's is.
     """
-    from CNCStepper.gcode.interpreter.canonical_trace import canonical_calls, default_start
+    from CNCStepper.gcode.interpreter.canonical_trace import canonical_text, default_start
 
     start = StartOptions(parameters=parameters, tool_table=tool_table, search=search).on(default_start())
-    for call in canonical_calls(read_program(program), dialect or "linuxcnc", str(program), start=start):
-        click.echo(call)
+    for calls in canonical_text(read_program(program), dialect or "linuxcnc", str(program), start=start):
+        click.echo(calls, nl=False)

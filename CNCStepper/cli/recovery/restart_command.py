@@ -16,8 +16,8 @@ from typing import TYPE_CHECKING, Any
 from CNCStepper.cli.common.options import digest_of_file
 from CNCStepper.control.journal.store import PROFILE
 from CNCStepper.control.session.files import write_private
-from CNCStepper.control.transport.link import BAUD
 from CNCStepper.errors import JobError
+from CNCStepper.machine.controller_family import BAUD
 from CNCStepper.machine.profile import Machine, load_machine, profile_names, validated
 
 if TYPE_CHECKING:

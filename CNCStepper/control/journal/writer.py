@@ -226,6 +226,10 @@ class Journal:
         """Take the controller's buffer sizes from its messages."""
         self._capacity.on_message(received)
 
+    def note_made(self, lines: int) -> None:
+        """Note that the controller has made the job's first `lines` lines."""
+        self._finished = max(self._finished, lines)
+
     def keep(self, sent: int, acknowledged: int, is_idle: bool) -> list[str]:
         """Write due records, and return warnings for the operator. is_idle: acknowledged lines are cut."""
         told = self._collected()

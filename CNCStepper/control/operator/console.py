@@ -36,6 +36,9 @@ STEPS_PER_MM = range(100, 110)
 _QUESTION = re.compile(r"\$|\$\$|\$#|\$G|\$I\+?|\$N|\$SS?|\$[A-Z]*/[\w/]+")
 _SETTING = re.compile(rf"\$([0-9]{{1,4}})=(?=.{{1,16}}$)({DECIMAL})")
 _WHY_NOT = {
+    **dict.fromkeys(
+        ("$N=", "$L=", "$P=", "$T="), "pulses, relays and trials of a rate: `cncstepper machine-test` does them"
+    ),
     "$C": "`cncstepper check` checks a program without the machine",
     "$SLP": "switch the machine off, or unlock and home it afterwards at the machine itself",
     "$RST": "it would erase the settings: write the settings that you want to change one by one",

@@ -22,6 +22,7 @@ from CNCStepper.control.program.program_columns import Messages, message_members
 from CNCStepper.control.program.wire_line import check_length, check_line, is_plain
 from CNCStepper.control.protocol.grbl.firmware import Firmware
 from CNCStepper.errors import JobError, Place, ProgramError, Text
+from CNCStepper.machine.controller_family import BAUD
 
 JOB = "job.json"
 
@@ -60,7 +61,7 @@ class SendJob:
     zero_confirmed: bool = False
     expected: Mapping[int, float] = field(default_factory=dict)
     allow_differences: bool = False
-    baud: int = 115_200
+    baud: int = BAUD
     work_offsets_mm: Mapping[str, Sequence[float]] = field(default_factory=dict)
     work_system: str = ""
     dialect: str = ""

@@ -198,7 +198,7 @@ class _StreamOutput:
         return LinkError(
             "port-lost",
             Text("the port {name} is lost: {error}", name=self._name, error=error),
-            advice="check cable and power; home the machine or set its zero again before its next move",
+            advice="check cable and power, then move the tool to the work zero and set it there before its next move",
         )
 
     def _put(self, data: bytes) -> int:

@@ -35,7 +35,7 @@ UNTHROTTLED = "-1"
 FIRST_NICENESS = -20
 SHARED_CORES = 2  # of so few none is one process's own
 MCL_CURRENT = 1  # of Linux's and macOS's sys/mman.h
-HOME = "home the machine before its next move"
+ZERO_AGAIN = "move the tool to the work zero and set it there before its next move"
 Write = tuple[int, Any, int]  # due in ns from the begin, data, control; of a board: its bytes, their number
 
 
@@ -146,7 +146,7 @@ def _stalled(late_ns: int, most_ns: int, written: int, at_ns: int) -> LinkError:
         ),
         value=Text("{late_ns:.0f} µs late", late_ns=late_ns / 1000),
         limit=f"{most_ns / 1000:.0f} µs",
-        advice=Text("{home}, and end other programs before the next try", home=HOME),
+        advice=Text("{home}, and end other programs before the next try", home=ZERO_AGAIN),
     )
 
 

@@ -18,7 +18,7 @@ import numpy as np
 
 from CNCStepper.atomic_file import write_whole
 from CNCStepper.control.pulses.output_ports import RECORD, SOCKET, open_output
-from CNCStepper.control.pulses.pacing import HOME
+from CNCStepper.control.pulses.pacing import ZERO_AGAIN
 from CNCStepper.control.pulses.pulse_ring import BEGIN_NS, PLACES
 from CNCStepper.control.session.files import session_folder
 from CNCStepper.control.session.status import error_from_json
@@ -114,10 +114,12 @@ def stands(still_s: float, limit_s: float) -> LinkError:
         "may be lost",
         value=Text("{still_s:.1f} s", still_s=still_s),
         limit=Text("{limit_s:g} s", limit_s=limit_s),
-        advice=HOME,
+        advice=ZERO_AGAIN,
     )
 
 
 def gone() -> LinkError:
     """Return the error of a process that has ended without a word."""
-    return LinkError("pulse-worker", "the process that plays the pulses has ended; steps may be lost", advice=HOME)
+    return LinkError(
+        "pulse-worker", "the process that plays the pulses has ended; steps may be lost", advice=ZERO_AGAIN
+    )

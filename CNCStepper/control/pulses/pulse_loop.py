@@ -19,7 +19,15 @@ from typing import Any, Protocol
 import numpy as np
 
 from CNCStepper.control.pulses.output_ports import WRITE_LIMIT_S, OutputPort
-from CNCStepper.control.pulses.pacing import HOME, LEAST_PULSES_PER_S, NS_PER_S, WRITES_A_PULSE, Pacer, Write, stall_ns
+from CNCStepper.control.pulses.pacing import (
+    LEAST_PULSES_PER_S,
+    NS_PER_S,
+    WRITES_A_PULSE,
+    ZERO_AGAIN,
+    Pacer,
+    Write,
+    stall_ns,
+)
 from CNCStepper.control.pulses.pulse_ring import (
     ACKNOWLEDGED,
     AT_HOLD,
@@ -233,7 +241,7 @@ class PulseLoop:
             return False
         if now - self._took_ns > WRITE_LIMIT_S * NS_PER_S:
             what = Text("the device has accepted nothing for {limit:g} s; steps may be lost", limit=WRITE_LIMIT_S)
-            raise LinkError("port-lost", what, advice=HOME)
+            raise LinkError("port-lost", what, advice=ZERO_AGAIN)
         return True
 
     def _note_stale(self, now: int) -> None:
@@ -257,7 +265,7 @@ class PulseLoop:
                 "the pulses were stopped: no more of them came in time; everything is off, and steps may be lost",
                 value=Text("{late_ms:.0f} ms without a pulse", late_ms=late / 1e6),
                 limit=Text("{limit_ms:.0f} ms", limit_ms=limit / 1e6),
-                advice=HOME,
+                advice=ZERO_AGAIN,
             )
 
     # --- state ---------------------------------------------------------------------------------

@@ -43,6 +43,7 @@ from CNCStepper.control.session.status import Outcome, SenderStatus, error_from_
 from CNCStepper.control.session.unreachable import closed, garbled, silent, unreadable
 from CNCStepper.control.transport.controller_link import has_no_controller
 from CNCStepper.errors import CNCStepperError, LinkError, MachineRefusal, Text
+from CNCStepper.machine.controller_family import BAUD
 
 
 def check_no_job(port: str, folder: Path | None = None) -> None:
@@ -191,7 +192,7 @@ class ConnectionClient:
     def launch(
         cls,
         port: str,
-        baud: int = 115_200,
+        baud: int = BAUD,
         folder: Path | None = None,
         machine: str = "",
         keep_s: float | None = None,

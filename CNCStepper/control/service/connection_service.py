@@ -51,6 +51,7 @@ from CNCStepper.control.stream.position_trust import (
 from CNCStepper.control.stream.status_snapshot import forward_messages
 from CNCStepper.control.transport.link import Link, Opener, open_unless, opener_of, restart_text
 from CNCStepper.errors import CNCStepperError, JobError, MachineRefusal, Text
+from CNCStepper.machine.controller_family import BAUD
 from CNCStepper.state import WORK_SYSTEMS
 
 
@@ -69,7 +70,7 @@ class ConnectionService:
     def __init__(
         self,
         port: str,
-        baud: int = 115_200,
+        baud: int = BAUD,
         *,
         machine: str = "",
         job_file: Path,

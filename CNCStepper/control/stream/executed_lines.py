@@ -9,7 +9,8 @@ by its button too, leaves the line that it was at with an `ok`, even a pause tha
     acknowledged   G0Z5 | G1X1 | G1X2 | G1X2 | G1X3 | S900 |      a planner of 2: X3 and X2 may be to come,
                             ^ the first that may be               all before the first X2 is cut
 
-How many acknowledged moves a controller still holds, from its own reports.
+How many acknowledged moves a controller still holds, from its own reports; and how many lines a CNCStepper controller
+has made, which it knows pulse by pulse.
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from CNCStepper.control.protocol.grbl.driver import PLANNER_BLOCKS, Received
 from CNCStepper.control.protocol.grbl.settings import STEPS_PER_MM
-from CNCStepper.control.protocol.grbl.status_reports import Feedback, Status, sizes
+from CNCStepper.control.protocol.grbl.status_reports import Alarm, Feedback, Greeting, Status, sizes
 from CNCStepper.gcode.syntax.words import scanned_words
 
 LOOK_BACK = 400  # lines: a millisecond or two
@@ -100,3 +101,24 @@ class Capacity:
                 self._blocks = max(self._blocks, report.buffer[0])
             elif isinstance(report, Feedback) and report.tag == "OPT":
                 self._blocks = max(self._blocks, sizes(report.text)[0])
+
+
+class MadeLines:
+    """How many lines of a job are made, by the queue that a CNCStepper controller reports.
+
+    Two reports must agree on it, so that a damaged one is not believed. Behind an alarm or a reset nothing is counted.
+    """
+
+    def __init__(self) -> None:
+        self.lines = 0
+        self._last = 0
+        self._is_over = False
+
+    def take(self, report: Received, acknowledged: int) -> None:
+        """Take a report; acknowledged: lines of the job that were answered before it."""
+        if isinstance(report, (Alarm, Greeting)):
+            self._is_over = True
+        elif isinstance(report, Status) and report.queued_lines is not None and not self._is_over:
+            now = acknowledged - report.queued_lines
+            self.lines = max(self.lines, min(now, self._last))
+            self._last = now

@@ -36,6 +36,7 @@ from CNCStepper.control.session.job_phase import LEG_BEGINS, Phase
 from CNCStepper.control.session.status import DONE, FAILED, REFUSED, STOPPED, Outcome, SenderStatus
 from CNCStepper.control.stream import stop_sequence
 from CNCStepper.control.stream.backlash_side import BacklashTracker, backlash_tracker
+from CNCStepper.control.stream.executed_lines import MadeLines
 from CNCStepper.control.stream.feed_hold_and_resume import Phases, check_no_tool_change
 from CNCStepper.control.stream.feeder import Feeder
 from CNCStepper.control.stream.journal_protocol import ActiveJournal, Journals, LegJournal, NoJournal, check_not_held
@@ -95,7 +96,7 @@ class JobRun:
         self._refuse = refuse
         self._new_journal = journal or NoJournal()
         self._journal: ActiveJournal = self._new_journal
-        self._feeder = Feeder(job, self._journal)
+        self._feeder, self._made = Feeder(job, self._journal), MadeLines()
         self._remaining = Remaining(job.plan)
         self._pause_counter = stands or PauseCounter()
         self._phases = Phases(tell, self._pause_counter)
@@ -142,6 +143,7 @@ class JobRun:
         """Hear what came, also while the machine is brought to rest: count the answers to the job's lines."""
         self._journal.on_message(received)
         for report in received:
+            self._made.take(report, self._feeder.acknowledged)
             if isinstance(report, Answered):
                 self._feeder.take(report)
                 if message := self.job.messages.get(report.sent.index):
@@ -150,6 +152,7 @@ class JobRun:
                 self._trouble.append(report)  # also one that comes while a zero is set
             elif isinstance(report, Status) and self._path and not self._stand.is_off_path:
                 self._path.take(report, self._feeder.acknowledged, self._feeder.sent)
+        self._journal.note_made(self._made.lines)
         if self._may_stop and self._inbox.wants_stop:
             self._stop_now(received)
 
@@ -399,6 +402,7 @@ class JobRun:
         rest = self._path_retract.lines_before if leg.is_rest else None
         self._journal = LegJournal.from_now(self._journal, self._feeder.sent, self._feeder.acknowledged, rest)
         self.job, self._feeder, self._idle_reports, self._done = leg.job, Feeder(leg.job, self._journal), 0, 0
+        self._made = MadeLines()
         self._feeder.by_line = self._by_line and leg.is_rest
         self._feeder.power = power_of(self._path_retract.program, driver, found.modes)
         self._phases.restart_with()

@@ -27,6 +27,9 @@ class ActiveJournal(Protocol):
     def on_message(self, received: list[Received]) -> None:
         """Take the controller's buffer sizes from its messages."""
 
+    def note_made(self, lines: int) -> None:
+        """Note that the controller has made the job's first `lines` lines."""
+
     def keep(self, sent: int, acknowledged: int, is_idle: bool) -> list[str]:
         """Write due records, and return warnings for the operator. is_idle: acknowledged lines are cut."""
 
@@ -77,6 +80,9 @@ class NoJournal:
     def on_message(self, received: list[Received]) -> None:
         """Do nothing."""
 
+    def note_made(self, lines: int) -> None:
+        """Do nothing."""
+
     def keep(self, sent: int, acknowledged: int, is_idle: bool) -> list[str]:
         """Do nothing."""
         return []
@@ -122,6 +128,11 @@ class LegJournal:
     def on_message(self, received: list[Received]) -> None:
         """Take the controller's buffer sizes from its messages."""
         self.program.on_message(received)
+
+    def note_made(self, lines: int) -> None:
+        """Note that the controller has made the leg's first `lines` lines."""
+        if self._lines_before is not None:
+            self.program.note_made(max(0, self._lines_before + lines))
 
     def keep(self, sent: int, acknowledged: int, is_idle: bool) -> list[str]:
         """Write due records of the program, and return warnings for the operator."""

@@ -28,14 +28,15 @@ from CNCStepper.control.transport.controller_link import LINE_BAUD, has_no_contr
 from CNCStepper.control.transport.output_queue import WireQueue
 from CNCStepper.control.transport.telnet import TelnetPort, socket_url
 from CNCStepper.errors import CNCStepperError, LinkError, Text, missing_package
+from CNCStepper.machine.controller_family import BAUD
 from CNCStepper.safe_text import printable
 
 READ_BYTES = 4096
 WRITE_LIMIT_S = 1.0
 SLICE_S = 0.001  # how long a port that cannot be waited on sleeps between two looks
-BAUD = 115_200
 BUSY = (errno.EBUSY, errno.EAGAIN)
 FORBIDDEN = (errno.EACCES, errno.EPERM)
+PARALLEL_PORT = re.compile(r"/dev/(parport|lp)[0-9]+$")
 NETWORK = ("socket://", "telnet://", "rfc2217://")
 
 
@@ -168,6 +169,12 @@ def open_link(name: str, baud: int = BAUD, machine: str = "") -> Link:
     """
     if machine and has_no_controller(machine):
         return Link(open_controller(name, machine), name, LINE_BAUD)
+    if PARALLEL_PORT.match(name):
+        raise LinkError(
+            "port-parallel",
+            Text("{name} is a parallel port, on which there is no controller", name=name),
+            advice='name the machine profile of the table that is wired to it (controller = "thesis-a")',
+        )
     serial = load_pyserial()
     is_telnet = name.startswith("telnet://")
     try:

@@ -34,7 +34,9 @@ SET_FEED = "SET_FEED_RATE({})"
 
 
 class Canon(Protocol):
-    """A receiver of the canonical calls of a program (`canonical_trace.py`)."""
+    """A receiver of the canonical calls of a program (`canonical_trace.py`); `count`: how many it has numbered."""
+
+    count: int
 
     def call(self, text: str) -> None:
         """Hear a call whose arguments are part of its text."""
@@ -47,6 +49,12 @@ class Canon(Protocol):
 
     def move(self, motion: int, end: tuple[float, ...], arc: Arc | None, model: Model) -> None:
         """Hear a move to `end`, of three or nine axes."""
+
+    def end_of_move(self, model: Model) -> str:
+        """Return what the text of each move ends with while no axis but X, Y and Z moves."""
+
+    def calls(self, text: str, count: int) -> None:
+        """Hear whole lines of text with the calls of a run, the last of which has the number `count`."""
 
 
 class CanonicalBlock:

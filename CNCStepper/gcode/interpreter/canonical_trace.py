@@ -44,17 +44,32 @@ def canonical_calls(
     start: None is that of a bare interpreter. tool_lengths_mm: lengths that come before its tool table, by number.
     Raises ProgramError at the line that is refused, after the calls of the lines before it.
     """
+    for calls in canonical_text(text, dialect, file, tool_lengths_mm, start):
+        yield from calls.removesuffix("\n").split("\n")
+
+
+def canonical_text(
+    text: str,
+    dialect: str | Dialect = "linuxcnc",
+    file: str = "",
+    tool_lengths_mm: dict[int, float] | None = None,
+    start: Start | None = None,
+) -> Iterator[str]:
+    """Yield the lines of `canonical_calls`, one or many at once, each with its line end."""
     calls = _Calls()
     start = replace(start or default_start(), tool_lengths_mm=tool_lengths_mm or {})
     interpreter = Interpreter(start, dialect, file, canon=calls)
     calls.interpreter = interpreter
     for call in _begin(interpreter.model):
         calls.call(call)
-    for _ in run(interpreter, text, library_of(file, start)):
+    try:
+        for _ in run(interpreter, text, library_of(file, start)):
+            yield from calls.taken()
+            interpreter.table.forget()
+        interpreter.toolpath()
+        calls.end()
+    finally:
         yield from calls.taken()
-    interpreter.toolpath()
-    calls.end()
-    yield from calls.taken()
 
 
 def motion_calls(lines: Iterator[str] | list[str]) -> list[str]:
@@ -95,7 +110,7 @@ class _Calls:
     interpreter: Interpreter
 
     def __init__(self) -> None:
-        self._count = 0
+        self.count = 0
         self._lines: deque[str] = deque()
 
     def taken(self) -> Iterator[str]:
@@ -105,14 +120,23 @@ class _Calls:
 
     def call(self, text: str) -> None:
         """Print a call."""
-        self._count += 1
+        self.count += 1
         number = self.interpreter.sequence
         name = f"N{number}" if number else "N....."
-        self._lines.append(f"{self._count:5d} {name:<7s}{text}")
+        self._lines.append(f"{self.count:5d} {name:<7s}{text}\n")
 
     def printed(self, text: str) -> None:
         """Print the output of the program itself."""
+        self._lines.append(text + "\n")
+
+    def calls(self, text: str, count: int) -> None:
+        """Print the calls of a run."""
         self._lines.append(text)
+        self.count = count
+
+    def end_of_move(self, model: Model) -> str:
+        """Return the turning axes of a move that does not turn them."""
+        return f", {_numbers(self._turning(model.position, model))})"
 
     def lengths(self, template: str, values: tuple[float, ...], model: Model) -> None:
         """Print a call with its lengths filled in, in the units of the text."""
@@ -121,8 +145,7 @@ class _Calls:
     def move(self, motion: int, end: tuple[float, ...], arc: Arc | None, model: Model) -> None:
         """Print a move in the program's coordinates; those of U, V and W are not printed."""
         x_y_z = _program((end[0], end[1], end[2]), model)
-        turning = end[3:6] or (0.0, 0.0, 0.0)
-        a_b_c = tuple(place - offset for place, offset in zip(turning, model.further_offset, strict=False))
+        a_b_c = self._turning(end, model)
         if arc is None:
             name = {RAPID: "STRAIGHT_TRAVERSE", LINE: "STRAIGHT_FEED"}[motion]
             self.call(f"{name}({_numbers((*x_y_z, *a_b_c))})")
@@ -132,6 +155,11 @@ class _Calls:
         turns = -arc.turns if motion == ARC_CW else arc.turns
         flat = _numbers((x_y_z[first], x_y_z[second], centre[first], centre[second]))
         self.call(f"ARC_FEED({flat}, {turns}, {_numbers((x_y_z[normal], *a_b_c))})")
+
+    @staticmethod
+    def _turning(end: tuple[float, ...], model: Model) -> tuple[float, ...]:
+        places = end[3:6] or (0.0, 0.0, 0.0)
+        return tuple(place - offset for place, offset in zip(places, model.further_offset, strict=False))
 
     def end(self) -> None:
         """Print a bare interpreter's calls at the end of the text."""

@@ -10,6 +10,7 @@ In a language of records each is a block of its own: the records before a refuse
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable, Generator, Iterable
 from dataclasses import replace
@@ -144,11 +145,12 @@ class Interpreter:
 
     @property
     def runs(self) -> bool:
-        """Whether the next lines may be executed as a run (`compiled_reader.py`): in plain modes, and nobody gets
-        the calls."""
+        """Whether the next lines may be executed as a run (`compiled_reader.py`): in plain modes, and from a place
+        that is known where its calls are told."""
         model = self.model
         plain = model.plain and model.motion < NO_MOTION and self._keeps_moves
-        return plain and self.tape.begun and not self.ended and self.canon is None
+        known = self.canon is None or all(map(math.isfinite, model.position))
+        return plain and known and self.tape.begun and not self.ended
 
     def leads(self, text: str) -> bool:
         """Whether a line leads elsewhere in this dialect: an O-word, M98 or M99, or a cycle with a profile."""

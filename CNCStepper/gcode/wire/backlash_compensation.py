@@ -44,7 +44,6 @@ from CNCStepper.gcode.syntax.words import Word, words_of
 from CNCStepper.gcode.wire.monotonic_split import Piece, arc_pieces, straight_pieces
 from CNCStepper.gcode.wire.wire_text import WireLines, WireText, check_wire_line
 from CNCStepper.machine.backlash import Backlash, Motors
-from CNCStepper.machine.controller_family import makes_pulses
 from CNCStepper.machine.profile import Machine
 from CNCStepper.state import Start
 from CNCStepper.tolerances import SAME_SUM_MM
@@ -242,10 +241,14 @@ TAKES_AXES = frozenset(("G4", "G43", "G43.1", "G43.2", "G52"))  # whose axis wor
 
 
 def backlash_of(machine: Machine | None, dialect: str | Dialect) -> Backlash | None:
-    """Return the play that a sender must take up on a machine; None where there is none, or its controller does."""
-    if machine is None or makes_pulses(machine) or dialect_named(dialect).compensates_backlash:
+    """Return the play that a sender must take up on a machine; None where there is none, or its controller does.
+
+    dialect: of the program; what counts is the language of the lines that are sent of it.
+    """
+    if machine is None:
         return None
-    return Backlash.of(machine) or None
+    sent = machine.wire_language(dialect if isinstance(dialect, str) else dialect.name)
+    return None if dialect_named(sent).compensates_backlash else Backlash.of(machine) or None
 
 
 class BacklashCompensation:
@@ -256,12 +259,31 @@ class BacklashCompensation:
             what = Text("backlash cannot be compensated in the dialect {dialect}", dialect=dialect.title)
             advice = "set backlash_mm to 0 in the machine profile"
             raise ProgramError("take-up", what, advice=advice, place=Place(file))
-        self._play = play
+        self._play, self._dialect = play, dialect
         self._reader = Interpreter(start, dialect, file)
         self._motors = Motors(play, self._reader.model.position)
         self._as_written = AsWritten(self._motors)
         self._file = file
         self._crossed = ""  # the motion of our last inserted line, where the program may have another in force
+
+    def wire(self, wire: WireText) -> WireText:
+        """Return the lines sent for the next lines of a program; `leads` marks lines that the next one continues.
+
+        A message is told at the last line of those that its line has become, where the program stops.
+        """
+        lines, numbers, leads = bytearray(), array("i"), bytearray()
+        messages: dict[int, str] = {}
+        for index, (line, number) in enumerate(zip(wire.lines, wire.file_lines.tolist(), strict=True)):
+            sent = self.lines(line, number)
+            for one in sent:
+                check_wire_line(one, self._dialect, Place(self._file, number))
+                lines += f"{one}\n".encode("ascii")
+            numbers.extend([number] * len(sent))
+            leads += bytes([*[1] * (len(sent) - 1), 0])
+            if index in wire.messages:
+                messages[len(numbers) - 1] = wire.messages[index]
+        flags = np.frombuffer(bytes(leads), bool)
+        return WireText(WireLines(bytes(lines)), np.array(numbers, np.int32), messages, flags)
 
     def lines(self, line: str, number: int) -> list[str]:
         """Return the lines sent for a line of the wire text that is line `number` of the file."""
@@ -386,21 +408,5 @@ class BacklashCompensation:
 def with_backlash_compensation(
     wire: WireText, play: Backlash, dialect: Dialect, start: Start | None, file: str
 ) -> WireText:
-    """Return the wire text with the lines that cross backlash; `leads` marks lines that the next one continues.
-
-    A message is told at the last line of those that its line has become, where the program stops.
-    """
-    writer = BacklashCompensation(play, dialect, start, file)
-    lines, numbers, leads = bytearray(), array("i"), bytearray()
-    messages: dict[int, str] = {}
-    for index, (line, number) in enumerate(zip(wire.lines, wire.file_lines.tolist(), strict=True)):
-        sent = writer.lines(line, number)
-        for one in sent:
-            check_wire_line(one, dialect, Place(file, number))
-            lines += f"{one}\n".encode("ascii")
-        numbers.extend([number] * len(sent))
-        leads += bytes([*[1] * (len(sent) - 1), 0])
-        if index in wire.messages:
-            messages[len(numbers) - 1] = wire.messages[index]
-    flags = np.frombuffer(bytes(leads), bool)
-    return WireText(WireLines(bytes(lines)), np.array(numbers, np.int32), messages, flags)
+    """Return the wire text with the lines that cross backlash, as `BacklashCompensation.wire` does."""
+    return BacklashCompensation(play, dialect, start, file).wire(wire)

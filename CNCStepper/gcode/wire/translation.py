@@ -31,7 +31,9 @@ from CNCStepper.gcode.dialects.codes import MOTION_NAMES
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.interpreter.program_file import FileReading
+from CNCStepper.gcode.wire.translated_backlash import MotorRows, differs
 from CNCStepper.gcode.wire.wire_text import WireLines, WireText, check_wire_line
+from CNCStepper.machine.backlash import Backlash
 from CNCStepper.state import ZERO3, Start, State
 from CNCStepper.tolerances import SAME_SUM_MM, SAME_TRANSLATED_FEED
 from CNCStepper.toolpath import (
@@ -63,7 +65,10 @@ HAPPENS = ("dwell", "pause", "optional_pause", "output")  # state that the read-
 
 
 class Translation(NamedTuple):
-    """wire: the lines sent. toolpath: the program's path with the positions that are read back from the wire."""
+    """wire: the lines sent. toolpath: the program's path with the positions that are read back from the wire.
+
+    With backlash compensation it is the path of the motors.
+    """
 
     wire: WireText
     toolpath: Toolpath
@@ -76,20 +81,30 @@ def translate(
     file: str = "",
     start: Start | None = None,
     share: Callable[[float], None] = lambda share: None,
+    play: Backlash | None = None,
 ) -> Translation:
     """Return the wire text of a program in `source`, as lines of `target`, grbl's language with a machine's settings.
 
-    share: called with the share of the lines that is read. Raises ProgramError for what cannot be read or sent.
+    share: called with the share of the lines that is read. play: of the axes, to be compensated in the lines. Raises
+    ProgramError for what cannot be read or sent.
     """
     path = require_straight_axes(interpret(text, start, source, file, share), file)
-    translator = WireTranslator(dialect_named(target), path.start, file)
-    events, pieces, chunks = iter(path.events), [], []
-    for chunk in path.chunks:
-        wire, again = translator.translated(chunk, path.states, events)
-        pieces.append(wire)
-        chunks.append(again)
-    pieces.append(translator.ended(path.states, events))
-    return Translation(_joined(pieces), replace(path, chunks=chunks))
+    language = dialect_named(target)
+    translator = WireTranslator(language, path.start, file)
+    motors = MotorRows(play, language, path.start, file) if play else None
+    events = iter(path.events)
+    translated = [translator.translated(chunk, path.states, events) for chunk in path.chunks]
+    translated.append((translator.ended(path.states, events), _no_rows()))
+    if motors is None:
+        read = [chunk for _, chunk in translated[:-1]]
+        return Translation(_joined(wire for wire, _ in translated), replace(path, chunks=read))
+    sent = [motors.compensated(*one) for one in translated]
+    chunks = [chunk for _, some in sent for chunk in some]
+    return Translation(_joined(wire for wire, _ in sent), replace(motors.renumbered(path), chunks=chunks))
+
+
+def _no_rows() -> Chunk:
+    return TableBuilder(Start()).empty()
 
 
 class WireTranslator:
@@ -122,7 +137,7 @@ class WireTranslator:
             self._happen(event, states, happened)
         self._lines.end()
         wire = self._lines.take()
-        self._read(wire, TableBuilder(Start()).empty(), states, happened)
+        self._read(wire, _no_rows(), states, happened)
         return wire
 
     def _until(self, events: Iterator[Event], row: int | None) -> Iterator[Event]:
@@ -148,7 +163,7 @@ class WireTranslator:
         events, reader.table.events[:] = list(reader.table.events), []
         found = [_sign_of(event, event.index - first + chunk.first) for event in events if event.kind in HAPPENS]
         if len(again) != len(chunk) or found != [sign if len(chunk) else (0, *sign[1:]) for sign in happened]:
-            raise _differs(Place(self._file, int(wire.file_lines[0]) if len(wire.file_lines) else 0))
+            raise differs(Place(self._file, int(wire.file_lines[0]) if len(wire.file_lines) else 0))
         _compare(chunk, again, states, reader.table.states, self._file)
         return replace(chunk, kind=again.kind, end=again.end, centre=again.centre, feed=again.feed)
 
@@ -172,16 +187,11 @@ def _compare(chunk: Chunk, again: Chunk, states: Sequence[State], again_states: 
     switched = [_switched(states[int(one)]) != _switched(again_states[int(two)]) for one, two in pairs]
     other |= np.array(switched, bool)[of_row.ravel()] if len(chunk) else False
     if other.any():
-        raise _differs(Place(file, int(chunk.line[int(np.argmax(other))])))
+        raise differs(Place(file, int(chunk.line[int(np.argmax(other))])))
 
 
 def _switched(state: State) -> tuple:
     return state.spindle, round(state.spindle_rpm, 2) if state.spindle != "off" else 0.0, state.mist, state.flood
-
-
-def _differs(place: Place) -> ProgramError:
-    what = "the lines that would be sent mean another path than the program"
-    return ProgramError("translation", what, advice="this is a fault of this program: report it", place=place)
 
 
 @dataclass
@@ -361,26 +371,36 @@ def _number(value: float, decimals: int) -> str:
 
 def _joined(pieces: Iterable[WireText]) -> WireText:
     data, numbers, messages = bytearray(), [np.zeros(0, np.int32)], dict[int, str]()
+    leads: list[np.ndarray] = []
     count = 0
     for piece in pieces:
         data += piece.lines.data
         numbers.append(piece.file_lines)
         messages |= {index + count: text for index, text in piece.messages.items()}
         count += len(piece.lines)
-    return WireText(WireLines(bytes(data)), np.concatenate(numbers), messages)
+        leads += [] if piece.leads is None else [piece.leads]
+    flags = np.concatenate(leads) if leads else None
+    return WireText(WireLines(bytes(data)), np.concatenate(numbers), messages, flags)
 
 
 class _SourceTable(TableBuilder):
     """The table of the program, whose events are kept apart: all of them are translated, few are kept."""
 
-    def __init__(self, table: TableBuilder):
+    def __init__(self, table: TableBuilder, motors: MotorRows | None):
         super().__init__(table.start)
-        self._table = table
+        self._table, self._motors = table, motors
         self.states, self.spans = table.states, table.spans
 
     def span_marks(self, kind: str) -> Iterator[int]:
         """Yield the rows at which spans of a kind begin and end, as far as they have."""
-        return self._table.span_marks(kind)
+        marks = self._table.span_marks(kind)
+        return marks if self._motors is None else map(self._motors.row, marks)
+
+    def end(self) -> None:
+        """Let the spans name the rows of the motors: all have come."""
+        if self._motors is not None:
+            self.spans[:] = map(self._motors.span, self.spans)
+            self._motors = None
 
 
 class TranslatedFile:
@@ -392,6 +412,7 @@ class TranslatedFile:
         start: Start | None,
         source: str | Dialect,
         target: str | Dialect,
+        play: Backlash | None = None,
         *,
         sink: Callable[[WireText], None] = lambda wire: None,
         progress: Callable[[float], None] = lambda share: None,
@@ -400,8 +421,10 @@ class TranslatedFile:
         self._name, self._sink, self._digest = name or str(path), sink, hashlib.sha256()
         self._reading = FileReading(path, start, source, progress=progress, name=name)
         source_table = self._reading.interpreter.table
-        self._translator = WireTranslator(dialect_named(target), source_table.start, self._name)
-        self.table = _SourceTable(source_table)
+        language, begin = dialect_named(target), source_table.start
+        self._translator = WireTranslator(language, begin, self._name)
+        self._motors = MotorRows(play, language, begin, self._name) if play else None
+        self.table = _SourceTable(source_table, self._motors)
         self._waiting = deque[Event]()  # of rows to come
         self.count = 0
 
@@ -415,15 +438,18 @@ class TranslatedFile:
         states = self.table.states
         for chunk in self._reading.chunks():
             require_straight_axes(Toolpath(self.table.start, [chunk], states), self._name)
-            wire, again = self._translator.translated(chunk, states, self._events())
-            self._hand_on(wire)
-            yield again
-        self._hand_on(self._translator.ended(states, self._events()))
+            yield from self._sent(*self._translator.translated(chunk, states, self._events()))
+        self._sent(self._translator.ended(states, self._events()), _no_rows())
+        self.table.end()
 
     def take_events(self) -> list[Event]:
         """Take the events that were translated."""
         events, self.table.events = list(self.table.events), []
-        return events
+        if self._motors is None:
+            return events
+        known = self._motors.known
+        self.table.events = [event for event in events if event.index > known]
+        return [self._motors.event(event) for event in events if event.index <= known]
 
     def _events(self) -> Iterator[Event]:
         """Yield the program's events, which leave its table."""
@@ -434,6 +460,14 @@ class TranslatedFile:
             event = self._waiting.popleft()
             self.table.events.append(event)
             yield event
+
+    def _sent(self, wire: WireText, chunk: Chunk) -> list[Chunk]:
+        """Pass the wire text of a chunk on, and return the rows that it makes."""
+        chunks = [chunk]
+        if self._motors is not None:
+            wire, chunks = self._motors.compensated(wire, chunk)
+        self._hand_on(wire)
+        return chunks
 
     def _hand_on(self, wire: WireText) -> None:
         self._digest.update(wire.lines.data)

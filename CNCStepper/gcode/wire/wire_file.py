@@ -27,7 +27,7 @@ from typing import TypedDict, Unpack
 
 import numpy as np
 
-from CNCStepper.errors import Place, ProgramError
+from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.dialects import Dialect, dialect_named
 from CNCStepper.gcode.dialects.dialect_options import as_sent
 from CNCStepper.gcode.interpreter.flow.flow_line_parser import is_plain
@@ -39,7 +39,7 @@ from CNCStepper.gcode.wire.encoder import WireEncoder, wire_of_block
 from CNCStepper.gcode.wire.expansion import Block, expanded_lines, writes_out
 from CNCStepper.gcode.wire.line_runs import runs_of_piece
 from CNCStepper.gcode.wire.read_back import groups_of, joined_lines, read_block
-from CNCStepper.gcode.wire.wire_text import WireLines, WireText, check_wire_line
+from CNCStepper.gcode.wire.wire_text import WireLines, WireText
 from CNCStepper.machine.backlash import Backlash
 from CNCStepper.state import Start
 from CNCStepper.toolpath import Chunk, Event, TableBuilder
@@ -144,24 +144,7 @@ class WireFile:
     def _sent(self, lines: bytes, numbers: np.ndarray) -> WireText:
         """Return the wire text of an encoded piece."""
         wire = WireText(self._encoder.started(WireLines(lines), numbers), numbers, self._encoder.messages)
-        return self._taken_up(wire) if self._take_up else wire
-
-    def _taken_up(self, wire: WireText) -> WireText:
-        """Return a piece with backlash compensation; a message belongs to the last line that its line has become."""
-        assert self._take_up
-        lines, numbers, leads = bytearray(), [], bytearray()
-        messages: dict[int, str] = {}
-        for index, (line, number) in enumerate(zip(wire.lines, wire.file_lines.tolist(), strict=True)):
-            sent = self._take_up.lines(line, number)
-            for one in sent:
-                check_wire_line(one, self._language, Place(self._name, number))
-                lines += f"{one}\n".encode("ascii")
-            numbers += [number] * len(sent)
-            leads += bytes([*[1] * (len(sent) - 1), 0])
-            if index in wire.messages:
-                messages[len(numbers) - 1] = wire.messages[index]
-        flags = np.frombuffer(bytes(leads), bool)
-        return WireText(WireLines(bytes(lines)), np.array(numbers, np.int32), messages, flags)
+        return self._take_up.wire(wire) if self._take_up else wire
 
 
 def _filled(wire: WireText, lines: list[str], first: int) -> Iterator[bytes]:

@@ -56,12 +56,10 @@ class DdaMoves(MoveSource):
 
     @property
     def room(self) -> int:
-        """Moves that may be queued now."""
         return self._limits.look_ahead_blocks - len(self._moves)
 
     @property
     def idle(self) -> bool:
-        """Whether the pulses of every move have been made."""
         return not self._moves and not self._made
 
     @property
@@ -134,7 +132,6 @@ class DdaMoves(MoveSource):
         self._feed = feed
 
     def stand_at(self, steps: Sequence[int], limits: Limits) -> None:
-        """Discard all moves, and continue from a position under new limits."""
         self._moves.clear()
         self._made = None
         self._end = tuple(steps)

@@ -27,12 +27,10 @@ class PlannerMoves(MoveSource):
 
     @property
     def room(self) -> int:
-        """Moves that may be queued now."""
         return self._motion.room
 
     @property
     def idle(self) -> bool:
-        """Whether the pulses of every move have been made."""
         return self._motion.idle
 
     @property
@@ -41,7 +39,6 @@ class PlannerMoves(MoveSource):
         return self._motion.position_steps
 
     def line(self, target_mm: Sequence[float], feed_mm_min: float, rapid: bool) -> None:
-        """Queue a straight move to a machine position; there must be room."""
         tag = TAGS_A_MOVE * (self.last_move + 1) + RAPID * rapid
         self.last_move += self._motion.line(target_mm, feed_mm_min, rapid, tag)
 
@@ -55,12 +52,10 @@ class PlannerMoves(MoveSource):
         ]
 
     def quicken(self, feed: float) -> None:
-        """Plan the moves that are not made yet at this factor, 1 or more, of their feed."""
         self._feed = feed
         self._motion.override(feed, 1.0)
 
     def stand_at(self, steps: Sequence[int], limits: Limits) -> None:
-        """Discard all moves, and continue from a position under new limits."""
         self._begin_tick += round(self._motion.time_s * TICKS_PER_S)
         self._motion = self._new_motion(limits, steps)
 

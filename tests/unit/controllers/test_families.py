@@ -197,7 +197,25 @@ def test_what_the_journal_knows_restarts_the_program(visit: Visit, family: str, 
     assert again.table.board.axes.position_mm[:2] == pytest.approx([129.5, 0.25], abs=0.026)
 
 
-@pytest.mark.parametrize("own", [name for name in FAMILIES if name != "grbl"])
+OWN = [name for name in FAMILIES if name != "grbl"]
+
+
+@pytest.mark.parametrize("own", OWN)
+def test_the_journal_of_a_short_job_names_the_line_in_which_it_was_stopped(own: str, tmp_path: Path) -> None:
+    visit = Visit(tmp_path, board=board_of(own), journals=tmp_path)
+
+    def person() -> Person:
+        visit.job(*SQUARE)
+        yield lambda: visit.table.board.axes.position_mm[1] > 5.0
+        visit.ask("stop")
+        yield visit.ended()
+
+    visit.receive(person)
+    story = read_replay(next(tmp_path.glob("*.journal")))
+    assert (story.finished, story.first_line) == (2, 3), "G1Y20 was under way"
+
+
+@pytest.mark.parametrize("own", OWN)
 def test_why_the_pulses_ended_reaches_outcome_and_messages(own: str, tmp_path: Path) -> None:
     board = board_of(own)
     visit = Visit(tmp_path, board=board)

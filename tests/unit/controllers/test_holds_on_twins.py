@@ -13,62 +13,14 @@ from random import Random
 import numpy as np
 import pytest
 
-from CNCStepper.controllers.pulse_board import PulseBoard
-from CNCStepper.machine.profile import Machine, load_machine
-from CNCStepper.virtual.board.machine import Board
-from CNCStepper.virtual.motors.rotor import limits_of
-from CNCStepper.virtual.parport.machine import Parport
+from CNCStepper.machine.profile import load_machine
 from helpers.control.twin_bench import play
-from helpers.control.virtual_player import VirtualPlayer
+from helpers.controllers.twin_player import TwinPlayer, twin_of
 
 PROFILES = {"parport": "thesis-table", "board": "usb-board"}
-UNUSED = "unused"
 FEED_MM_MIN = 1200.0
-TICK_S = 0.001
 BEGINS_S = 0.005  # after which a hold brakes
 STOOD_S = 0.2
-
-
-class Bench:
-    """A board of ours whose pulses the true player plays, on a clock of their own."""
-
-    def __init__(self, patch: pytest.MonkeyPatch, family: str):
-        machine = load_machine(PROFILES[family])
-        # the published null pulse takes the coils of Y away, and its rotor may slip then
-        self.machine = machine.model_copy(update={"signals": machine.signals.model_copy(update={"null_motor": UNUSED})})
-        self.player = VirtualPlayer(patch, self.machine)
-        self.board = PulseBoard(self.machine, self.player.output)
-        self.board.take_output()
-
-    @property
-    def time_s(self) -> float:
-        return self.player.clock.ns / 1e9
-
-    def pass_time(self, seconds: float) -> bytes:
-        end_s = self.time_s + seconds
-        while self.time_s < end_s:
-            self.player.run_for(TICK_S)
-            self.board.advance(TICK_S)
-        return self.board.take_output()
-
-    def send(self, line: str) -> None:
-        self.board.receive(f"{line}\n".encode("ascii"))
-        said = b""
-        while b"ok" not in said:
-            said += self.pass_time(TICK_S)
-            assert b"error" not in said, said
-
-    def writes(self) -> list[tuple[float, bytes]]:
-        """Return what was written, and when."""
-        rows = self.player.port.rows
-        as_bytes = (first if isinstance(first, bytes) else bytes((first, second)) for _, first, second, _ in rows)
-        return [(ns / 1e9, data) for (ns, *_), data in zip(rows, as_bytes, strict=True)]
-
-
-def twin_of(machine: Machine, family: str, real: bool) -> Parport | Board:
-    axes = [machine.axes["xyz".index(motor[-1])] for motor in machine.signals.motors]
-    limits = [limits_of(axis) if real else None for axis in axes]
-    return (Parport if family == "parport" else Board)(machine, limits)
 
 
 def corners(random: Random) -> list[tuple[float, float]]:
@@ -90,7 +42,7 @@ def test_holds_end_within_the_braking_time_and_every_reversal_passes_the_start_s
 ) -> None:
     seed = 7
     print(f"seed {seed}")
-    random, bench = Random(seed), Bench(monkeypatch, family)
+    random, bench = Random(seed), TwinPlayer(monkeypatch, load_machine(PROFILES[family]))
     places, holds_s = corners(random), []
     for line in ("G21G90G94", f"F{FEED_MM_MIN:g}"):
         bench.send(line)
@@ -103,13 +55,11 @@ def test_holds_end_within_the_braking_time_and_every_reversal_passes_the_start_s
         bench.pass_time(1.0)
         assert bench.board.axes.stopped
         bench.board.receive(b"~")
-    while not bench.board.quiet:
-        bench.pass_time(0.05)
-    bench.pass_time(0.2)
+    bench.run_to_rest()
     assert bench.board.axes.position_steps == (0, 0, 0)
 
     writes, machine = bench.writes(), bench.machine
-    path = play(twin_of(machine, family, real=False), writes)
+    path = play(twin_of(machine), writes)
     acceleration = min(axis.acceleration_mm_s2 for axis in machine.axes[:2])
     step_mm = 1 / machine.axes[0].steps_per_mm
     braking_s = FEED_MM_MIN / 60.0 / acceleration + sqrt(2 * step_mm / acceleration)
@@ -126,6 +76,6 @@ def test_holds_end_within_the_braking_time_and_every_reversal_passes_the_start_s
                 assert after_s - before_s > first_step_s / 2.5, "as slow as a first step from rest"
     assert reversals > 4
 
-    real = twin_of(machine, family, real=True)
+    real = twin_of(machine, real=True)
     play(real, writes)
     assert real.places_mm[:2] == pytest.approx((0.0, 0.0), abs=step_mm / 4), "no motor has lost a step"

@@ -83,21 +83,35 @@ def status(link: Link) -> bytes:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("link", ["dda"], indirect=True)
-def test_a_thesis_program_comes_out_of_the_port_pulse_for_pulse(link: Link, recording: Path) -> None:
-    moves = moves_of(2)
-    send(link, f"G21G90G94F{FEED}", *(move.words() for move in moves))
-    link.close()
+@pytest.mark.parametrize(("number", "rate"), [(1, 1000), (2, 10_000), (3, 25_000), (4, 25_000)])
+def test_a_thesis_program_comes_out_of_the_port_pulse_for_pulse(
+    number: int, rate: int, tmp_path: Path, recording: Path
+) -> None:
+    per_mm, feed = rate // 500, 30_000  # 500 mm/s
+    text = PROFILE.format("dda").replace(f"steps_per_mm = {STEPS_PER_MM}", f"steps_per_mm = {per_mm}")
+    profile = tmp_path / "quick.toml"
+    profile.write_text(text.replace(str(FEED), str(feed)).replace("= 4000", "= 20_000"), "utf-8")
+    link = open_link(f"record:{recording}", machine=str(profile))
+    moves = moves_of(number)
+    try:
+        until(link, b"help]\r\n")
+        send(link, f"G21G90G94F{feed}", *(move.words() for move in moves))
+    finally:
+        link.close()
     pulses = pulses_of(recording)
+    waits_s = [after[0] - before[0] for before, after in pairwise(pulses)]
+    late_ms = 1000 * (max(waits_s) - 1 / rate)
+    print(f"program {number} at {rate} pulses/s: {len(pulses)} pulses, the longest wait {late_ms:.1f} ms over")
+    assert sorted(waits_s)[len(waits_s) // 2] == pytest.approx(1 / rate, rel=0.6), "it was cut at about its rate"
     first = 0
     for move in moves:
-        end = tuple(round(way * STEPS_PER_MM) for way in move.end)
+        end = tuple(round(way * per_mm) for way in move.end)
         count = next(n for n in range(1, len(pulses) - first + 1) if pulses[first + n - 1][3] == end)
         cut = pulses[first : first + count]
         if move.centre is None:
-            way = tuple(round((b - a) * STEPS_PER_MM) for a, b in zip(move.begin, move.end, strict=True))
+            way = tuple(round((b - a) * per_mm) for a, b in zip(move.begin, move.end, strict=True))
             assert [pulse[1:3] for pulse in cut] == line_pulses(way)
-        assert max(move.distance((x / STEPS_PER_MM, y / STEPS_PER_MM)) for *_, (x, y) in cut) <= 1 / STEPS_PER_MM
+        assert max(move.distance((x / per_mm, y / per_mm)) for *_, (x, y) in cut) <= 1 / per_mm
         first += count
     assert first == len(pulses)
 

@@ -106,14 +106,26 @@ FLUIDNC = Firmware(
     inches_question="$/report_inches",
 )
 PINS = "outputs=pins"  # M62 to M65 switch them
-OWN_ERRORS = {**GRBL_ERRORS, 90: TOO_FAST}
-PARPORT = Firmware("parport", "the parallel port's controller", OWN_ERRORS, GRBL_ALARMS, ("grbl",), settings=PINS)
-BOARD = Firmware("board", "the USB board's controller", OWN_ERRORS, GRBL_ALARMS, ("grbl",), settings=PINS)
+
+
+def _without_homing(code: Code, advice: str) -> Code:
+    """Return the code of an alarm for a machine that cannot home."""
+    return code if code.position_kept else lost(code.meaning, advice)
+
+
+NO_HOMING = Code("this machine cannot find its own zero", "move the tool to the work zero and set it there")
+ZERO_AGAIN = "find the cause, then move the tool to the work zero and set it there: its position is lost"
+SWITCH_ON_AGAIN = "find the cause, switch the lathe off and on, and set its zero by hand: its position is lost"
+UNLOCK = Code(GRBL_ERRORS[9].meaning, "unlock it with $X")
+OWN_ERRORS = {**GRBL_ERRORS, 5: NO_HOMING, 9: UNLOCK, 90: TOO_FAST}
+OWN_ALARMS = {number: _without_homing(code, ZERO_AGAIN) for number, code in GRBL_ALARMS.items()}
+PARPORT = Firmware("parport", "the parallel port's controller", OWN_ERRORS, OWN_ALARMS, ("grbl",), settings=PINS)
+BOARD = Firmware("board", "the USB board's controller", OWN_ERRORS, OWN_ALARMS, ("grbl",), settings=PINS)
 LATHE = Firmware(
     "lathe",
     "the mini-lathe's controller",
     {**OWN_ERRORS, 20: Code(GRBL_ERRORS[20].meaning, "write the program for the dialect mini-lathe")},
-    GRBL_ALARMS,
+    {number: _without_homing(code, SWITCH_ON_AGAIN) for number, code in GRBL_ALARMS.items()},
     ("mini-lathe",),
     line_characters=1000,  # many records
 )

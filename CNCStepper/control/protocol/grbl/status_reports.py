@@ -140,7 +140,8 @@ class Status:
     number after the colon. buffer: free planner blocks and free bytes. feed and spindle as reported.
     outputs: what is on, known with the overrides only: S or C for the spindle's sense, F flood, M mist.
     left_s: how long a machine that cannot be stopped still works on what it was sent. port_inputs, port_outputs: of a
-    parallel port the status pins that are high, and the devices that are on.
+    parallel port the status pins that are high, and the devices that are on. queued_lines: of the answered lines those
+    whose moves are not all made, as a CNCStepper controller counts them.
     """
 
     state: str
@@ -157,6 +158,7 @@ class Status:
     left_s: float | None = None
     port_inputs: tuple[int, ...] | None = None
     port_outputs: tuple[str, ...] | None = None
+    queued_lines: int | None = None
 
     @property
     def name(self) -> str:
@@ -263,6 +265,8 @@ def _fields(fields: list[str]) -> dict:
             values["pins"] = text
         elif name == "Left":
             values["left_s"] = decimal(text)
+        elif name == "Queue":
+            values["queued_lines"] = count(text)
         elif name == "In":
             values["port_inputs"] = tuple(map(count, filter(None, text.split(","))))
         elif name == "Out":

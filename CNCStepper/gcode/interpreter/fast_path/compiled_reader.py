@@ -26,6 +26,8 @@ import numpy as np
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.dialects.codes import NO_MOTION
+from CNCStepper.gcode.interpreter.canonical_output import Canon
+from CNCStepper.gcode.interpreter.fast_path.trace_kernel import PRINTED, ROOM, write_calls
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.interpreter.motion import arcs
 from CNCStepper.gcode.interpreter.motion.arcs import check_arc_words
@@ -46,6 +48,7 @@ from CNCStepper.gcode.syntax.words import words_of
 from CNCStepper.kernels import njit_in_place
 from CNCStepper.toolpath import ARC_CW, CHUNK_ROWS, LINE, PLANE_AXES, PLANE_NAMES, RAPID
 
+FARTHEST_MM = 1e16  # whatever a line adds up to beyond is left to the interpreter
 MOTIONS = 4  # G0 ... G3 as they may be modal
 ALL_SHAPES = (MOTIONS + 1) * SHAPES
 UNKNOWN, REFUSED, MOVELESS, FIRST_MOTION = 0, 1, 2, 3  # verdicts; FIRST_MOTION + n makes a move of kind n
@@ -105,7 +108,7 @@ def new_now():
 
 @njit_in_place
 def end_of_move(facts, offset, position, shape, values, target):
-    """Write where the axis words lead into `target`; return whether that is known."""
+    """Write where the axis words lead into `target`; return whether that is known, and within FARTHEST_MM."""
     for axis in range(len(position)):
         target[axis] = position[axis]
     for axis in range(3):
@@ -114,7 +117,7 @@ def end_of_move(facts, offset, position, shape, values, target):
                 target[axis] = values[axis] * facts.scale + offset[axis]
             else:
                 target[axis] += values[axis] * facts.scale
-                if math.isnan(target[axis]):
+                if not abs(target[axis]) < FARTHEST_MM:  # or not a number
                     return False
     return True
 
@@ -221,6 +224,7 @@ class CompiledReader:
         self._roles = new_roles()
         self._now, self._facts = new_now(), new_facts()
         self._values, self._feeds = np.empty(G), np.empty(MOST_FEEDS)
+        self._printed, self._text = _fields(PRINTED)[0], np.empty(ROOM if interpreter.canon else 0, np.uint8)
         self._columns = _new_columns(interpreter.table.axes)
         self._idle = self._skipped = 0
 
@@ -259,6 +263,7 @@ class CompiledReader:
         verdicts = self._verdicts.table(model)
         offset = np.array(model.offset)
         while now.at < len(view):
+            self._printed.at, self._printed.line = now.at, now.line
             run_lines(
                 view,
                 now,
@@ -273,6 +278,8 @@ class CompiledReader:
                 self._columns,
             )
             full = now.rows == now.room or now.changes == MOST_FEEDS
+            if reader.canon:
+                self._print(reader.canon, view, offset)
             self._hand_over()
             if not (full or self._verdicts.learned(model, int(now.motion), int(now.words))):
                 break
@@ -299,6 +306,29 @@ class CompiledReader:
         now.at, now.line, now.motion, now.feed, now.told = at, reader.line_number, model.motion, state.feed_mm_min, 0
         now.rows, now.room, now.changes, now.state = 0, reader.table.room, 0, len(reader.table.states) - 1
         return now
+
+    def _print(self, canon: Canon, view: np.ndarray, offset: np.ndarray) -> None:
+        """Tell the canonical calls of the lines that the kernel has just executed."""
+        now, printed, (kind, ends, centres, *_, row_line) = self._now, self._printed, self._columns
+        printed.row, printed.count = 0, canon.count
+        tail = np.frombuffer(canon.end_of_move(self.interpreter.model).encode() + b"\n", np.uint8)
+        columns = kind, ends, centres, row_line
+        while printed.at < now.at:
+            printed.written = 0
+            write_calls(
+                view,
+                int(now.at),
+                printed,
+                int(now.rows),
+                self._facts,
+                offset,
+                self._roles,
+                self._values,
+                columns,
+                tail,
+                self._text,
+            )
+            canon.calls(self._text[: printed.written].tobytes().decode("ascii"), int(printed.count))
 
     def _hand_over(self) -> None:
         """Give the table the rows of the run and the states that its F words have made."""

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 def compiled_reader(interpreter: Interpreter, size: int) -> CompiledReader | None:
     """Return a reader that compiles runs of lines, None where a text of `size` characters is read sooner without."""
-    if interpreter.canon is not None or not pays(size):
+    if not pays(size):
         return None
     from CNCStepper.gcode.interpreter.fast_path.compiled_reader import CompiledReader  # loads the kernels
 

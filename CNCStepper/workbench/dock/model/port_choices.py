@@ -11,7 +11,6 @@ from CNCStepper.workbench.services.translation import later
 VIRTUAL = "virtual"
 VIRTUAL_TEXT = later("Virtual grbl (no machine)")
 BAUDS = (9600, 19200, 38400, 57600, 115200, 230400, 250000, 460800, 921600, 1000000)
-BAUD = 115200
 SPEEDS = (1, 10)
 
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from CNCStepper.workbench.dock.model.port_choices import BAUD, VIRTUAL
+from CNCStepper.machine.controller_family import BAUD
+from CNCStepper.workbench.dock.model.port_choices import VIRTUAL
 from CNCStepper.workbench.services.number_format import INCH, MM, Lengths
 
 GROUP = "User parameter:BaseApp/Preferences/Mod/CNCStepper/Dock"

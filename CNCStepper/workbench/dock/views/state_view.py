@@ -63,7 +63,7 @@ class StateView(QtGui.QFrame):
         if headline != self.headline.text():
             self.headline.setText(headline)
             self.headline.fit()
-        self.sentence.setText(sentence)
+        self.sentence.setText(widgets.breakable(sentence))
         if face.tone != self._tone:
             self._tone = face.tone
             ground, letters = widgets.TONES[face.tone]

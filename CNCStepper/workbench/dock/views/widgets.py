@@ -32,6 +32,7 @@ BUTTON = (
     f"QPushButton:checked {{{{ background: {TONES[CALM][0]}; color: {TONES[CALM][1]}; border-radius: 3px; }}}}"
 )
 ICON_WIDTH = 24
+LONG_WORD, UNBROKEN, BREAK = 24, 8, "\u200b"  # characters; a place for a line's end that takes no room
 
 
 def named(widget: Any, what: str) -> Any:
@@ -59,6 +60,14 @@ def caption(text: str) -> Any:
     font.setBold(True)
     label.setFont(font)
     return label
+
+
+def breakable(text: str) -> str:
+    """Return a text whose long words, such as lines of pulse letters, may be broken between any few letters."""
+    return " ".join(
+        BREAK.join(word[at : at + UNBROKEN] for at in range(0, len(word), UNBROKEN)) if len(word) > LONG_WORD else word
+        for word in text.split(" ")
+    )
 
 
 def wrapped(what: str, text: str = "") -> Any:

@@ -282,7 +282,7 @@ def test_where_no_more_comes_it_brakes_to_the_end_of_what_is_queued(player: Virt
 def test_pulses_that_end_at_full_speed_are_an_error_where_motors_follow(monkeypatch: pytest.MonkeyPatch) -> None:
     player = VirtualPlayer(monkeypatch, machine(), patience_ns=0, is_real=True)
     player.output.append(*even_plan(20, speed=40.0).columns)
-    with pytest.raises(LinkError, match=r"no more of them came in time.*home the machine"):
+    with pytest.raises(LinkError, match=r"no more of them came in time.*set it there"):
         player.run_for(1.0)
 
 

@@ -272,7 +272,7 @@ def test_a_player_that_is_killed_leaves_nothing_on(
         while output.sent < 200:
             time.sleep(0.01)
         output._worker.kill()
-        with pytest.raises(LinkError, match=r"has ended.*home the machine") as caught:
+        with pytest.raises(LinkError, match=r"has ended.*set it there") as caught:
             wait_for(output, "never")
         assert caught.value.code == "pulse-worker" and output.state == "failed"
         if port == "record":
@@ -334,7 +334,7 @@ if hasattr(signal, "SIGSTOP"):
             output.check()
             time.sleep(0.01)
         os.kill(output.process, signal.SIGSTOP)
-        with pytest.raises(LinkError, match=r"was stopped.*home the machine") as caught:
+        with pytest.raises(LinkError, match=r"was stopped.*set it there") as caught:
             wait_for(output, "never")
         assert caught.value.code == "pulse-worker" and output.state == "failed"
         assert 200 <= output.sent < 100_000

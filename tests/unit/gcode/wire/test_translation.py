@@ -12,6 +12,8 @@ import pytest
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.wire.translation import ROUNDED_END_MM, TranslatedFile, translate
+from CNCStepper.machine.backlash import Backlash
+from CNCStepper.motion.planner.backlash_moves import tool_moves
 from CNCStepper.state import Start
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, RAPID, join_chunks
 
@@ -117,3 +119,36 @@ def test_file_read_piece_by_piece_gives_what_the_whole_text_gives(tmp_path) -> N
     table = join_chunks(list(reading.chunks()))
     assert tuple(lines) == tuple(whole_wire.lines) and reading.sha256 == whole_wire.sha256
     assert reading.count == len(lines) and np.array_equal(table.end, whole.table().end)
+
+
+PLAY = Backlash((0.3, 0.2, 0.0), (-1, -1, -1), (40.0, 40.0, 40.0))
+WITH_EVENTS = "G21 G90\nG0 X0 Y0\n(Operation: edge)\nG1 X9 F300\nM0\nG1 X2 Y4\nG4 P0.5\nG2 X2 Y0 I0 J-2\nG1 X5\nM2\n"
+
+
+@pytest.mark.parametrize(("text", "source"), [(random_program(random.Random(3)), THESIS), (WITH_EVENTS, "linuxcnc")])
+def test_backlash_is_compensated_in_the_lines_sent_and_the_tool_goes_the_programs_way(
+    text: str, source: str, tmp_path
+) -> None:
+    target = FLAT if source == THESIS else PINS
+    start = Start.at_zero()
+    own = interpret(text, start, source).table()
+    wire, motors = translate(text, source, target, start=start, play=PLAY)
+    again = interpret(wire.text, start, target).table()
+    assert len(again) > len(own) and np.array_equal(motors.table().end, again.end)
+    tool = tool_moves(motors, PLAY)
+    lasts = np.array([np.flatnonzero(motors.table().line <= line)[-1] for line in own.line])
+    assert np.abs(tool.table().end[lasts][:, :2] - own.end[:, :2]).max() < 1 / 40
+    program = tmp_path / "part.nc"
+    program.write_text(text)
+    lines: list[str] = []
+    reading = TranslatedFile(program, start, source, target, PLAY, sink=lambda wire: lines.extend(wire.lines))
+    rows, events = [], []
+    for chunk in reading.chunks():
+        rows.append(chunk)
+        events += reading.take_events()
+    events += reading.take_events()
+    assert tuple(lines) == tuple(wire.lines) and np.array_equal(join_chunks(rows).end, again.end)
+    assert events == motors.events
+    if source != THESIS:
+        kinds = {event.kind: event.index for event in motors.events}
+        assert motors.table().line[kinds["pause"]] == 6 and motors.table().line[kinds["dwell"]] == 8
