@@ -4055,6 +4055,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Export job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Extra depth, so that the tool comes out below</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5055,6 +5059,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Jobs ({0})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Jog</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5768,6 +5776,10 @@
         </message>
         <message>
             <source>Open contour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Open job</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9323,6 +9335,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} was opened</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} was written</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} ×</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9863,6 +9883,10 @@
         </message>
         <message>
             <source>Flanges and plates</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>FreeCAD has no stock of a height field</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14854,6 +14878,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>operation {number} has another {key} than its file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>otherwise the move would be bent</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15307,6 +15335,10 @@
         </message>
         <message>
             <source>run 'make setup' beside the workbench, or let Tools &gt; Addon Manager install them, or install them for Python {version_info}.{version_info2} into a folder of their own (pip install --target FOLDER) and name it in the environment variable CNCSTEPPER_PACKAGES</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>run this job with cncstepper run</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21122,6 +21154,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_ExportJob</name>
+        <message>
+            <source>Export job…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Writes the job as a file that cncstepper runs</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_Face</name>
         <message>
             <source>Face</source>
@@ -21217,6 +21260,17 @@
         </message>
         <message>
             <source>New job</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_OpenJob</name>
+        <message>
+            <source>Open job…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Opens a job file with its tools, operations and curves</source>
             <translation type="unfinished"></translation>
         </message>
     </context>

@@ -4055,6 +4055,10 @@
             <translation>Como o fio sai no fim: de volta pelo mesmo caminho, ou pelo caminho mais curto até uma borda</translation>
         </message>
         <message>
+            <source>Export job</source>
+            <translation>Exportar trabalho</translation>
+        </message>
+        <message>
             <source>Extra depth, so that the tool comes out below</source>
             <translation>Quanto a ferramenta desce a mais para sair por baixo</translation>
         </message>
@@ -5055,6 +5059,10 @@
             <translation>Trabalho: {0}</translation>
         </message>
         <message>
+            <source>Jobs ({0})</source>
+            <translation>Trabalhos ({0})</translation>
+        </message>
+        <message>
             <source>Jog</source>
             <translation>Movimento manual</translation>
         </message>
@@ -5769,6 +5777,10 @@
         <message>
             <source>Open contour</source>
             <translation>Contorno aberto</translation>
+        </message>
+        <message>
+            <source>Open job</source>
+            <translation>Abrir trabalho</translation>
         </message>
         <message>
             <source>Open or make a document first</source>
@@ -9323,6 +9335,14 @@
             <translation>{0} não foi cortado até o fim, e seu programa, como foi enviado, não está em nenhum documento aberto.</translation>
         </message>
         <message>
+            <source>{0} was opened</source>
+            <translation>{0} foi aberto</translation>
+        </message>
+        <message>
+            <source>{0} was written</source>
+            <translation>{0} foi gravado</translation>
+        </message>
+        <message>
             <source>{0} ×</source>
             <translation>{0} ×</translation>
         </message>
@@ -9864,6 +9884,10 @@
         <message>
             <source>Flanges and plates</source>
             <translation>Flanges e chapas</translation>
+        </message>
+        <message>
+            <source>FreeCAD has no stock of a height field</source>
+            <translation>O FreeCAD não tem material bruto como campo de alturas</translation>
         </message>
         <message>
             <source>FreeCAD has no tool bit for a {tool_shape}</source>
@@ -14854,6 +14878,10 @@
             <translation>a operação {number} ({cycle}) vai demorar: cerca de {length_mm:.0f} m de corte em {levels} níveis</translation>
         </message>
         <message>
+            <source>operation {number} has another {key} than its file</source>
+            <translation>a operação {number} tem outro {key} do que no arquivo</translation>
+        </message>
+        <message>
             <source>otherwise the move would be bent</source>
             <translation>o trajeto seria curvado de outro modo</translation>
         </message>
@@ -15308,6 +15336,10 @@
         <message>
             <source>run 'make setup' beside the workbench, or let Tools &gt; Addon Manager install them, or install them for Python {version_info}.{version_info2} into a folder of their own (pip install --target FOLDER) and name it in the environment variable CNCSTEPPER_PACKAGES</source>
             <translation>rode 'make setup' na pasta da bancada, ou instale-os por Ferramentas &gt; Gerenciador de extensões, ou instale-os para Python {version_info}.{version_info2} em uma pasta própria (pip install --target PASTA) e indique-a na variável de ambiente CNCSTEPPER_PACKAGES</translation>
+        </message>
+        <message>
+            <source>run this job with cncstepper run</source>
+            <translation>execute este trabalho com cncstepper run</translation>
         </message>
         <message>
             <source>rx ry</source>
@@ -21122,6 +21154,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_ExportJob</name>
+        <message>
+            <source>Export job…</source>
+            <translation>Exportar trabalho…</translation>
+        </message>
+        <message>
+            <source>Writes the job as a file that cncstepper runs</source>
+            <translation>Grava o trabalho como um arquivo que o cncstepper executa</translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_Face</name>
         <message>
             <source>Face</source>
@@ -21218,6 +21261,17 @@
         <message>
             <source>New job</source>
             <translation>Novo trabalho</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_OpenJob</name>
+        <message>
+            <source>Open job…</source>
+            <translation>Abrir trabalho…</translation>
+        </message>
+        <message>
+            <source>Opens a job file with its tools, operations and curves</source>
+            <translation>Abre um arquivo de trabalho com suas ferramentas, operações e curvas</translation>
         </message>
     </context>
     <context>
