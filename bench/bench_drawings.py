@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Reads and joins drawings of 100 000 things, beside ezdxf and svgelements, which only parse the same files.
+"""Reads and joins drawings of 100 000 things, beside ezdxf and fonttools, which only parse the same files.
 
 Each side has a process of its own for each run: start and imports are in the figures, and the memory is its own.
 """
@@ -30,11 +30,13 @@ from CNCStepper.drawing.read_drawing import ReadOptions, read_drawing
 print(len(read_drawing(Path(sys.argv[1]), ReadOptions()).chains), "chains")
 """
 EZDXF = "import sys, ezdxf; print(len(ezdxf.readfile(sys.argv[1]).modelspace()), 'entities')"
-SVGELEMENTS = """
+FONTTOOLS = """
 import sys
-from svgelements import SVG, Path, Shape
-found = [abs(Path(each)) for each in SVG.parse(sys.argv[1], reify=True).elements() if isinstance(each, Shape)]
-print(len(found), "paths")
+from fontTools.pens.recordingPen import RecordingPen
+from fontTools.svgLib.path import SVGPath
+pen = RecordingPen()
+SVGPath(sys.argv[1]).draw(pen)
+print(len(pen.value), "segments")
 """
 
 
@@ -112,7 +114,7 @@ def main() -> int:
         lines = Path(folder) / "squares.dxf"
         compare(f"DXF of {squares(lines)} lines", lines, "ezdxf", EZDXF)
         shapes = Path(folder) / "elements.svg"
-        compare(f"SVG of {elements(shapes)} elements", shapes, "svgelements", SVGELEMENTS)
+        compare(f"SVG of {elements(shapes)} elements", shapes, "fonttools", FONTTOOLS)
     return 0
 
 
