@@ -7,12 +7,14 @@ time, so that a change is judged by what it changed.
 
 from __future__ import annotations
 
+import io
 import os
 import secrets
 import subprocess
 import sys
 from collections import Counter
 from collections.abc import Callable
+from contextlib import redirect_stdout
 from pathlib import Path
 
 import numpy as np
@@ -25,7 +27,16 @@ pytest.register_assert_rewrite("helpers")
 ROOT = Path(__file__).parents[1]
 GOLDEN = Path(__file__).parent / "golden"
 PICTURES = GOLDEN / "pictures"
-FIRST = ("unit/job/test_make_certificate.py", "unit/geometry/test_offset.py")  # compile what others call, a worker each
+# With a cold cache these compile what the others call: in turn one for each of two workers, the geometry for the one,
+# the planner and the simulation for the other, so that none compiles what the other one is compiling.
+FIRST = (
+    "unit/geometry/test_offset.py",
+    "unit/motion/planner/test_plan.py",
+    "unit/geometry/fitting/test_point_fit.py",
+    "unit/simulation/removal/test_removal_three_ways.py",
+    "unit/job/test_make_certificate.py",
+    "unit/motion/signals/test_pulse_player.py",
+)
 PIXEL_DIFFERS = 32  # of 255, in any colour
 PIXELS_DIFFER = 0.001  # share of all pixels
 
@@ -39,7 +50,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Let two files be first: with a cold cache all workers would compile the same kernels at the same time."""
+    """Let these files be first: with a cold cache all workers would compile the same kernels at the same time."""
     places = {Path(__file__).parent / name: place for place, name in enumerate(FIRST)}
     items.sort(key=lambda item: places.get(item.path, len(places)))
 
@@ -61,11 +72,21 @@ def own_state(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -
 def printed_three_ways() -> Callable[[str], list[str]]:
     """Return what a script prints with its kernels compiled, compiled with checked bounds, and as plain Python.
 
-    The checked ones have a cache of their own: numba takes what is compiled without the checks from a shared one.
-    It stays in the checkout: to compile the kernels takes many times as long as to run them.
+    Compiled it runs in this process, which has the kernels already. The checked ones have a cache of their own: numba
+    takes what is compiled without the checks from a shared one. It stays in the checkout: to compile the kernels takes
+    many times as long as to run them, and so they are hardly optimised.
     """
+    from CNCStepper import kernels  # loads numba, which many tests inside FreeCAD must not
+
+    assert kernels.COMPILED
+    kernels.load()  # a verb of the command line that ran in this process may have postponed it
     cache = kernel_cache.cache_folder(ROOT / ".cache" / "checked-kernels")
-    checked = {"NUMBA_BOUNDSCHECK": "1", "NUMBA_CACHE_DIR": str(cache)}
+    checked = {"NUMBA_BOUNDSCHECK": "1", "NUMBA_OPT": "1", "NUMBA_CACHE_DIR": str(cache)}
+
+    def compiled(script: str) -> str:
+        with redirect_stdout(io.StringIO()) as out:
+            exec(script, {"__name__": "__main__"})
+        return out.getvalue()
 
     def printed(script: str, more: dict[str, str]) -> str:
         environment = {**os.environ, "PYTHONPATH": str(ROOT), **more}
@@ -73,7 +94,8 @@ def printed_three_ways() -> Callable[[str], list[str]]:
         assert run.returncode == 0, run.stderr
         return run.stdout
 
-    return lambda script: [printed(script, more) for more in ({}, checked, {"NUMBA_DISABLE_JIT": "1"})]
+    uncompiled = {"NUMBA_DISABLE_JIT": "1"}
+    return lambda script: [compiled(script), printed(script, checked), printed(script, uncompiled)]
 
 
 @pytest.fixture

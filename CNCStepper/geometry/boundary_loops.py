@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The loops round what lies within any of some closed curves and within none of others.
+"""The loops round what lies within any of some closed curves and within none of others, or within an odd number.
 
 The curves are cut where they cross, and of each piece both sides are looked at: one that has what is wanted on one
 side only is kept, run so that it is on the left.
@@ -17,12 +17,15 @@ from CNCStepper.geometry.proximity_tree import spines_of
 from CNCStepper.geometry.winding_number import windings
 from CNCStepper.kernels import njit
 
+EVEN_ODD = -1
+
 
 def bounds(source: Bundle, outlines: int, small_mm: float, beside_mm: float) -> tuple[bool, Bundle]:
     """Return whether all loops close, and the loops round what some closed curves hold.
 
-    They bound what lies within the first curves, `outlines` of them, and within none of the others. Shorter steps
-    than `small_mm` are left out; `beside_mm` is how far beside a piece its two sides are looked at.
+    They bound what lies within the first curves, `outlines` of them, and within none of the others; with EVEN_ODD what
+    an odd number of turns of all curves goes round. Shorter steps than `small_mm` are left out; `beside_mm` is how far
+    beside a piece its two sides are looked at.
     """
     rows, _, owner = source_of(*source, small_mm)
     pieces, nodes = crossed(rows, np.arange(len(rows)), rows, spines_of(rows), 0.0)
@@ -82,11 +85,13 @@ def _sides(rows, pieces, owner, spokesman, outlines, beside_mm):
     first = 0
     while first < len(rows):
         last = first + np.searchsorted(owner[first:], owner[first], side="right")
-        found = windings(rows[first:last], places) != 0
-        if owner[first] < outlines:
-            within |= found
+        turns = windings(rows[first:last], places)
+        if outlines == EVEN_ODD:
+            within ^= turns % 2 != 0
+        elif owner[first] < outlines:
+            within |= turns != 0
         else:
-            without |= found
+            without |= turns != 0
         first = last
     wanted, left, right = within & ~without, np.zeros(len(spokesman), np.bool_), np.zeros(len(spokesman), np.bool_)
     number = np.zeros(len(spokesman), np.int64)

@@ -8,7 +8,7 @@
        |   ' -<- '       |
        +------- > -------+
 
-`Region.of` takes any closed curves: crossing, touching, nested, doubled, in any direction.
+`Region.of` and `Region.even_odd` take any closed curves: crossing, touching, nested, doubled, in any direction.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ import numpy as np
 
 from CNCStepper.cancellation import checkpoint
 from CNCStepper.errors import GeometryError, Text
-from CNCStepper.geometry.boundary_loops import bounds
+from CNCStepper.geometry.boundary_loops import EVEN_ODD, bounds
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.curve_bundle import Bundle, areas, bundle_of, bundled_rows, short_ones
 from CNCStepper.geometry.curve_columns import pairs_of
@@ -49,16 +49,17 @@ class Region:
         Within a curve is where it runs round more often in one direction than in the other. Raises GeometryError
         when a curve is open.
         """
-        curves = [*outlines, *islands]
-        for curve in curves:
-            if not curve.closed:
-                gap_mm = float(np.hypot(*(curve.xy[-1] - curve.xy[0])))
-                raise GeometryError(
-                    "region-open", "an outline or island is open", value=Text("gap {gap_mm:g} mm", gap_mm=gap_mm)
-                )
+        _require_closed([*outlines, *islands])
         outer = [curve for curve in outlines if _has_length(curve)]
         inner = [curve for curve in islands if _has_length(curve)]
         return cls.trusted(_bounds(outer + inner, len(outer))) if outer else cls(())
+
+    @classmethod
+    def even_odd(cls, curves: Sequence[Curve]) -> Region:
+        """Return what an odd number of turns of closed curves goes round; raises GeometryError when one is open."""
+        _require_closed(curves)
+        own = [curve for curve in curves if _has_length(curve)]
+        return cls.trusted(_bounds(own, EVEN_ODD)) if own else cls(())
 
     @classmethod
     def trusted(cls, bundle: Bundle) -> Region:
@@ -151,6 +152,15 @@ def _joined_up(loop: Curve, keep: np.ndarray) -> Curve:
     return loop if len(stay) == len(loop) else Curve(loop.xy[np.append(stay, stay[0])], loop.bulge[stay])
 
 
+def _require_closed(curves: Sequence[Curve]) -> None:
+    for curve in curves:
+        if not curve.closed:
+            gap_mm = float(np.hypot(*(curve.xy[-1] - curve.xy[0])))
+            raise GeometryError(
+                "region-open", "an outline or island is open", value=Text("gap {gap_mm:g} mm", gap_mm=gap_mm)
+            )
+
+
 def _has_length(curve: Curve) -> bool:
     return curve.length_mm > SMALL_MM[-1]
 
@@ -165,7 +175,7 @@ def _holder(outers: Sequence[Curve], hole: Curve) -> int:
 
 
 def _bounds(curves: Sequence[Curve], outlines: int) -> Bundle:
-    """Return the loops round what lies within one of the first curves and within none of the others."""
+    """Return the loops round what lies within one of the first curves and none of the others, or EVEN_ODD of all."""
     bundle = bundle_of(curves)
     for small_mm, beside_mm in itertools.product(SMALL_MM, BESIDE_MM):
         closes, found = bounds(bundle, outlines, small_mm, beside_mm)

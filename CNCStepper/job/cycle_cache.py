@@ -7,6 +7,7 @@ of them in his own table.
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 from CNCStepper.cycles.cycle import Answer, Cycle, Setup
@@ -36,8 +37,12 @@ class CycleCache:
         return (self.model, self.setup) == (cycle, setup)
 
     def cut(self, setup: Setup, table: TableBuilder) -> Answer:
-        """Append the moves to `table` and return the answer, as the cycle itself would."""
-        if setup != self.setup:
+        """Append the moves to `table` and return the answer, as the cycle itself would.
+
+        Without a Z the way to the cut lies in the plane and depends on where the table stands: it is cut anew.
+        """
+        stands = not setup.has_z and math.isfinite(table.position_mm[0])
+        if setup != self.setup or stands:
             return self.model.cut(setup, table)
         table.append(self._moves)
         return self.answer

@@ -10,7 +10,7 @@ A saved job holds the curves themselves and needs no shapes any more.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -21,6 +21,7 @@ from pydantic import BaseModel, ConfigDict, Field, StrictBool, model_validator
 
 from CNCStepper.cycles.parameter_types import CurveField
 from CNCStepper.drawing.chain_list import counts_of
+from CNCStepper.drawing.crossing_areas import without_crossings
 from CNCStepper.drawing.drawing import Drawing, Share
 from CNCStepper.drawing.dxf.reader import read_dxf
 from CNCStepper.drawing.nesting_levels import nesting_levels
@@ -223,7 +224,7 @@ def read_shapes(
             what = Text("two shapes have the name '{shape}'", shape=shape.name)
             raise JobError("shape-twice", what, advice="rename one of them", place=Place(place))
         with placed(Place(place)), _file_of(place):
-            curves[shape.name] = files.curves(shape)
+            curves[shape.name] = files.curves(shape, curves)
     notes = (*files.notes, *files.level_notes())
     return Shapes(curves, tuple(dict.fromkeys(notes)))
 
@@ -264,8 +265,8 @@ class _Files:
         self._levels: dict[str, tuple[str, DrawingForm, set[int]]] = {}  # nesting levels taken, by the rest of a form
         self.notes: list[str] = []
 
-    def curves(self, shape: ShapeForm) -> tuple[Curve, ...]:
-        """Return the curves of a shape."""
+    def curves(self, shape: ShapeForm, before: Mapping[str, tuple[Curve, ...]]) -> tuple[Curve, ...]:
+        """Return the curves of a shape; `before` are those of the shapes that stand before it."""
         if shape.polygon_mm is not None:
             return (from_points(shape.polygon_mm, closed=True),)
         if shape.points is not None:
@@ -279,13 +280,13 @@ class _Files:
         if shape.library is not None:
             return shape.library.curves()
         if shape.text is not None:
-            return self._text(shape.text)
+            return self._text(shape.text, before)
         form = shape.circle_mm or shape.rectangle_mm or shape.ellipse_mm
         assert form is not None  # the model has seen to it
         return (form.curve(),)
 
-    def _text(self, form: TextForm) -> tuple[Curve, ...]:
-        curves = form.curves(self._folder)
+    def _text(self, form: TextForm, before: Mapping[str, tuple[Curve, ...]]) -> tuple[Curve, ...]:
+        curves = form.curves(self._folder, before)
         self._drawn.add(curves)
         return curves
 
@@ -322,8 +323,8 @@ class _Files:
         """Yield a note for each drawing whose chains are nested deeper than the shapes take."""
         for name, form, levels in self._levels.values():
             drawing = self._drawings["drawing", form.file, form.options(), form.mend]
-            closed = [chain.curve for chain in form.selected(drawing.chains) if chain.curve.closed]
-            missed = sorted(set(nesting_levels(closed).tolist()) - levels)
+            closed = without_crossings([chain for chain in form.selected(drawing.chains) if chain.curve.closed])
+            missed = sorted(set(nesting_levels([chain.curve for chain in closed]).tolist()) - levels)
             if missed:
                 yield Text(
                     "shape '{name}': no shape takes the chains of its drawing at the nesting level {missed}",

@@ -4055,6 +4055,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Export job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Extra depth, so that the tool comes out below</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5055,6 +5059,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Jobs ({0})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Jog</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5768,6 +5776,10 @@
         </message>
         <message>
             <source>Open contour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Open job</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9323,6 +9335,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} was opened</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} was written</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} ×</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9754,6 +9774,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>CadQuery or build123d</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Chamfer along each side</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9863,6 +9887,10 @@
         </message>
         <message>
             <source>Flanges and plates</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>FreeCAD has no stock of a height field</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10558,6 +10586,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a drawing of that name is there already</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a drawing's unit lies between a nanometre and a kilometre</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11054,7 +11086,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a text runs along a line or an arc: give one of them</source>
+            <source>a text runs along a line, an arc or a shape: give one of them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a text runs along one curve, but the shape '{shape}' has several</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a text runs along the shape '{shape}', which does not stand before it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11335,6 +11375,10 @@
         </message>
         <message>
             <source>an expression begins with [</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>an external reference, whose file is not opened</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12878,6 +12922,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give the job another name</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give the material its number and name</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13686,6 +13734,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>leave out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>leave part = "holes" out</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14310,6 +14362,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>name a shape of one curve</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>name another machine</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14910,6 +14966,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>operation {number} has another {key} than its file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>order table</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15375,6 +15435,10 @@
         </message>
         <message>
             <source>run 'make setup' beside the workbench, or let Tools &gt; Addon Manager install them, or install them for Python {version_info}.{version_info2} into a folder of their own (pip install --target FOLDER) and name it in the environment variable CNCSTEPPER_PACKAGES</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>run this job with cncstepper run</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16998,7 +17062,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the font '{font}' lacks {names}; they are left out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the font is damaged: {why}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the fonts of {count} texts lack letters, which are left out: {names}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20158,6 +20230,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} is refused</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} mm each where the axes are square</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20282,6 +20358,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{count} lines have markers, which are not read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{count} paths are damaged and read up to the damage</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20290,7 +20370,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{count} texts are longer than their path; letters beyond it are left out: {names}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{count} texts are set in another font or style than the file names: {names}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{count} texts with places inside their textLength are not brought to it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21270,6 +21358,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_ExportJob</name>
+        <message>
+            <source>Export job…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Writes the job as a file that cncstepper runs</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_Face</name>
         <message>
             <source>Face</source>
@@ -21365,6 +21464,17 @@
         </message>
         <message>
             <source>New job</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_OpenJob</name>
+        <message>
+            <source>Open job…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Opens a job file with its tools, operations and curves</source>
             <translation type="unfinished"></translation>
         </message>
     </context>

@@ -4055,6 +4055,10 @@
             <translation>Como o fio sai no fim: de volta pelo mesmo caminho, ou pelo caminho mais curto até uma borda</translation>
         </message>
         <message>
+            <source>Export job</source>
+            <translation>Exportar trabalho</translation>
+        </message>
+        <message>
             <source>Extra depth, so that the tool comes out below</source>
             <translation>Quanto a ferramenta desce a mais para sair por baixo</translation>
         </message>
@@ -5055,6 +5059,10 @@
             <translation>Trabalho: {0}</translation>
         </message>
         <message>
+            <source>Jobs ({0})</source>
+            <translation>Trabalhos ({0})</translation>
+        </message>
+        <message>
             <source>Jog</source>
             <translation>Movimento manual</translation>
         </message>
@@ -5769,6 +5777,10 @@
         <message>
             <source>Open contour</source>
             <translation>Contorno aberto</translation>
+        </message>
+        <message>
+            <source>Open job</source>
+            <translation>Abrir trabalho</translation>
         </message>
         <message>
             <source>Open or make a document first</source>
@@ -9323,6 +9335,14 @@
             <translation>{0} não foi cortado até o fim, e seu programa, como foi enviado, não está em nenhum documento aberto.</translation>
         </message>
         <message>
+            <source>{0} was opened</source>
+            <translation>{0} foi aberto</translation>
+        </message>
+        <message>
+            <source>{0} was written</source>
+            <translation>{0} foi gravado</translation>
+        </message>
+        <message>
             <source>{0} ×</source>
             <translation>{0} ×</translation>
         </message>
@@ -9754,6 +9774,10 @@
             <translation>CadQuery ou FreeCAD</translation>
         </message>
         <message>
+            <source>CadQuery or build123d</source>
+            <translation>CadQuery ou build123d</translation>
+        </message>
+        <message>
             <source>Chamfer along each side</source>
             <translation>Chanfro ao longo de cada lado</translation>
         </message>
@@ -9864,6 +9888,10 @@
         <message>
             <source>Flanges and plates</source>
             <translation>Flanges e chapas</translation>
+        </message>
+        <message>
+            <source>FreeCAD has no stock of a height field</source>
+            <translation>O FreeCAD não tem material bruto como campo de alturas</translation>
         </message>
         <message>
             <source>FreeCAD has no tool bit for a {tool_shape}</source>
@@ -10558,6 +10586,10 @@
             <translation>um alívio de canto ficaria longo demais</translation>
         </message>
         <message>
+            <source>a drawing of that name is there already</source>
+            <translation>já existe um desenho com esse nome</translation>
+        </message>
+        <message>
             <source>a drawing's unit lies between a nanometre and a kilometre</source>
             <translation>a unidade de um desenho fica entre um nanômetro e um quilômetro</translation>
         </message>
@@ -11054,8 +11086,16 @@
             <translation>um texto precisa de um entre font, file e single_line</translation>
         </message>
         <message>
-            <source>a text runs along a line or an arc: give one of them</source>
-            <translation>um texto segue uma reta ou um arco: informe um deles</translation>
+            <source>a text runs along a line, an arc or a shape: give one of them</source>
+            <translation>um texto segue uma linha, um arco ou uma forma: informe um deles</translation>
+        </message>
+        <message>
+            <source>a text runs along one curve, but the shape '{shape}' has several</source>
+            <translation>um texto segue uma só curva, mas a forma '{shape}' tem várias</translation>
+        </message>
+        <message>
+            <source>a text runs along the shape '{shape}', which does not stand before it</source>
+            <translation>um texto segue a forma '{shape}', que não está antes dele</translation>
         </message>
         <message>
             <source>a tolerance must be above 0</source>
@@ -11336,6 +11376,10 @@
         <message>
             <source>an expression begins with [</source>
             <translation>uma expressão começa com [</translation>
+        </message>
+        <message>
+            <source>an external reference, whose file is not opened</source>
+            <translation>uma referência externa, cujo arquivo não é aberto</translation>
         </message>
         <message>
             <source>an incremental move needs a known position</source>
@@ -12878,6 +12922,10 @@
             <translation>informe a altura</translation>
         </message>
         <message>
+            <source>give the job another name</source>
+            <translation>dê outro nome ao trabalho</translation>
+        </message>
+        <message>
             <source>give the material its number and name</source>
             <translation>informe o número e o nome do material</translation>
         </message>
@@ -13686,6 +13734,10 @@
             <translation>deixe nele uma elipse, desenhada como elipse e não como B-spline</translation>
         </message>
         <message>
+            <source>leave out</source>
+            <translation>omitir</translation>
+        </message>
+        <message>
             <source>leave part = "holes" out</source>
             <translation>deixe part = "holes" fora</translation>
         </message>
@@ -14310,6 +14362,10 @@
             <translation>indique um script com o sufixo .py</translation>
         </message>
         <message>
+            <source>name a shape of one curve</source>
+            <translation>indique uma forma de uma só curva</translation>
+        </message>
+        <message>
             <source>name another machine</source>
             <translation>indique outra máquina</translation>
         </message>
@@ -14910,6 +14966,10 @@
             <translation>a operação {number} ({cycle}) vai demorar: cerca de {length_mm:.0f} m de corte em {levels} níveis</translation>
         </message>
         <message>
+            <source>operation {number} has another {key} than its file</source>
+            <translation>a operação {number} tem outro {key} do que no arquivo</translation>
+        </message>
+        <message>
             <source>order table</source>
             <translation>tabela de pedido</translation>
         </message>
@@ -15376,6 +15436,10 @@
         <message>
             <source>run 'make setup' beside the workbench, or let Tools &gt; Addon Manager install them, or install them for Python {version_info}.{version_info2} into a folder of their own (pip install --target FOLDER) and name it in the environment variable CNCSTEPPER_PACKAGES</source>
             <translation>rode 'make setup' na pasta da bancada, ou instale-os por Ferramentas &gt; Gerenciador de extensões, ou instale-os para Python {version_info}.{version_info2} em uma pasta própria (pip install --target PASTA) e indique-a na variável de ambiente CNCSTEPPER_PACKAGES</translation>
+        </message>
+        <message>
+            <source>run this job with cncstepper run</source>
+            <translation>execute este trabalho com cncstepper run</translation>
         </message>
         <message>
             <source>rx ry</source>
@@ -16998,8 +17062,16 @@
             <translation>faltam na fonte '{font}' caracteres do texto</translation>
         </message>
         <message>
+            <source>the font '{font}' lacks {names}; they are left out</source>
+            <translation>a fonte '{font}' não tem {names}; esses caracteres são omitidos</translation>
+        </message>
+        <message>
             <source>the font is damaged: {why}</source>
             <translation>a fonte está danificada: {why}</translation>
+        </message>
+        <message>
+            <source>the fonts of {count} texts lack letters, which are left out: {names}</source>
+            <translation>faltam letras nas fontes de {count} textos, que são omitidas: {names}</translation>
         </message>
         <message>
             <source>the grid has too many holes</source>
@@ -20158,6 +20230,10 @@
             <translation>{0} em ilhas {1}</translation>
         </message>
         <message>
+            <source>{0} is refused</source>
+            <translation>{0} foi recusado</translation>
+        </message>
+        <message>
             <source>{0} mm each where the axes are square</source>
             <translation>{0} mm cada, com os eixos em esquadro</translation>
         </message>
@@ -20282,6 +20358,10 @@
             <translation>{count} microjunções não cabem em {chain}</translation>
         </message>
         <message>
+            <source>{count} lines have markers, which are not read</source>
+            <translation>{count} linhas têm marcadores, que não são lidos</translation>
+        </message>
+        <message>
             <source>{count} paths are damaged and read up to the damage</source>
             <translation>{count} caminhos estão danificados e são lidos até o dano</translation>
         </message>
@@ -20290,8 +20370,16 @@
             <translation>{count} pulsos não cabem: falta espaço, ou os tempos não crescem</translation>
         </message>
         <message>
+            <source>{count} texts are longer than their path; letters beyond it are left out: {names}</source>
+            <translation>{count} textos são mais longos que o seu caminho; as letras além dele são omitidas: {names}</translation>
+        </message>
+        <message>
             <source>{count} texts are set in another font or style than the file names: {names}</source>
             <translation>{count} textos são compostos em outra fonte ou estilo que os do arquivo: {names}</translation>
+        </message>
+        <message>
+            <source>{count} texts with places inside their textLength are not brought to it</source>
+            <translation>{count} textos com posições dentro do seu textLength não são ajustados a ele</translation>
         </message>
         <message>
             <source>{count} transforms are damaged and not applied</source>
@@ -21270,6 +21358,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_ExportJob</name>
+        <message>
+            <source>Export job…</source>
+            <translation>Exportar trabalho…</translation>
+        </message>
+        <message>
+            <source>Writes the job as a file that cncstepper runs</source>
+            <translation>Grava o trabalho como um arquivo que o cncstepper executa</translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_Face</name>
         <message>
             <source>Face</source>
@@ -21366,6 +21465,17 @@
         <message>
             <source>New job</source>
             <translation>Novo trabalho</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_OpenJob</name>
+        <message>
+            <source>Open job…</source>
+            <translation>Abrir trabalho…</translation>
+        </message>
+        <message>
+            <source>Opens a job file with its tools, operations and curves</source>
+            <translation>Abre um arquivo de trabalho com suas ferramentas, operações e curvas</translation>
         </message>
     </context>
     <context>

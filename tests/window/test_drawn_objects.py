@@ -54,8 +54,8 @@ def cut_texts() -> list[str]:
     return [part.text() for part in ours if part.width() < part.minimumSizeHint().width()]
 
 
-def choose_file(hand: Hand, path: Path) -> None:
-    hand.find("CNCStepper_Import_drawing")
+def choose_file(hand: Hand, path: Path, dialog: str = "CNCStepper_Import_drawing") -> None:
+    hand.find(dialog)
     hand.main(lambda: FreeCADGui.getMainWindow().findChild(QtGui.QLineEdit, "fileNameEdit").setText(str(path)))
     hand.click("fileNameEdit")
     hand.key("Return")
@@ -146,3 +146,17 @@ def test_a_shape_is_chosen_by_its_picture(hand: Hand, document: Any, language: s
     hand.shot(f"shape-refused-{language}")
     hand.button("Cancel")
     hand.wait(lambda: not document.Objects, 10, "nothing to be left")
+
+
+def test_a_job_file_is_opened_and_exported(hand: Hand, document: Any, tmp_path: Path) -> None:
+    hand.menu("CNCStepper", "Open job")
+    choose_file(hand, ROOT / "examples" / "jobs" / "cycles" / "contour.toml", "CNCStepper_Job_file")
+    hand.wait(lambda: of_type(document, "CNCStepper_Job"), 30, "the job")
+    hand.wait(lambda: not problem_of(of_type(document, "CNCStepper_Job")), 30, "its program")
+    hand.shot("job-opened")
+    hand.tree("contour")
+    hand.menu("CNCStepper", "Export job")
+    choose_file(hand, tmp_path / "saída.toml", "CNCStepper_Job_file")
+    hand.wait(lambda: (tmp_path / "saída.toml").exists(), 20, "the file")
+    hand.undo()
+    hand.wait(lambda: not document.Objects, 10, "the job to be undone")

@@ -284,7 +284,7 @@ def test_imperial_units(hand: Hand, bench: Bench, inches: None, typed: str, dept
     hand.fill(DEPTH, typed)
     hand.wait(lambda: bench.pocket.Depth.Value == pytest.approx(depth_mm))
     if depth_mm == 6.35:
-        assert hand.text(DEPTH) == "0.25 in"
+        hand.wait(lambda: hand.text(DEPTH) == "0.25 in", 5, "the depth in inches")
 
 
 def test_a_drawing_is_chosen_taken_and_let_go(hand: Hand, bench: Bench) -> None:

@@ -29,6 +29,7 @@ FINGER_S = 0.05  # between the clicks of a double click
 NO_DOUBLE_S = 0.6  # between two clicks, so that Qt takes them for no double click (it does within 0.4 s)
 NEAR_PX = 20.0  # two clicks that near might be taken for a double click
 AGAIN_S = 0.2  # before a key is pressed once more that was not seen
+SEEN_S = 1.0  # so long may a click take to be seen beside other windows
 LIST_S = 2.0  # so long may the list of a combo box take to appear
 REST_S = 0.03  # what has not moved for so long rests
 CLICKS = 3  # so often is a button clicked that does not see it
@@ -143,10 +144,17 @@ class Hand:
             place = self._place(places.of_widget, target, at)
             pressed = self.main(places.Pressed, target)
             self._click_place(place, button, double, modifiers)
-            if button != x_input.LEFT or self.main(pressed.told):
+            if button != x_input.LEFT or self._is_soon(pressed.told):
                 return
             print(f"{target} did not see the click", flush=True)
         raise AssertionError(f"{target} does not see clicks; {self.describe()}")
+
+    def _is_soon(self, condition: Callable[..., bool], *arguments: Any) -> bool:
+        """Return whether a condition holds after what was clicked; a second click may come too late for the first."""
+        until_s = time.monotonic() + SEEN_S
+        while not (holds := self.main(condition, *arguments)) and time.monotonic() < until_s:
+            time.sleep(REST_S)
+        return bool(holds)
 
     def _place(self, where: Callable[..., Point], *arguments: Any) -> Point:
         """Return a place as soon as it can be seen and rests: windows appear, and trees fill, a moment later."""
@@ -233,7 +241,7 @@ class Hand:
         """Click an object in FreeCAD's tree by its label; again where the tree moved under the pointer."""
         for _ in range(CLICKS):
             self._click_place(self._place(places.of_tree_item, label), double=double, modifiers=modifiers)
-            if double or self.main(places.is_selected, label):
+            if double or self._is_soon(places.is_selected, label):
                 return
             print(f"{label} in the tree did not see the click", flush=True)
         raise AssertionError(f"{label} in the tree does not see clicks; {self.describe()}")

@@ -50,9 +50,12 @@ def find(target: Any) -> Any:
     if not isinstance(target, str):
         return target
     found = visible(target) or [w for w in _widgets() if w.objectName() == target]
-    ours = sorted({w.objectName() for w in _widgets() if w.objectName().startswith("CNC")})
-    assert found, f"no widget is named {target}; there are {ours}"
+    assert found, f"no widget is named {target}; there are {_our_names()}"
     return found[0]
+
+
+def _our_names() -> list[str]:
+    return sorted({w.objectName() for w in _widgets() if w.objectName().startswith("CNC")})
 
 
 class Pressed(QtCore.QObject):

@@ -51,18 +51,18 @@ def command(
 ) -> None:
     """Print what is in the drawing FILE and what is wrong with it: layers, colours, lengths, gaps, doubles, crossings.
 
-    Nothing is mended without --mend; every change is then printed. Exit 0 where the file was read, 1 where it is
-    refused.
+    Nothing is mended without --mend; every change is then printed. A CadQuery or build123d script (.py) is run, in a
+    process that may take 60 s and 4 GB and writes nothing. Exit 0 where the file was read, 1 where it is refused.
     """
     from CNCStepper.drawing.repair.mend import mended
     from CNCStepper.drawing.repair.problems import RepairLimits, problems_of
-    from CNCStepper.job.drawings.read_any import read_any_drawing
+    from CNCStepper.job.drawings.read_any import read_named_drawing
 
     limits = RepairLimits(
         join_mm=reading.join_mm, close_mm=close_mm, double_mm=double_mm, tiny_mm=tiny_mm, fit_mm=fit_mm or 0.0
     )
     with Progress(f"reading {file.name}") as progress:
-        drawing = read_any_drawing(file, reading.read_options(near_mm=close_mm), progress.share)
+        drawing = read_named_drawing(file, reading.read_options(near_mm=close_mm), progress.share)
         progress.doing(f"looking at {file.name}")
         changes: tuple[Change, ...] = ()
         if mend:

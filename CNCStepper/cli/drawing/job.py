@@ -36,14 +36,20 @@ def command(
     """Make a job file of DRAWING by the rules of a template, which `cncstepper run` then makes a program of.
 
     The job names the drawing and follows it when it changes. Chains that no rule takes are printed with their number;
-    with --strict they are refused.
+    with --strict they are refused. A CadQuery or build123d script (.py) is run once, here: its outline is written
+    beside the job as DXF, which the job names, for a job runs no script.
     """
+    from CNCStepper.job.drawings.read_any import SCRIPT
     from CNCStepper.job.templates.drawing_job import job_of_drawing
+    from CNCStepper.job.templates.script_drawing import drawing_of_script
     from CNCStepper.job.templates.template import read_template
 
     rules = read_template(template)
     out.parent.mkdir(parents=True, exist_ok=True)
     with Progress(f"reading {drawing.name}") as progress:
+        if drawing.suffix.casefold() == SCRIPT:
+            drawing = drawing_of_script(rules, drawing, out, progress.share)
+            click.echo(f"{drawing}: written, what the script draws")
         made = job_of_drawing(
             rules, drawing, out, thickness_mm=thickness_mm, material=material, unit_mm=unit_mm, strict=strict,
             share=progress.share,

@@ -4,7 +4,7 @@
     layer    its own; on layer "0" inside a block that of the insertion
     colour   true colour, else the colour index: 256 is that of the layer, 0 that of the insertion
     name     the innermost block around it, or its handle
-    groups   the blocks around it, the outermost first
+    groups   the groups that it is in, then the blocks around it, the outermost first
 
 Colour 7 is black or white, as the background wants it; it is read as black.
 """
@@ -24,11 +24,12 @@ BLACK = "#000000"
 
 @dataclass(frozen=True)
 class Insertion:
-    """What the insertions around an entity give to it; outside every block nothing."""
+    """What the insertions around an entity and its groups give to it; outside every block and group nothing."""
 
     layer: str | None = None
     colour: str = BLACK
     blocks: tuple[str, ...] = ()
+    groups: tuple[str, ...] = ()
 
 
 class Layers:
@@ -88,7 +89,7 @@ def attributes(layer: str, colour: str, handle: str, around: Insertion) -> Attri
     """Return the attributes of an entity; its texts are made printable."""
     blocks = tuple(printable(block, MOST_CHARACTERS) for block in around.blocks)
     name = blocks[-1] if blocks else printable(handle, MOST_CHARACTERS)
-    return Attributes(printable(layer, MOST_CHARACTERS), colour, name, blocks)
+    return Attributes(printable(layer, MOST_CHARACTERS), colour, name, (*around.groups, *blocks))
 
 
 def attribute(entity: Any, name: str, otherwise: Any) -> Any:

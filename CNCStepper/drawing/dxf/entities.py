@@ -232,6 +232,13 @@ def _require_spline(entity: Any) -> None:
         raise GeometryError("dxf-spline", "its weights are not above 0")
 
 
+def _solid(entity: Any, _: Fits) -> Curve:
+    """Return the outline of a SOLID or TRACE, whose third and fourth corners the file has crosswise."""
+    rows = np.array([(corner.x, corner.y, 0.0) for corner in entity.vertices()], float).reshape(-1, 3)
+    _require_level([corner.z for corner in entity.vertices()])
+    return from_above(entity, bulged(rows, closed=True))
+
+
 def from_above(entity: Any, curve: Curve) -> Curve:
     """Return a curve of the entity's own plane as seen from above; raises GeometryError where that plane leans."""
     ocs = entity.ocs()
@@ -247,6 +254,7 @@ def _require_level(heights: Any) -> None:
         raise GeometryError("dxf-not-flat", "does not lie flat")
 
 
+AREAS = ("SOLID", "TRACE")  # of the kinds that are filled
 READERS: dict[str, Reader] = {
     "LINE": _line,
     "ARC": _arc,
@@ -255,4 +263,6 @@ READERS: dict[str, Reader] = {
     "POLYLINE": _polyline,
     "ELLIPSE": _ellipse,
     "SPLINE": _spline,
+    "SOLID": _solid,
+    "TRACE": _solid,
 }

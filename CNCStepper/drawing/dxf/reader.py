@@ -5,7 +5,8 @@
          └─► ezdxf: header, tables, blocks, all other entities ──► entities.py: curves ─┴─► chains
 
 ezdxf repairs a damaged file and reads all of it. Each insertion of a block becomes its entities; those on layer 0 get
-the layer of the insertion. Only visible entities of the model space are read. Hatches and texts follow the chains.
+the layer of the insertion. Only visible entities of the model space are read. Hatches, solids and texts follow the
+chains.
 """
 
 from __future__ import annotations
@@ -29,8 +30,9 @@ from CNCStepper.drawing.dxf.attributes import (
     entity_colour,
     layer_of,
 )
-from CNCStepper.drawing.dxf.entities import BROKEN, Fits, curve_of
+from CNCStepper.drawing.dxf.entities import AREAS, BROKEN, Fits, curve_of
 from CNCStepper.drawing.dxf.ezdxf_document import collected_log, load_file, load_text, no_dxf
+from CNCStepper.drawing.dxf.groups import groups_of
 from CNCStepper.drawing.dxf.hatches import hatch_curves, without_drawn
 from CNCStepper.drawing.dxf.limits import DEEPEST, MOST_BYTES, require_readable, require_small
 from CNCStepper.drawing.dxf.plain_entities import NotSplit, PlainEntity, split_text
@@ -80,7 +82,7 @@ def read_dxf(
         unit_mm = unit_mm or (_unit_mm(source.document) if UNIT_NAME in content else 1.0)
         unit_mm = Bounds("unit").require(unit_mm, "the drawing's unit", place)
         with placed(place):
-            reading = _Reading(source, Fits(tolerance_mm / unit_mm), unit_mm)
+            reading = _Reading(source, groups_of(source.document, content), Fits(tolerance_mm / unit_mm), unit_mm)
             pieces, skipped = reading.all(count, share)
     damage = source.damage or (log[0] if log else "")
     if not pieces and not reading.whole:
@@ -133,8 +135,9 @@ class _Source:
 class _Reading:
     """Takes the pieces out of a file, in the order of the file."""
 
-    def __init__(self, source: _Source, fits: Fits, unit_mm: float):
+    def __init__(self, source: _Source, groups: dict[str, tuple[str, ...]], fits: Fits, unit_mm: float):
         self._source, self._fits, self._unit_mm = source, fits, unit_mm
+        self._groups = groups
         self._layers = Layers(source.document)
         self.whole: list[Chain] = []
         self.texts = Texts(source.document, fits.tolerance)
@@ -164,14 +167,22 @@ class _Reading:
     def _read_curve(self, entity: PlainEntity, layer: str) -> None:
         colour = colour_of(entity.colour_index, entity.true_colour, self._layers.colour(layer), BLACK)
         try:
-            self._add(entity.number, entity.curve, attributes(layer, colour, entity.handle, OUTSIDE))
+            self._add(
+                entity.number, entity.curve, attributes(layer, colour, entity.handle, self._around(entity.handle))
+            )
         except GeometryError as error:  # too far away in mm
             self._skip(entity.number, entity.kind, layer, entity.handle, error)
 
     def _read_others(self) -> Iterator[None]:
         for order, entity in enumerate(self._source.document.modelspace()):
-            number = self._source.numbers.get(str(entity.dxf.handle or "").upper(), order)
-            yield from self._read(entity, number, OUTSIDE)
+            handle = str(entity.dxf.handle or "")
+            number = self._source.numbers.get(handle.upper(), order)
+            yield from self._read(entity, number, self._around(handle))
+
+    def _around(self, handle: str) -> Insertion:
+        """Return what is around an entity of the model space: its groups."""
+        groups = self._groups.get(handle.upper())
+        return Insertion(groups=groups) if groups else OUTSIDE
 
     def _read(self, entity: Any, number: int, around: Insertion) -> Iterator[None]:
         """Take the pieces of an entity where it is visible; a block is taken apart."""
@@ -180,7 +191,13 @@ class _Reading:
             return
         colour = entity_colour(entity, layer, around, self._layers)
         if entity.dxftype() == "INSERT" and len(around.blocks) < DEEPEST:
-            inside = Insertion(layer, colour, (*around.blocks, str(entity.dxf.get("name", ""))))
+            if _is_external(entity):
+                why = GeometryError("dxf-xref", "an external reference, whose file is not opened")
+                self._skip(number, "INSERT", layer, str(entity.dxf.get("name", "")), why)
+                yield
+                return
+            blocks = (*around.blocks, str(entity.dxf.get("name", "")))
+            inside = Insertion(layer, colour, blocks, around.groups)
             for insert in _inserts(entity):
                 for part in _taken_apart(insert):
                     yield from self._read(part, number, inside)
@@ -189,7 +206,7 @@ class _Reading:
             return
         own = attributes(layer, colour, str(entity.dxf.handle or ""), around)
         try:
-            if entity.dxftype() in (HATCH, *TEXTS):
+            if entity.dxftype() in (HATCH, *AREAS, *TEXTS):
                 self._read_whole(entity, own)
             else:
                 self._add(number, curve_of(entity, self._fits), own)
@@ -198,10 +215,13 @@ class _Reading:
         yield
 
     def _read_whole(self, entity: Any, own: Attributes) -> None:
-        """Take the curves of a hatch or a text, which are never joined with those of others."""
-        is_hatch = entity.dxftype() == HATCH
-        curves = hatch_curves(entity, self._fits) if is_hatch else self.texts.curves(entity)
-        filled = is_hatch or self.texts.is_filled(entity)
+        """Take the curves of an area or a text, which are never joined with those of others."""
+        if entity.dxftype() in TEXTS:
+            curves = self.texts.curves(entity)
+            filled = self.texts.is_filled(entity)
+        else:
+            is_hatch, filled = entity.dxftype() == HATCH, True
+            curves = hatch_curves(entity, self._fits) if is_hatch else [curve_of(entity, self._fits)]
         self.whole += [Chain(self._scaled(curve), replace(own, filled=filled)) for curve in curves]
 
     def _skip(self, number: int, kind: str, layer: str, handle: str, error: GeometryError) -> None:
@@ -237,6 +257,12 @@ def _unit_mm(document: Any) -> float:
 
     unit = units.InsertUnits(document.units)
     return float(units.conversion_factor(unit, units.InsertUnits.Millimeters)) if unit else 1.0
+
+
+def _is_external(insert: Any) -> bool:
+    """Return whether an insertion stands for another file, which is never opened."""
+    block = insert.block()
+    return block is not None and bool(block.block.is_xref or block.block.is_xref_overlay)
 
 
 def _inserts(entity: Any) -> list[Any]:

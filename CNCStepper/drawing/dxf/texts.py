@@ -22,7 +22,16 @@ import numpy as np
 
 from CNCStepper.drawing.dxf.plain_entities import LARGEST
 from CNCStepper.drawing.text.font_files import find_face
-from CNCStepper.drawing.text.text_curves import Align, TextStyle, font_of, line_layout, text_curves
+from CNCStepper.drawing.text.text_curves import (
+    MOST_MISSING,
+    Align,
+    TextStyle,
+    font_of,
+    lacking,
+    line_layout,
+    named,
+    text_curves,
+)
 from CNCStepper.errors import GeometryError, JobError, Text
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.safe_text import printable
@@ -66,6 +75,7 @@ class Texts:
             width_factor=entity.dxf.get("width", 1.0),
             slant_deg=_slant(entity.dxf.get("oblique", 0.0)),
         )
+        self._note_lacking(style, text)
         _, width = line_layout(font_of(style), style, text)
         placement, first, second = entity.get_placement()
         turn = math.radians(entity.dxf.get("rotation", 0.0))
@@ -95,6 +105,7 @@ class Texts:
         height = entity.dxf.get("char_height", 0.0)
         pitch = PITCH * height * entity.dxf.get("line_spacing_factor", 1.0)
         style = replace(self._style(entity, height), line_pitch_mm=pitch)
+        self._note_lacking(style, "".join(lines))
         lines = self._wrapped(lines, style, entity.dxf.get("width", 0.0) or 0.0)
         column, row = (entity.dxf.attachment_point - 1) % 3, (entity.dxf.attachment_point - 1) // 3
         style = replace(style, align=ALIGNS[column])
@@ -129,8 +140,8 @@ class Texts:
             self._families[name] = self._family(name)
         family = self._families[name]
         if family == STROKES:
-            return TextStyle(single_line=STROKES, height_mm=height, kerning=False)
-        return TextStyle(font=family, height_mm=height, kerning=False)
+            return TextStyle(single_line=STROKES, height_mm=height, kerning=False, missing="leave out")
+        return TextStyle(font=family, height_mm=height, kerning=False, missing="leave out")
 
     def _family(self, name: str) -> str:
         """Return the font for a text style: its own where the system has it, else another, with a warning."""
@@ -161,6 +172,13 @@ class Texts:
         if self._characters > MOST_CHARACTERS:
             limit = f"{MOST_CHARACTERS} characters"
             raise JobError("dxf-large", "the drawing has too much text", limit=limit, advice="take text out of it")
+
+    def _note_lacking(self, style: TextStyle, text: str) -> None:
+        """Note the characters that are left out because the font lacks them."""
+        font = font_of(style)
+        if missing := lacking(font, text):
+            names = ", ".join(map(named, missing[:MOST_MISSING]))
+            self._warn(Text("the font '{font}' lacks {names}; they are left out", font=font.name, names=names))
 
     def _warn(self, warning: str) -> None:
         self.warnings[warning] = None

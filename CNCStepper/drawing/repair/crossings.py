@@ -31,17 +31,35 @@ def self_crossings(curves: Sequence[Curve], most: int) -> list[Place]:
 def closed_crossings(curves: Sequence[Curve], most: int) -> list[Place]:
     """Return up to `most` places where two closed curves cross each other."""
     lines = _lines(curves)
-    tree = shapely.STRtree(lines)
     found: list[Place] = []
+    for a, b in _crossing_pairs(lines):
+        found += _places(shapely.intersection(lines[a], lines[b]))
+        if len(found) >= most:
+            return found[:most]
+    return found
+
+
+def crossing_groups(curves: Sequence[Curve]) -> list[list[int]]:
+    """Return the numbers of closed curves that cross each other, directly or by others, in groups of two or more."""
+    group = list(range(len(curves)))
+    for a, b in _crossing_pairs(_lines(curves)):
+        low, high = sorted((group[a], group[b]))
+        if low != high:
+            group = [low if own == high else own for own in group]
+    members: dict[int, list[int]] = {}
+    for number, own in enumerate(group):
+        members.setdefault(own, []).append(number)
+    return [own for own in members.values() if len(own) > 1]
+
+
+def _crossing_pairs(lines: np.ndarray) -> Iterator[tuple[int, int]]:
+    """Yield the numbers of two lines that cross, the lower one first."""
+    tree = shapely.STRtree(lines)
     for first in range(0, len(lines), AT_ONCE):
         checkpoint()
         own, other = tree.query(lines[first : first + AT_ONCE], predicate="crosses")
         later = other > own + first
-        for a, b in zip((own[later] + first).tolist(), other[later].tolist(), strict=True):
-            found += _places(shapely.intersection(lines[a], lines[b]))
-            if len(found) >= most:
-                return found[:most]
-    return found
+        yield from zip((own[later] + first).tolist(), other[later].tolist(), strict=True)
 
 
 def _lines(curves: Sequence[Curve]) -> np.ndarray:

@@ -8,6 +8,7 @@ what a script imports. `workbench/drawings/solid_edges.py` does the same inside 
 
 from __future__ import annotations
 
+import importlib.util
 import math
 import sys
 from collections.abc import Iterator
@@ -16,6 +17,7 @@ from typing import Any
 from CNCStepper.drawing.solids.process_limits import answer, guard_script, limit_process, refuse
 from CNCStepper.tolerances import SAME_MM
 
+SCRIPT_MODULES = ("cadquery", "build123d")
 LEVEL = 1e-9  # of a face's direction
 
 
@@ -53,10 +55,12 @@ def _file_shape(path: str) -> Any:
 
 def _script_shape(path: str) -> Any:
     """Return what a script shows as one shape; whatever it prints goes to standard error."""
-    import cadquery  # before the guard: it writes caches
-    import OCP.STEPControl
+    import OCP.STEPControl  # before the guard: it and the modules of a script write caches
 
-    assert cadquery and OCP
+    assert OCP
+    for name in SCRIPT_MODULES:
+        if importlib.util.find_spec(name) is not None:
+            importlib.import_module(name)
     with open(path, "rb") as file:
         code = compile(file.read(), path, "exec")
     shown: list[Any] = []
@@ -83,8 +87,13 @@ def _shapes(thing: Any) -> Iterator[Any]:
             yield from _shapes(value)
     elif hasattr(thing, "toCompound"):  # an Assembly
         yield from _shapes(thing.toCompound())
+    elif isinstance(thing, list | tuple):  # build123d's ShapeList is a list
+        for each in thing:
+            yield from _shapes(each)
     elif getattr(thing, "part", None) is not None:  # build123d's BuildPart
         yield from _shapes(thing.part)
+    elif getattr(thing, "sketch", None) is not None:  # its BuildSketch
+        yield from _shapes(thing.sketch)
     elif hasattr(getattr(thing, "wrapped", None), "ShapeType"):
         yield thing.wrapped
 

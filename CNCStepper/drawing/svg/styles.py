@@ -16,11 +16,13 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from CNCStepper.drawing.svg.document import TEXT, Element
+from CNCStepper.drawing.svg.matrices import length
 from CNCStepper.errors import JobError
 
 INHERITED = {
     "stroke", "fill", "color", "visibility", "fill-rule", "stroke-dasharray", "font-family", "font-size", "font-style",
-    "font-weight", "font", "text-anchor", "letter-spacing", "stroke-opacity", "fill-opacity", "stroke-width",
+    "font-weight", "font", "text-anchor", "letter-spacing", "stroke-opacity", "fill-opacity", "stroke-width", "marker",
+    "marker-start", "marker-mid", "marker-end",
 }  # fmt: skip
 OWN = {"display", "clip-path", "mask", "opacity"}
 KNOWN = INHERITED | OWN
@@ -30,6 +32,24 @@ MOST_SELECTOR = 2_000  # characters
 MOST_TRIALS = 5_000_000  # of rules on elements
 SIMPLE = re.compile(r"(\*|[\w-]+)?((?:[.#][\w-]+)*)")
 PART = re.compile(r"[.#][\w-]+")
+SIZE = 16.0  # of CSS: medium
+LARGEST_SIZE = 1e6
+SIZES = {
+    "xx-small": 9.0,
+    "x-small": 10.0,
+    "small": 13.0,
+    "medium": SIZE,
+    "large": 18.0,
+    "x-large": 24.0,
+    "xx-large": 32.0,
+}
+RELATIVE_SIZES = {"smaller": 1.0 / 1.2, "larger": 1.2}
+BOLD = ("bold", "bolder", "600", "700", "800", "900")
+SLANTED = ("italic", "oblique")
+MOST_FONT = 300  # characters of a `font`
+FONT = re.compile(
+    r"(?P<words>[\w\s-]*?)\s*(?P<size>[\d.]+(?:[a-z]+|%))(?:\s*/\s*[\w.%]+)?\s+(?P<family>\S.*)", re.ASCII
+)
 Style = dict[str, str]
 
 
@@ -158,7 +178,31 @@ def styled(element: Element, inherited: Style, sheet: StyleSheet, ancestors: lis
         return inherited
     result = {name: value for name, value in inherited.items() if name not in OWN}
     result.update((name, value) for name, value in own.items() if value != "inherit")
+    if "font-size" in own or "font" in own:
+        _settle_font(result, own, font_size(inherited))
     return result
+
+
+def font_size(style: Style) -> float:
+    """Return the size of a style's font in user units; `styled` has settled sizes relative to that around it."""
+    size = length(style.get("font-size", ""), SIZE, SIZE, em=SIZE)
+    return size if 0.0 < size < LARGEST_SIZE else SIZE
+
+
+def _settle_font(style: Style, own: Style, around: float) -> None:
+    """Take the shorthand `font` apart, and make a size relative to that `around` an absolute one."""
+    shorthand = FONT.fullmatch(own.get("font", "")[:MOST_FONT])
+    if shorthand:
+        words = shorthand["words"].split()
+        style["font-style"] = next((word for word in words if word in SLANTED), "normal")
+        style["font-weight"] = next((word for word in words if word in BOLD), "normal")
+        style["font-size"], style["font-family"] = shorthand["size"], shorthand["family"]
+    text = style.get("font-size", "").strip()
+    if text in RELATIVE_SIZES:
+        size = around * RELATIVE_SIZES[text]
+    else:
+        size = SIZES.get(text, length(text, around, around, em=around))
+    style["font-size"] = repr(size)
 
 
 def colour_of(value: str, style: Style) -> str | None:

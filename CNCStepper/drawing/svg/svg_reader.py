@@ -10,33 +10,36 @@ read is named with the reason; clip paths, masks, dashes and fonts that are not 
 from __future__ import annotations
 
 import math
+import operator
 import re
 from collections import Counter
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import NamedTuple
 
 from CNCStepper.cancellation import checkpoint
 from CNCStepper.drawing.drawing import Attributes, Drawing, Piece, Share, Skipped, joined_pieces
 from CNCStepper.drawing.read_drawing import ReadOptions
 from CNCStepper.drawing.svg.document import Document, Element, read_document
+from CNCStepper.drawing.svg.fitted_pieces import FittedPieces
 from CNCStepper.drawing.svg.matrices import NUMBER, Matrix, fitted, length, transform_of, view_box
 from CNCStepper.drawing.svg.path_data import PathDamage, PlacedPen, draw_path, draw_points, draw_rectangle
 from CNCStepper.drawing.svg.sheet import is_illustrator, sheet_of
-from CNCStepper.drawing.svg.styles import Style, StyleSheet, colour_of, styled
-from CNCStepper.drawing.svg.text_elements import font_size, text_outlines
+from CNCStepper.drawing.svg.styles import Style, StyleSheet, colour_of, font_size, styled
+from CNCStepper.drawing.svg.text_elements import TextSetter
+from CNCStepper.drawing.svg.text_letters import Letters
 from CNCStepper.errors import CNCStepperError, GeometryError, JobError, Place, Text, placed
 from CNCStepper.geometry.curve import Curve, joined
-from CNCStepper.geometry.fitting.bezier_path import SampleBudget
+from CNCStepper.geometry.fitting.bezier_path import PathPen
 from CNCStepper.quantities import Bounds
 from CNCStepper.safe_text import printable
-from CNCStepper.tolerances import COINCIDENT_MM
 
 MOST_DRAWN = 250_000  # elements with those of <use> in their places
 MOST_USES = 16  # within each other
 DEEPEST = 200  # elements within each other, with those that are used
 MOST_SKIPPED = 1_000
 MOST_NAME = 255
+MOST_NAMED = 5  # fonts or letters in a warning
 READ_SHARE = 0.9
 TOLD_EVERY = 512
 CONTAINERS = {"g", "a", "svg", "switch", "symbol"}
@@ -45,11 +48,18 @@ NOT_DRAWN = {
     "radialGradient", "filter", "symbol", "tspan", "view", "cursor", "font", "font-face", "meshgradient", "solidcolor",
     "animate", "animateTransform", "animateMotion", "set", "#text", "",
 }  # fmt: skip
+PLAIN = re.compile(r"-?\d{1,9}(?:\.\d{1,30})?", re.ASCII)  # a number of user units
+MARKED = ("path", "line", "polyline", "polygon")
+MARKERS = ("marker", "marker-start", "marker-mid", "marker-end")
 ESCAPED = re.compile(r"_x([0-9A-Fa-f]{2,4})_")  # what Illustrator makes of blanks and signs in names
 SVG_WARNINGS = {
     "clip": "{count} clip paths and masks are not applied: the parts that they hide are read too",
     "dash": "{count} dashed strokes are read as whole lines",
     "font": "{count} texts are set in another font or style than the file names: {names}",
+    "glyph": "the fonts of {count} texts lack letters, which are left out: {names}",
+    "length": "{count} texts with places inside their textLength are not brought to it",
+    "marker": "{count} lines have markers, which are not read",
+    "path-end": "{count} texts are longer than their path; letters beyond it are left out: {names}",
     "path": "{count} paths are damaged and read up to the damage",
     "transform": "{count} transforms are damaged and not applied",
 }
@@ -65,21 +75,20 @@ def read(path: Path, options: ReadOptions, share: Share) -> Drawing:
         matrix, viewport, unit_mm, warning = sheet_of(document, options.unit_mm)
         Bounds("unit").require(unit_mm, "the drawing's unit", place)
         walk = _Walk(document, options.tolerance_mm, viewport, share)
-        walk.root(matrix)
-        if not walk.pieces:
-            raise _empty(walk.skipped, place)
         chains, gaps = joined_pieces(
-            walk.pieces,
+            walk.pieces(matrix),
             options.same_mm,
             options.near_mm,
             options.by_colour,
             lambda done: share(READ_SHARE + (1.0 - READ_SHARE) * done),
         )
+        if not chains:
+            raise _empty(walk.skipped, place)
     warnings = (*((warning,) if warning else ()), *walk.warnings())
-    return Drawing(chains, gaps, tuple(walk.skipped), unit_mm, warnings=warnings)
+    return Drawing(chains, gaps, walk.skipped, unit_mm, warnings=warnings)
 
 
-def _empty(skipped: list[Skipped], place: Place) -> JobError:
+def _empty(skipped: tuple[Skipped, ...], place: Place) -> JobError:
     return JobError(
         "svg-empty",
         "the drawing holds no curves",
@@ -91,8 +100,7 @@ def _empty(skipped: list[Skipped], place: Place) -> JobError:
     )
 
 
-@dataclass(frozen=True)
-class _Context:
+class _Context(NamedTuple):
     """What an element takes from those around it."""
 
     matrix: Matrix
@@ -110,7 +118,7 @@ class _Walk:
 
     def __init__(self, document: Document, tolerance_mm: float, viewport: tuple[float, float], share: Share):
         self._root, self._tolerance_mm, self._viewport = document.root, tolerance_mm, viewport
-        self._share, self._budget = share, SampleBudget()
+        self._share, self._pieces = share, FittedPieces(tolerance_mm)
         self._illustrator = is_illustrator(document)
         self._sheet = StyleSheet(document.root)
         self._by_id: dict[str, Element] = {}
@@ -122,21 +130,30 @@ class _Walk:
             what, advice = "the drawing has too many elements with those that it uses", "split it into several drawings"
             raise JobError("svg-large", what, value=f"{self._count:.6g}", limit=f"{MOST_DRAWN}", advice=advice)
         self._told: Counter[str] = Counter()
-        self._fonts: dict[str, None] = {}
-        self.pieces: list[Piece] = []
-        self.skipped: list[Skipped] = []
+        self._names: dict[str, dict[str, None]] = {}
+        self._skipped: list[tuple[int, Skipped]] = []
 
-    def root(self, matrix: Matrix) -> None:
-        """Read the whole drawing."""
+    def pieces(self, matrix: Matrix) -> list[Piece]:
+        """Return the pieces of the whole drawing; raises JobError where its curves are too many for the tolerance."""
         style = styled(self._root, {}, self._sheet, [])
         context = _Context(matrix, style, "", "", (), self._viewport)
-        self._children(self._root, context, [])
+        try:
+            self._children(self._root, context, [])
+            return self._pieces.all()
+        except GeometryError as error:
+            raise JobError("svg-large", error.what, limit=error.limit, advice=error.advice) from error
+
+    @property
+    def skipped(self) -> tuple[Skipped, ...]:
+        """What is in no piece, in the order of the file."""
+        return tuple(skipped for _, skipped in sorted(self._skipped, key=operator.itemgetter(0)))
 
     def warnings(self) -> tuple[str, ...]:
         """Return what was read otherwise than the file says."""
-        names = ", ".join(list(self._fonts)[:5])
         return tuple(
-            Text(SVG_WARNINGS[key], count=count, names=names) if key == "font" else Text(SVG_WARNINGS[key], count=count)
+            Text(SVG_WARNINGS[key], count=count, names=", ".join(list(self._names[key])[:MOST_NAMED]))
+            if key in self._names
+            else Text(SVG_WARNINGS[key], count=count)
             for key, count in self._told.items()
         )
 
@@ -198,15 +215,15 @@ class _Walk:
                 self._told["clip"] += 1
         label = self._label(element)
         if element.name not in CONTAINERS and element.name != "use":
-            return replace(around, matrix=matrix, style=style, name=label or around.name)
+            return around._replace(matrix=matrix, style=style, name=label or around.name)
         layer, is_layer = around.layer, around.is_layer
         if element.get("inkscape:groupmode") == "layer":
             layer, is_layer = label, True
         elif not layer and not is_layer and element.get("id"):
             layer = self._name(element.get("id"))
         groups = (*around.groups, label) if label else around.groups
-        return replace(
-            around, matrix=matrix, style=style, name=label or around.name, layer=layer, is_layer=is_layer, groups=groups
+        return around._replace(
+            matrix=matrix, style=style, name=label or around.name, layer=layer, is_layer=is_layer, groups=groups
         )
 
     def _label(self, element: Element) -> str:
@@ -230,11 +247,11 @@ class _Walk:
             self._skip(element, context, "it uses itself, or too many others within each other")
             return
         x, y = (length(element.get(key), whole, 0.0) for key, whole in zip("xy", context.viewport, strict=True))
-        context = replace(
-            context, matrix=context.matrix @ Matrix(shift=complex(x, y)), uses=(*context.uses, id(target))
+        context = context._replace(
+            matrix=context.matrix @ Matrix(shift=complex(x, y)), uses=(*context.uses, id(target))
         )
         if target.name in ("symbol", "svg"):
-            own = replace(context, style=styled(target, context.style, self._sheet, above))
+            own = context._replace(style=styled(target, context.style, self._sheet, above))
             self._children(target, _in_viewport(target, element, own), above)
         else:
             self._element(target, context, above)
@@ -253,21 +270,29 @@ class _Walk:
             return
         if stroke is not None and style.get("stroke-dasharray", "none") != "none":
             self._told["dash"] += 1
+        if element.name in MARKED and any(style.get(key, "none") != "none" for key in MARKERS):
+            self._told["marker"] += 1
         colour = stroke if stroke is not None else fill
         attributes = Attributes(context.layer, colour or "", context.name, context.groups, fill is not None)
+        number = self._done
+
+        def refused(error: GeometryError | JobError | ValueError) -> None:
+            why = error.what if isinstance(error, CNCStepperError) else str(error)
+            self._skip(element, context, why, number)
+
         try:
             if element.name == "text":
-                curves = self._text(element, context, above)
-            else:
-                curves = self._curves(element, context, close=stroke is None)
+                self._pieces.add_curves(self._text(element, context, above), attributes)
+                return
+            pens = self._pens(element, context, close=stroke is None)
         except (GeometryError, JobError, ValueError) as error:
             if isinstance(error, CNCStepperError) and error.code in ("svg-large", "fit-budget"):
-                raise JobError("svg-large", error.what, limit=error.limit, advice=error.advice) from error
-            self._skip(element, context, error.what if isinstance(error, CNCStepperError) else str(error))
+                raise
+            refused(error)
             return
-        self.pieces.extend(Piece(curve, attributes) for curve in curves if curve.length_mm > COINCIDENT_MM)
+        self._pieces.add_paths(pens, attributes, refused)
 
-    def _curves(self, element: Element, context: _Context, close: bool) -> list[Curve]:
+    def _pens(self, element: Element, context: _Context, close: bool) -> list[PathPen]:
         """Return the subpaths of a shape; open ones that are filled alone are closed as the fill is."""
         pen = PlacedPen(context.matrix)
         try:
@@ -277,22 +302,19 @@ class _Walk:
         if close:
             for own in pen.pens:
                 own.close()
-        return [own.curve(self._tolerance_mm, self._budget) for own in pen.pens if len(own)]
+        return pen.pens
 
     def _text(self, element: Element, context: _Context, above: list[Element]) -> list[Curve]:
-        told: list[str] = []
-        curves = text_outlines(
-            element,
-            context.style,
-            context.matrix,
-            self._tolerance_mm,
-            lambda child, style, inside: styled(child, style, self._sheet, [*above, *inside]),
-            self._text_path,
-            told.append,
+        letters = Letters(
+            lambda child, style, inside: styled(child, style, self._sheet, [*above, *inside]), context.viewport
         )
-        self._told["font"] += bool(told)
-        self._told += Counter()  # without zeros
-        self._fonts.update(dict.fromkeys(printable(name, 40) for name in told))
+        letters.read(element, context.style)
+        told: dict[tuple[str, str], None] = {}
+        setter = TextSetter(self._tolerance_mm, self._text_path, lambda key, name: told.update({(key, name): None}))
+        curves = setter.outlines(letters, context.matrix)
+        self._told.update({key for key, _ in told})
+        for key, name in told:
+            self._names.setdefault(key, {})[printable(name, 40)] = None
         return curves
 
     def _text_path(self, address: str) -> Curve | None:
@@ -306,13 +328,15 @@ class _Walk:
             matrix = Matrix()
         pen = PlacedPen(matrix)
         SHAPES[target.name](pen, target, _Context(matrix, {}, "", "", (), self._viewport))
-        curves = [own.curve(0.01, self._budget) for own in pen.pens if len(own)]
+        curves = [own.path().curve(0.01, self._pieces.budget) for own in pen.pens if len(own)]
         return joined(curves) if curves else None
 
-    def _skip(self, element: Element, context: _Context, why: str) -> None:
-        if len(self.skipped) < MOST_SKIPPED:
+    def _skip(self, element: Element, context: _Context, why: str, number: int | None = None) -> None:
+        """Note that an element is left out, the one that is read now or an earlier one by its number."""
+        if len(self._skipped) < MOST_SKIPPED:
             identity = printable(element.get("id"), MOST_NAME)
-            self.skipped.append(Skipped(printable(element.name, 40), context.layer, identity, why))
+            left_out = Skipped(printable(element.name, 40), context.layer, identity, why)
+            self._skipped.append((self._done if number is None else number, left_out))
 
 
 def _passes(element: Element) -> bool:
@@ -335,18 +359,21 @@ def _in_viewport(element: Element, sized: Element, context: _Context) -> _Contex
     if box and width > 0.0 and height > 0.0:
         matrix = matrix @ fitted(box, width, height, element.get("preserveAspectRatio"))
         width, height = box[2], box[3]
-    return replace(context, matrix=matrix, viewport=(width, height))
+    return context._replace(matrix=matrix, viewport=(width, height))
 
 
 def _lengths(element: Element, context: _Context, keys: str, otherwise: float = 0.0) -> list[float]:
     """Return lengths of an element in user units: of the width, the height, or for radii of both."""
+    return [_length(element.get(key), key, context, otherwise) for key in keys.split()]
+
+
+def _length(text: str, key: str, context: _Context, otherwise: float) -> float:
+    if PLAIN.fullmatch(text) and math.isfinite(number := float(text)):
+        return number
     width, height = context.viewport
     wholes = {"x": width, "w": width, "y": height, "h": height, "r": math.hypot(width, height) / math.sqrt(2.0)}
     em = font_size(context.style) if context.style else 16.0
-    return [
-        length(element.get(key), wholes[key.strip("c12")[0]] if key != "ry" else height, otherwise, em)
-        for key in keys.split()
-    ]
+    return length(text, wholes[key.strip("c12")[0]] if key != "ry" else height, otherwise, em)
 
 
 def _rectangle(pen: PlacedPen, element: Element, context: _Context) -> None:

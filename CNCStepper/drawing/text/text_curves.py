@@ -44,7 +44,7 @@ class TextStyle:
 
     size: whether `height_mm` is that of capitals or the em. letter_spacing_mm: added between letters. line_spacing:
     a factor of the font's own distance of lines; `line_pitch_mm` gives that distance itself. slant_deg: leaning to the
-    right. width_factor: of the widths alone.
+    right. width_factor: of the widths alone. missing: whether a character that the font lacks is refused, or left out.
     """
 
     font: str = "sans-serif"
@@ -60,6 +60,7 @@ class TextStyle:
     slant_deg: float = 0.0
     width_factor: float = 1.0
     kerning: bool = True
+    missing: Literal["refuse", "leave out"] = "refuse"
 
 
 @dataclass(frozen=True)
@@ -121,7 +122,11 @@ def text_along(
 
 def line_layout(font: Font, style: TextStyle, line: str) -> tuple[list[PlacedGlyph], float]:
     """Return the characters of one line from x = 0, and the line's width, mm."""
-    _require_glyphs(font, line)
+    _require_script(line)
+    if style.missing == "leave out":
+        line = without_lacking(font, line)
+    else:
+        _require_glyphs(font, line)
     scale = scale_of(font, style) * style.width_factor
     placed: list[PlacedGlyph] = []
     x_mm, before, gap_mm = 0.0, "", 0.0
@@ -163,27 +168,43 @@ def _lines(text: str) -> list[str]:
     ]
 
 
-def _require_glyphs(font: Font, line: str) -> None:
-    """Raise JobError that names the characters which the font lacks, or which are not set one after the other."""
+def _require_script(line: str) -> None:
+    """Raise JobError for characters that are not set one after the other."""
     wrong = next((each for each in line if unicodedata.bidirectional(each) in UNSHAPED), None)
     if wrong is not None:
         raise JobError(
             "text-script",
             "scripts that are written from the right are not set",
-            value=_named(wrong),
+            value=named(wrong),
             advice="convert the text to paths in the drawing program",
         )
-    missing = [each for each in dict.fromkeys(line) if font.glyph(each) is None]
+
+
+def _require_glyphs(font: Font, line: str) -> None:
+    """Raise JobError that names the characters which the font lacks."""
+    missing = lacking(font, line)
     if missing:
         raise JobError(
             "text-glyph",
             Text("the font '{font}' lacks characters of the text", font=font.name),
-            value=", ".join(_named(each) for each in missing[:MOST_MISSING]),
+            value=", ".join(map(named, missing[:MOST_MISSING])),
             advice="choose another font, or other characters",
         )
 
 
-def _named(character: str) -> str:
+def lacking(font: Font, text: str) -> list[str]:
+    """Return the characters of a text that a font does not have, each once."""
+    return [each for each in dict.fromkeys(text) if font.glyph(each) is None]
+
+
+def without_lacking(font: Font, text: str) -> str:
+    """Return a text without the characters that a font does not have."""
+    missing = set(lacking(font, text))
+    return "".join(each for each in text if each not in missing) if missing else text
+
+
+def named(character: str) -> str:
+    """Return a character with its number and its name, for a person."""
     return f"{printable(character)} (U+{ord(character):04X} {unicodedata.name(character, '')})".replace(" )", ")")
 
 

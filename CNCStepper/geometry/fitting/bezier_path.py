@@ -1,33 +1,26 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""BezierPath: a connected path of lines, cubic Bezier curves and arcs, and the curve of lines and arcs along it.
+"""BezierPath: a connected path of lines, cubic Bezier curves and arcs, and the pen that draws one.
 
     points    complex128[n + 1]      the vertices
     controls  complex128[n, 2]       the two control points of each segment; those of a line or arc are not used
     bulge     float64[n]             of a line 0, of an arc as in curve.py, of a Bezier curve NaN
 
-Lines and arcs come over exactly. Bezier curves are sampled so finely that their chords stay within CHORD_SHARE of the
-tolerance, and the rest of it goes to point_fit's lines and arcs. The number of samples for n chords of a cubic follows
-from its second differences: a chord's error is at most |B''| / (8 n²) with |B''| <= 6 max |second difference|.
+path_columns.py makes curves of lines and arcs of them, of many paths at once.
 """
 
 from __future__ import annotations
 
+import itertools
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from CNCStepper.errors import GeometryError
 from CNCStepper.geometry.curve import Curve
-from CNCStepper.geometry.curve_columns import LIMIT_MM, xy_of
-from CNCStepper.geometry.fitting.fit_kernels import fit_stretches
+from CNCStepper.geometry.fitting.path_columns import PathColumns, SampleBudget
 from CNCStepper.tolerances import SAME_MM
 
-CHORD_SHARE = 0.1  # of the tolerance: what the chords of the samples may take
-SURE = 1.0 - 1e-9  # of the tolerance: what the kernel computes is rounded
-SMOOTH_RAD = 0.01  # two Bezier curves that meet at a larger angle have a corner there
-MOST_SAMPLES = 300_000  # of one path
-MOST_SAMPLES_OF_ALL = 6_000_000  # of one drawing
-SHORT = 64  # segments: such a path of lines is quicker in plain Python
 THIRD = 1.0 / 3.0
 
 
@@ -67,67 +60,10 @@ class BezierPath:
 
         Raises GeometryError for a path of no length, coordinates out of bounds and a path too long for its tolerance.
         """
-        if not len(self.bulge) or not (np.abs(self.points) <= 2.0 * LIMIT_MM).all():
+        if not len(self.bulge):
             raise GeometryError("curve-range", "a path has no length, or a coordinate that is no length in mm")
-        curved = np.isnan(self.bulge)
-        if not curved.any():
-            return Curve(xy_of(self.points), self.bulge)
-        counts = self._counts(curved, CHORD_SHARE * tolerance_mm)
-        if budget is not None:
-            budget.take(int(counts.sum()))
-        z, breaks = self._sampled(curved, counts)
-        ends, bulges = fit_stretches(z, breaks, (1.0 - CHORD_SHARE) * tolerance_mm * SURE)
-        arcs = np.flatnonzero(~curved & (self.bulge != 0.0))
-        if len(arcs):
-            bulges = np.array(bulges)
-            bulges[np.searchsorted(ends, np.cumsum(counts)[arcs])] = self.bulge[arcs]
-        return Curve(xy_of(z[np.concatenate([[0], ends])]), bulges)
-
-    def _counts(self, curved: np.ndarray, chord_error_mm: float) -> np.ndarray:
-        """Return into how many chords each segment is cut, int64[n]."""
-        p0, p3, c1, c2 = self.points[:-1], self.points[1:], self.controls[:, 0], self.controls[:, 1]
-        bend = np.maximum(np.abs(p0 - 2.0 * c1 + c2), np.abs(c1 - 2.0 * c2 + p3))
-        wanted = np.where(curved, np.sqrt(0.75 * bend / chord_error_mm), 1.0)
-        if not wanted.sum() <= MOST_SAMPLES:  # NaN too
-            raise GeometryError("fit-large", "a path is too long for its tolerance", advice="take a larger tolerance")
-        return np.maximum(np.ceil(wanted), 1.0).astype(np.int64)
-
-    def _sampled(self, curved: np.ndarray, counts: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return the samples, complex128[m], and the numbers of those at which a segment of the result must end."""
-        row = np.repeat(np.arange(len(counts)), counts)
-        last = np.cumsum(counts)
-        t = (np.arange(len(row)) - np.repeat(last - counts, counts) + 1.0) / counts[row]
-        s = 1.0 - t
-        p0, p3 = self.points[:-1][row], self.points[1:][row]
-        c1, c2 = self.controls[row, 0], self.controls[row, 1]
-        z = np.where(curved[row] & (t < 1.0), s * s * s * p0 + 3.0 * s * t * (s * c1 + t * c2) + t * t * t * p3, p3)
-        smooth = curved[:-1] & curved[1:] & ~self._corners()
-        breaks = np.concatenate([[0], last[:-1][~smooth], last[-1:]]).astype(np.int64)
-        return np.concatenate([self.points[:1], z]), breaks
-
-    def _corners(self) -> np.ndarray:
-        """Return at which inner vertices the direction jumps, bool[n - 1]; controls on their own ends look through."""
-        p0, p3, c1, c2 = self.points[:-1], self.points[1:], self.controls[:, 0], self.controls[:, 1]
-        leaves = np.where(c1 != p0, c1, np.where(c2 != p0, c2, p3)) - p0
-        arrives = p3 - np.where(c2 != p3, c2, np.where(c1 != p3, c1, p0))
-        return np.asarray(np.abs(np.angle(leaves[1:] * np.conj(arrives[:-1]))) > SMOOTH_RAD)
-
-
-class SampleBudget:
-    """Counts the samples of all paths of a drawing, of which there is a bounded number: half a minute."""
-
-    def __init__(self, most: int = MOST_SAMPLES_OF_ALL):
-        self._left = most
-
-    def take(self, count: int) -> None:
-        """Count these too; raises GeometryError where they are too many with those before."""
-        self._left -= count
-        if self._left < 0:
-            raise GeometryError(
-                "fit-budget",
-                "the curves of the drawing are too many and too wild for the tolerance",
-                advice="take a larger tolerance, or draw lines or arcs in their place",
-            )
+        columns = PathColumns(self.points, self.controls, self.bulge, np.array([len(self.bulge)]))
+        return required(columns.curves(tolerance_mm, budget)[0])
 
 
 class PathPen:
@@ -180,13 +116,6 @@ class PathPen:
         else:
             self.line(self._points[0])
 
-    def curve(self, tolerance_mm: float, budget: SampleBudget | None = None) -> Curve:
-        """Return what was drawn as lines and arcs in mm, as `BezierPath.curve` does; quick where it is short."""
-        points, bulge = self._points, self._bulge
-        if len(bulge) <= SHORT and not any(bulge) and all(map(_is_near, points)):
-            return Curve.trusted(np.array([(z.real, z.imag) for z in points]), np.zeros(len(bulge)))
-        return self.path().curve(tolerance_mm, budget)
-
     def path(self) -> BezierPath:
         """Return what was drawn."""
         controls = np.array(self._controls, complex).reshape(-1, 2)
@@ -198,6 +127,19 @@ class PathPen:
         self._bulge.append(bulge)
 
 
-def _is_near(z: complex) -> bool:
-    """Return whether a point is one in mm; false for NaN."""
-    return abs(z.real) <= LIMIT_MM and abs(z.imag) <= LIMIT_MM
+def columns_of(pens: Sequence[PathPen]) -> PathColumns:
+    """Return what several pens have drawn, each at least one segment, in a few columns."""
+    chain = itertools.chain.from_iterable
+    return PathColumns(
+        np.array(list(chain(pen._points for pen in pens)), complex),
+        np.array(list(chain(pen._controls for pen in pens)), complex).reshape(-1, 2),
+        np.array(list(chain(pen._bulge for pen in pens)), float),
+        np.array([len(pen) for pen in pens], np.int64),
+    )
+
+
+def required(curve: Curve | GeometryError) -> Curve:
+    """Return the curve; raises the error that stands in its place."""
+    if isinstance(curve, GeometryError):
+        raise curve
+    return curve

@@ -26,6 +26,18 @@ ALL_READERS = READERS | {
 }
 
 
+SCRIPT = ".py"
+
+
+def read_named_drawing(path: Path, options: ReadOptions, share: Share = lambda share: None) -> Drawing:
+    """Return the drawing in a file that a person names on the command line: of every format, scripts too, which run."""
+    if path.suffix.casefold() == SCRIPT:
+        from CNCStepper.job.drawings.solids import read_script  # it loads what few drawings need
+
+        return read_script(path, options, share)
+    return read_any_drawing(path, options, share)
+
+
 def read_any_drawing(path: Path, options: ReadOptions, share: Share = lambda share: None) -> Drawing:
     """Return the drawing in a file of any format, as `read_drawing` does; scripts are none (`solids.read_script`)."""
     return read_drawing(path, options, share, ALL_READERS)

@@ -4,8 +4,9 @@
     Python with OCP (CadQuery)   drawing/solids/occ_edges.py          STEP, BREP, scripts
     freecadcmd                   workbench/drawings/solid_edges.py    STEP, BREP, FCStd
 
-The process limits itself (`drawing/solids/process_limits.py`). Here it is ended, with all that it has started, when it
-takes longer, takes more memory where the system limits none, or writes more than an answer may have.
+The process limits itself (`drawing/solids/process_limits.py`), on Windows a job object does. Here it is ended, with all
+that it has started, when it takes longer, takes more memory where the system limits none, or writes more than an answer
+may have.
 """
 
 from __future__ import annotations
@@ -31,6 +32,7 @@ from CNCStepper.cancellation import checkpoint
 from CNCStepper.control.processes.python_finder import environment
 from CNCStepper.drawing.solids.process_limits import ANSWER, MEMORY_BYTES
 from CNCStepper.errors import JobError, MissingPackage, Place, Text
+from CNCStepper.job.drawings.windows_job_object import JobObject
 from CNCStepper.safe_text import printable
 
 CADQUERY_VARIABLE = "CNCSTEPPER_CADQUERY"  # a Python that has CadQuery; "none": do not use one
@@ -68,15 +70,15 @@ def _own(variables: dict[str, str]) -> dict[str, str]:
 
 
 @functools.cache
-def cadquery_python(asked: str, needs: str) -> str:
-    """Return a Python that can import `needs`, "OCP" or "cadquery", or "" where there is none.
+def cadquery_python(asked: str) -> str:
+    """Return a Python that can import OCP, which CadQuery and build123d bring, or "" where there is none.
 
     asked: the only one to try; "": this Python, and where that is FreeCAD none.
     """
     program = asked or (sys.executable if Path(sys.executable or "").stem.lower().startswith("python") else "")
     if asked == NONE or not program:
         return ""
-    check = f"import importlib.util, sys; sys.exit(importlib.util.find_spec({needs!r}) is None)"
+    check = "import importlib.util, sys; sys.exit(importlib.util.find_spec('OCP') is None)"
     try:
         found = subprocess.run([program, "-c", check], capture_output=True, timeout=CHECK_LIMIT_S, check=False)
     except (OSError, ValueError, subprocess.TimeoutExpired):
@@ -86,10 +88,8 @@ def cadquery_python(asked: str, needs: str) -> str:
 
 def engines(suffix: str) -> Iterator[Engine]:
     """Yield the programs on this machine that read a file of a suffix, the first choice first."""
-    if suffix != ".fcstd":
-        needs = "cadquery" if suffix == ".py" else "OCP"
-        if python := cadquery_python(os.environ.get(CADQUERY_VARIABLE, ""), needs):
-            yield Engine(python, is_freecad=False)
+    if suffix != ".fcstd" and (python := cadquery_python(os.environ.get(CADQUERY_VARIABLE, ""))):
+        yield Engine(python, is_freecad=False)
     if suffix != ".py" and (command := _freecad_command()):
         yield Engine(command, is_freecad=True)
 
@@ -144,7 +144,7 @@ class _Run:
                 start_new_session=True,
             )
             assert process.stdout is not None
-            with process.stdout as stream:
+            with process.stdout as stream, _limited_memory(process):
                 reader = threading.Thread(target=self._read, args=(stream,), daemon=True)
                 reader.start()
                 try:
@@ -178,6 +178,16 @@ class _Run:
         return JobError(
             code, what, limit=limit, advice="simplify the solid, or end the script's loop", place=self._place
         )
+
+
+@contextlib.contextmanager
+def _limited_memory(process: subprocess.Popen[bytes]) -> Iterator[None]:
+    """Limit the memory of a process on Windows, where it cannot limit itself; `_Run._wait` looks at it too."""
+    if sys.platform != "win32":
+        yield
+        return
+    with JobObject(int(process._handle), MEMORY_BYTES):  # type: ignore[attr-defined,unused-ignore]
+        yield
 
 
 def memory_bytes(pid: int) -> int:
@@ -224,7 +234,7 @@ def _ended(status: int, place: Place) -> JobError:
 
 
 def _missing(suffix: str, place: Place) -> MissingPackage:
-    programs = {".py": "CadQuery", ".fcstd": "FreeCAD"}.get(suffix, "CadQuery or FreeCAD")
+    programs = {".py": "CadQuery or build123d", ".fcstd": "FreeCAD"}.get(suffix, "CadQuery or FreeCAD")
     return MissingPackage(
         "solid-program",
         Text("reading '{suffix}' files needs {programs}, which is not installed", suffix=suffix, programs=programs),

@@ -8,6 +8,7 @@ from typing import Annotated
 
 from pydantic import Field, StrictBool
 
+from CNCStepper.drawing.crossing_areas import without_crossings
 from CNCStepper.drawing.drawing import Chain
 from CNCStepper.drawing.nesting_levels import nesting_levels
 from CNCStepper.drawing.read_drawing import ReadOptions
@@ -24,7 +25,8 @@ MOST_EXCEPTIONS = 200
 class DrawingForm(Selection):
     """Chains of a drawing of any format: those that the keys of `Selection` take and none of `without` does.
 
-    nesting: only closed chains that lie in so many others of them. The drawing is turned about its zero and then
+    nesting: only closed chains that lie in so many others of them; of those that cross, the boundaries of the area
+    inside an odd number of them. The drawing is turned about its zero and then
     moved. mend: repairs it first, within these limits; unit_mm as for DXF; trace: how a picture
     becomes contours; height_mm: of a solid, the height of its faces or section, else its outline from above.
     """
@@ -58,7 +60,7 @@ class DrawingForm(Selection):
         taken = [chain for chain in self.of(chains) if not any(each.takes(chain) for each in self.without)]
         if self.nesting is None:
             return tuple(taken)
-        closed = [chain for chain in taken if chain.curve.closed]
+        closed = without_crossings([chain for chain in taken if chain.curve.closed])
         levels = nesting_levels([chain.curve for chain in closed]).tolist()
         return tuple(chain for chain, level in zip(closed, levels, strict=True) if level == self.nesting)
 

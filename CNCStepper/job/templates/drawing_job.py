@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import copy
 import math
+import operator
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -19,8 +20,10 @@ from typing import Any
 
 from CNCStepper.atomic_file import write_whole
 from CNCStepper.drawing.chain_list import Count, drawing_box_mm
+from CNCStepper.drawing.crossing_areas import without_crossings
 from CNCStepper.drawing.drawing import Chain, Drawing, Share
 from CNCStepper.drawing.nesting_levels import nesting_levels
+from CNCStepper.drawing.read_drawing import ReadOptions
 from CNCStepper.drawing.repair.mend import mended
 from CNCStepper.errors import JobError, Place, Text, placed
 from CNCStepper.job.drawings.read_any import read_any_drawing
@@ -114,10 +117,14 @@ def _form(template: Template, file: str, **keys: Any) -> DrawingForm:
     return DrawingForm(file=file, mend=told.mend, **given, **keys)
 
 
+def reading_of(template: Template, path: Path) -> ReadOptions:
+    """Return how a template reads a drawing."""
+    return _form(template, path.name).options()
+
+
 def read_by_template(template: Template, path: Path, share: Share = lambda share: None) -> Drawing:
     """Return a drawing as the template has it read and mended; raises JobError where it cannot be read."""
-    options = _form(template, path.name).options()
-    drawing = read_any_drawing(path, options, share)
+    drawing = read_any_drawing(path, reading_of(template, path), share)
     return mended(drawing, template.drawing.mend)[0] if template.drawing.mend else drawing
 
 
@@ -221,8 +228,9 @@ class _Maker:
 
     def _areas(self, name: str, number: int, told: Content, chains: Sequence[Chain]) -> Iterator[Content]:
         """Yield an operation for each two levels of nesting: outlines, and the islands in them."""
-        closed = [chain.curve for chain in chains if chain.curve.closed]
-        levels = set(nesting_levels(closed).tolist())
+        closed = [chain for chain in chains if chain.curve.closed]
+        apart = without_crossings(closed)
+        levels = set(nesting_levels([chain.curve for chain in apart]).tolist())
         if len(closed) < len(chains) or not levels:
             raise JobError(
                 "rule-open",
@@ -231,7 +239,7 @@ class _Maker:
                 advice="add closed = true to the rule, or mend the drawing",
                 place=Place(str(self._drawing)),
             )
-        if levels == {0}:
+        if levels == {0} and len(apart) == len(closed) and all(map(operator.is_, apart, closed)):
             yield told | {"region": [self._shape(name, number)]}
             return
         for level in range(0, max(levels) + 1, 2):

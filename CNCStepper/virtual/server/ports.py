@@ -173,6 +173,7 @@ class PtyPort:
 
     def _make_link(self) -> None:
         """Link `path` to the terminal; what a killed virtual machine left there is replaced, a file never."""
+        self._check_free()
         try:
             if self._path.is_symlink() and os.readlink(self._path).startswith("/dev/pts/"):
                 self._path.unlink()
@@ -184,6 +185,18 @@ class PtyPort:
                 f"no link can be made at '{self._path}': {error.strerror}",
                 advice="give a path in a folder that exists, where nothing stands yet",
             ) from error
+
+    def _check_free(self) -> None:
+        """Refuse a path that leads to the terminal of another program, which still runs."""
+        there = os.readlink(self._path) if self._path.is_symlink() else ""
+        if there.startswith("/dev/pts/") and there != self._target and os.path.exists(there):
+            os.close(self._master)
+            raise LinkError(
+                "pty-busy",
+                f"'{self._path}' leads to a terminal that is in use",
+                value=there,
+                advice="end the virtual machine that is there, or give another path; remove the link if it was killed",
+            )
 
 
 def _open_pty() -> tuple[int, int]:

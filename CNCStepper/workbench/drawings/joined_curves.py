@@ -22,6 +22,7 @@ from CNCStepper.geometry.curve import Curve
 from CNCStepper.job.curve_fit_cache import Line, require
 from CNCStepper.tolerances import SAME_CURVE_MM, SAME_HEIGHT_MM
 from CNCStepper.workbench.drawings.curves import SHORTEST_MM, Piece, curve_of_chain, pieces_of, require_tolerance
+from CNCStepper.workbench.drawings.exact_curves import kept_curves
 from CNCStepper.workbench.drawings.shapes import DrawingSnapshot, line_groups, refuse_unflat, sorted_chains
 
 CELL_MM = 0.01  # of the grid in which ends that meet are looked for
@@ -112,7 +113,11 @@ def _looked_for(drawing: Any, names: tuple[str, ...]) -> list[_Chain]:
     chains = [chain for group in line_groups(drawing, names) for chain in sorted_chains(group, SHORTEST_MM)]
     for chain in chains:
         refuse_unflat(chain, drawing.Label)
-    return [_Chain(pieces_of(chain), chain[0].valueAt(chain[0].FirstParameter).z) for chain in chains]
+    found = [_Chain(pieces_of(chain), chain[0].valueAt(chain[0].FirstParameter).z) for chain in chains]
+    if names or any(isinstance(piece, Line) for chain in found for piece in chain.pieces):
+        return found
+    drawn = [curve_of_chain(chain.pieces, SHORTEST_MM) for chain in found]
+    return [_Chain([curve], chain.height_mm) for curve, chain in zip(kept_curves(drawing, drawn), found, strict=True)]
 
 
 def _doubled(curves: Sequence[Curve]) -> dict[int, int]:

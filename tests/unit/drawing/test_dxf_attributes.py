@@ -62,3 +62,35 @@ def test_a_block_gives_layer_0_and_colour_by_block_and_its_name(tmp_path: Path) 
     ]
     alone = found[3]
     assert alone.groups == () and document.entitydb[alone.name].dxf.radius == 50
+
+
+@pytest.mark.parametrize("binary", [False, True])
+def test_groups_are_kept_of_plain_entities_and_blocks(tmp_path: Path, binary: bool) -> None:
+    document = ezdxf.new("R2010")
+    space = document.modelspace()
+    document.blocks.new("hole").add_circle((0, 0), 1)
+    inside = [space.add_circle((0, 0), 5), space.add_blockref("hole", (9, 9))]
+    space.add_circle((50, 0), 5)
+    document.groups.new("peça").set_data(inside)
+    document.groups.new("first").set_data(inside[:1])
+    path = tmp_path / "groups.dxf"
+    document.saveas(path, fmt="bin" if binary else "asc")
+    found = [chain.attributes.groups for chain in read_dxf(path, 0.01).chains]
+    assert sorted(found) == [(), ("peça", "first"), ("peça", "hole")]
+
+
+def test_solids_are_areas_and_external_references_are_named(tmp_path: Path) -> None:
+    document = ezdxf.new("R2010", units=ezdxf.units.MM)
+    space = document.modelspace()
+    space.add_solid([(0, 0), (10, 0), (0, 5), (10, 5)])
+    space.add_trace([(20, 0), (24, 0), (20, 3)])
+    document.add_xref_def("other.dxf", "other")
+    space.add_blockref("other", (0, 0))
+    path = tmp_path / "solids.dxf"
+    document.saveas(path)
+    drawing = read_dxf(path, 0.01)
+    assert [abs(chain.curve.area_mm2) for chain in drawing.chains] == pytest.approx([50.0, 6.0])
+    assert all(chain.attributes.filled and chain.curve.closed for chain in drawing.chains)
+    assert [(each.kind, each.handle, each.why) for each in drawing.skipped] == [
+        ("INSERT", "other", "an external reference, whose file is not opened")
+    ]

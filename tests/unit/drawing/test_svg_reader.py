@@ -215,6 +215,49 @@ def test_texts_are_outlines_on_their_base_line(tmp_path: Path) -> None:
     assert four.curve.box_mm[0] > three.curve.box_mm[2]
 
 
+def test_each_letter_stands_and_turns_as_the_file_says(tmp_path: Path) -> None:
+    body = """<g font-family="DejaVu Sans" font-size="10"><text x="10 30" y="20 30" rotate="0 90">HHH</text>
+    <text x="50 70" y="40">H<tspan x="60">H</tspan></text></g>"""
+    first, second, third, fourth, fifth = boxes(drawing(tmp_path, body))
+    width, height = first[2] - first[0], first[3] - first[1]
+    assert first[:2] == pytest.approx([10.98, 30.0], abs=0.05) and height > 1.2 * width
+    for turned in (second, third):  # the last turn goes on; a letter that is turned to the right hangs from its place
+        assert turned[2] - turned[0] == pytest.approx(height, abs=1e-3)
+        assert turned[3] - turned[1] == pytest.approx(width, abs=1e-3)
+    assert second[0] == pytest.approx(30.0, abs=1e-3) and second[3] == pytest.approx(20.0 - 0.98, abs=0.05)
+    assert fourth[0] == pytest.approx(50.98, abs=0.05) and fifth[0] == pytest.approx(60.98, abs=0.05)
+
+
+@pytest.mark.parametrize(("adjust", "stretched"), [("spacing", False), ("spacingAndGlyphs", True)])
+def test_a_text_is_brought_to_its_length(tmp_path: Path, adjust: str, stretched: bool) -> None:
+    body = f"""<g font-family="DejaVu Sans" font-size="10"><text x="5" y="20">HHH</text>
+    <text x="5" y="40" textLength="60" lengthAdjust="{adjust}">HHH</text></g>"""
+    found = boxes(drawing(tmp_path, body))
+    natural, fitted = found[:3], found[3:]
+    side_mm = natural[0][0] - 5.0
+    factor = (fitted[0][2] - fitted[0][0]) / (natural[0][2] - natural[0][0])
+    assert fitted[2][2] == pytest.approx(65.0 - side_mm * (factor if stretched else 1.0), abs=0.01)
+    assert (factor > 2.0) == stretched and factor >= 1.0 - 1e-6
+
+
+def test_sizes_are_relative_to_those_around(tmp_path: Path) -> None:
+    body = """<g font-family="DejaVu Sans" font-size="10"><g font-size="2em"><text y="40" font-size="50%">H</text></g>
+    <text y="40" style="font: italic bold 20px/1.2 'DejaVu Sans', serif">H</text></g>"""
+    read = drawing(tmp_path, body)
+    heights = [box[3] - box[1] for box in boxes(read)]
+    assert heights == pytest.approx([7.29, 14.58], abs=0.02) and not read.warnings
+
+
+def test_a_letter_that_the_font_lacks_is_told_and_the_others_are_read(tmp_path: Path) -> None:
+    body = """<text y="20" font-family="DejaVu Sans">H\U00012345H</text>
+    <line x2="9" stroke="red" marker-end="url(#m)"/><path id="w" d="M0 9H9" fill="none"/>
+    <text font-size="5"><textPath href="#w">HHHHHH</textPath></text>"""
+    read = drawing(tmp_path, body)
+    words = " ".join(map(str, read.warnings))
+    assert "U+12345" in words and "markers" in words and "longer than their path" in words
+    assert len(read.chains) == 2 + 1 + 2
+
+
 def test_packed_files_are_read(tmp_path: Path) -> None:
     path = tmp_path / "sign.svgz"
     path.write_bytes(gzip.compress(SIGN.read_bytes()))

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from functools import cache
 
 import numpy as np
 import pytest
@@ -14,32 +15,31 @@ from CNCStepper.geometry.curve import Curve, circle
 from CNCStepper.geometry.region import Region
 from CNCStepper.nesting.outlines import grown, holding_polygon, shrunk, simplified, within_polygon
 
-# a plate with a round end, a round notch in its side and a round hole: arcs that bulge out and in
-PLATE = Region.of(
-    [
-        Curve(
-            np.array([(0, 0), (40, 0), (40, 20), (25, 20), (15, 20), (0, 20), (0, 0)], float),
-            np.array([0, 1, 0, -1, 0, 0.3]),
-        )
-    ],
-    [circle((8.0, 8.0), 4.0)],
-)
+
+@cache  # made by the first test, not at collection, where every worker would compile the kernels of regions
+def plate() -> Region:
+    """Return a plate with a round end, a round notch in its side and a round hole: arcs that bulge out and in."""
+    outline = Curve(
+        np.array([(0, 0), (40, 0), (40, 20), (25, 20), (15, 20), (0, 20), (0, 0)], float),
+        np.array([0, 1, 0, -1, 0, 0.3]),
+    )
+    return Region.of([outline], [circle((8.0, 8.0), 4.0)])
 
 
 @pytest.mark.parametrize("tolerance_mm", [0.5, 0.02, 0.0005])
 def test_the_part_is_held_and_the_sheet_is_within(tolerance_mm: float) -> None:
-    holds, within = holding_polygon(PLATE, tolerance_mm), within_polygon(PLATE, tolerance_mm)
-    places = np.concatenate([loop.at_length(np.linspace(0, loop.length_mm, 2000))[0] for loop in PLATE.loops])
+    holds, within = holding_polygon(plate(), tolerance_mm), within_polygon(plate(), tolerance_mm)
+    places = np.concatenate([loop.at_length(np.linspace(0, loop.length_mm, 2000))[0] for loop in plate().loops])
     points = shapely.points(places)
     assert holds.buffer(1e-9).covers(shapely.multipoints(places)) and len(holds.interiors) == 1
     assert not shapely.contains(within.buffer(-1e-9), points).any()
     assert shapely.distance(holds.boundary, points).max() <= tolerance_mm + 1e-9
     assert shapely.distance(within.boundary, points).max() <= tolerance_mm + 1e-9
-    assert within.area < PLATE.area_mm2 < holds.area
+    assert within.area < plate().area_mm2 < holds.area
 
 
 def test_a_simplified_outline_holds_the_finer_one_with_few_corners() -> None:
-    fine = holding_polygon(PLATE, 0.0005)
+    fine = holding_polygon(plate(), 0.0005)
     coarse = simplified(fine, 0.05)
     assert coarse.buffer(1e-9).covers(fine)
     assert len(coarse.exterior.coords) < len(fine.exterior.coords) / 4

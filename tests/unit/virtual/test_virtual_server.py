@@ -212,6 +212,20 @@ def test_a_port_in_use_is_refused(machine: Machine) -> None:
         serve(machine, tcp=f"127.0.0.1:{taken.getsockname()[1]}")
 
 
+def test_the_path_of_another_virtual_machine_is_refused_until_that_has_ended(tmp_path: Path) -> None:
+    path = tmp_path / "peça um"
+    first = PtyPort(str(path))
+    try:
+        with pytest.raises(LinkError, match="in use") as refusal:
+            PtyPort(str(path))
+        assert refusal.value.code == "pty-busy" and path.is_symlink() and path.exists()
+    finally:
+        first.close()
+    path.symlink_to("/dev/pts/99999")  # as a killed one leaves it
+    PtyPort(str(path)).close()
+    assert not path.is_symlink()
+
+
 def test_without_terminals_the_pty_is_refused(machine: Machine, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "pty", None)
     with pytest.raises(LinkError, match="--tcp"):

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from functools import cache
 
 import numpy as np
 import pytest
@@ -15,8 +16,12 @@ from CNCStepper.geometry.curve import from_points
 from CNCStepper.geometry.region import Region
 
 TOOL_MM = 3.0
-ROOM = Region.of([from_points([(0, 0), (40, 0), (40, 20), (0, 20)], closed=True)])
 FREE = math.pi
+
+
+@cache  # made by the first test, not at collection, where every worker would compile the kernels of regions
+def _room() -> Region:
+    return Region.of([from_points([(0, 0), (40, 0), (40, 20), (0, 20)], closed=True)])
 
 
 def _depth(angle_rad: float, bend: float) -> float:
@@ -43,7 +48,7 @@ def test_bends_may_have_no_more_than_is_said_and_straight_ways_nothing():
 
 def _fronted() -> ClearingMap:
     """Return a room where the tool has gone along the middle, so that there are straight fronts on both sides."""
-    chart = clearing_map_of(ROOM, Area(ROOM, TOOL_MM, 0.9, 0.01, True), 0.9)
+    chart = clearing_map_of(_room(), Area(_room(), TOOL_MM, 0.9, 0.01, True), 0.9)
     chart.add(np.column_stack([np.linspace(2.0, 38.0, 145), np.full(145, 10.0)]))
     chart.cut(0, chart.count)
     return chart

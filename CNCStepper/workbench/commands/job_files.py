@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The commands that open and export job files; they stand in the menu alone."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from CNCStepper.workbench.document import targets
+from CNCStepper.workbench.services import missing_packages
+from CNCStepper.workbench.services.command import Command
+from CNCStepper.workbench.services.message_translation import translated
+from CNCStepper.workbench.services.messages import note, notice
+from CNCStepper.workbench.services.translation import QT_TRANSLATE_NOOP, tr
+from CNCStepper.workbench.services.view_fit import show_all
+
+
+class OpenJob(Command):
+    """Makes the objects of a job file; also a document, when none is open."""
+
+    name = "CNCStepper_OpenJob"
+    menu_text = QT_TRANSLATE_NOOP("CNCStepper_OpenJob", "Open job…")
+    tooltip = QT_TRANSLATE_NOOP("CNCStepper_OpenJob", "Opens a job file with its tools, operations and curves")
+
+    def why_not(self) -> str:
+        """Return why no job can be opened."""
+        return missing_packages.why_not() or targets.why_no_panel()
+
+    def run(self) -> None:
+        """Ask for the file."""
+        from CNCStepper.workbench.document.job_files import ask_to_open
+
+        ask_to_open(self.take)
+
+    def take(self, path: str) -> None:
+        """Make the objects as one undo step, and show what they do not hold."""
+        import FreeCAD
+
+        document = targets.document() or FreeCAD.newDocument()
+        document.openTransaction(self.text())
+        try:
+            notes = self._opened(document, path)
+        except Exception:
+            document.abortTransaction()
+            raise
+        document.commitTransaction()
+        show_all()
+        if notes:
+            notice(tr("{0} was opened").format(Path(path).name), "\n".join(map(translated, notes)))
+
+    def _opened(self, document: Any, path: str) -> list[str]:
+        from CNCStepper.workbench.document.job_files import open_job
+
+        _, notes = open_job(document, path)
+        document.recompute()
+        return notes
+
+
+class ExportJob(Command):
+    """Writes the job as a job file."""
+
+    name = "CNCStepper_ExportJob"
+    menu_text = QT_TRANSLATE_NOOP("CNCStepper_ExportJob", "Export job…")
+    tooltip = QT_TRANSLATE_NOOP("CNCStepper_ExportJob", "Writes the job as a file that cncstepper runs")
+
+    def why_not(self) -> str:
+        """Return why there is no job that can be written."""
+        no_job = missing_packages.why_not() or targets.why_no_panel() or targets.why_no_job()
+        return no_job or targets.why_no_program(targets.job())
+
+    def run(self) -> None:
+        """Ask for the file, and write it."""
+        from CNCStepper.workbench.document.job_files import ask_to_export
+
+        job = targets.job()
+        ask_to_export(job, lambda path: self.write(job, path))
+
+    def write(self, job: Any, path: str) -> None:
+        """Write the file."""
+        from CNCStepper.workbench.document.job_files import export_job
+
+        job.Document.recompute()
+        export_job(job, path)
+        note(tr("{0} was written").format(path))

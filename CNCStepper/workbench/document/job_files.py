@@ -1,0 +1,237 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Job files in and out: a job object as the text of a job file, and the objects of a job that a file holds.
+
+job object ──► job_of ──► save_job_file          its curves are within the file
+file ──► Job ──► opened: job, tools, operations, a Part object with the curves of each
+            └──► differences: what of the file the objects do not hold
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from CNCStepper.errors import CNCStepperError, JobError, Place, Text
+from CNCStepper.machine.processes import PROCESSES
+from CNCStepper.workbench import packages
+from CNCStepper.workbench.features.base import edit
+from CNCStepper.workbench.features.catalogue import operation_class
+from CNCStepper.workbench.services.messages import guarded
+from CNCStepper.workbench.services.translation import tr
+
+if TYPE_CHECKING:
+    from CNCStepper.geometry.curve import Curve
+    from CNCStepper.job.model import Job
+
+JOB_KEYS = ("units", "work_offset", "process", "clearance_mm", "retract_mm", "coolant", "material", "consumable")
+CURVES = ("outlines", "islands", "curves")  # of an operation, that its drawings give
+MARKS, CIRCLES = "marks", "circles"
+OWN, NONE, COUNT, SPACING = "own", "none", "count", "spacing"
+
+
+def export_job(obj: Any, path: str | Path) -> None:
+    """Write a job object as a job file, TOML or JSON by its name, its curves within it; raises what the core raises."""
+    packages.require()
+    from CNCStepper.job.files.job_text import save_job_file
+    from CNCStepper.workbench import api
+
+    api.require_valid(obj)
+    save_job_file(exported(obj), Path(path))
+
+
+def open_job(document: Any, path: str | Path) -> tuple[Any, list[str]]:
+    """Return a new job object with what a job file holds, and what of it FreeCAD's objects do not hold.
+
+    Raises JobError for a file that is no job.
+    """
+    packages.require()
+    from CNCStepper.job.model import Job
+
+    model = Job.load(path)
+    job = opened(document, model, Path(path).stem)
+    return job, [*model.notes, *differences(job, model)]
+
+
+def exported(obj: Any) -> Job:
+    """Return a job object as the model that its file holds; a machine's file is named by its whole path."""
+    from CNCStepper.machine.profile import profile_names
+    from CNCStepper.workbench.document.core_job import job_of
+
+    job = job_of(obj)
+    named = job.machine in profile_names() or Path(job.machine).is_absolute() or not obj.Document.FileName
+    machine = job.machine if named else str(Path(obj.Document.FileName).parent / job.machine)
+    return job.model_copy(update={"machine": machine})
+
+
+def opened(document: Any, job: Job, label: str) -> Any:
+    """Return a new job object with the tools and operations of a job; raises JobError for what FreeCAD has none of."""
+    from CNCStepper.workbench import api
+
+    if job.stock.heights_mm is not None:
+        what, advice = "FreeCAD has no stock of a height field", "run this job with cncstepper run"
+        raise JobError("job-stock", what, advice=advice, place=Place(label))
+    keys = {key: getattr(job, key) for key in JOB_KEYS}
+    stock = {"stock_size_mm": job.stock.size_mm, "stock_form": job.stock.form, "stock_origin": job.stock.origin}
+    edge = {"edge_mm": job.stock.edge_mm} if job.stock.edge_mm else {}
+    obj = api.new_job(document, machine=job.machine, chart=job.chart, **keys, **stock, **edge)
+    obj.Label = label
+    tools = {tool.number: _tool(obj, tool) for tool in job.tool}
+    for cycle in job.operation:
+        _operation(obj, cycle, tools[cycle.tool])
+    obj.Clamps = [_clamp(document, clamp) for clamp in job.clamp]
+    return obj
+
+
+def _tool(obj: Any, tool: Any) -> Any:
+    """Add a tool: the one that the cut chart describes, where it is that, else by its own values."""
+    from CNCStepper.machine.tools.stored_tool import given_keys
+    from CNCStepper.workbench import api
+
+    made = api.add_tool(obj, **{**api.UNKNOWN, **given_keys(tool)})
+    if PROCESSES[obj.Process].uses_chart and obj.Material:
+        edit(made, from_chart=True)
+    return made
+
+
+def _operation(obj: Any, cycle: Any, tool: Any) -> None:
+    """Add an operation with the keys and the curves of a cycle."""
+    from CNCStepper.workbench import api
+
+    kind = operation_class(cycle.cycle)
+    values = dict(_flat(cycle, kind))
+    if _has_places(cycle):
+        values |= _pattern_values(cycle.pattern)
+    if drawn := _drawn(cycle):
+        values["drawings"] = [_curves_object(obj.Document, kind.CYCLE, drawn)]
+    if marks := [mark.moved(*cycle.offset_mm) for mark in getattr(cycle, MARKS, ())]:
+        values["mark_drawings"] = [_curves_object(obj.Document, MARKS, marks)]
+    api.add_operation(obj, cycle.cycle, tool=tool, **values)
+
+
+def _has_places(cycle: Any) -> bool:
+    """Return whether a cycle has a pattern of places; the pattern of an area is a word."""
+    return not isinstance(getattr(cycle, "pattern", ""), str)
+
+
+def _drawn(cycle: Any) -> list[Curve]:
+    """Return the curves of a cycle where it cuts them: `offset_mm` is in them."""
+    curves = [curve for key in CURVES for curve in getattr(cycle, key, ())]
+    circles = getattr(cycle.pattern, CIRCLES, ()) if _has_places(cycle) else ()
+    return [curve.moved(*getattr(cycle, "offset_mm", (0.0, 0.0))) for curve in (*curves, *circles)]
+
+
+def _flat(cycle: Any, kind: Any) -> Iterator[tuple[str, Any]]:
+    """Yield the values of a cycle by the keys of its object, tables with the names of their choosers."""
+    keys = {entry.key for entry in kind.PROPERTIES if not entry.output}
+    content = cycle.model_dump()
+    for key, value in content.items():
+        if key in ("cycle", "tool", MARKS, *CURVES) or (key == "pattern" and isinstance(value, dict)):
+            continue
+        if key in kind.TABLES:
+            yield from _table(key, value, keys)
+        elif key in keys and value is not None:
+            yield key, value
+
+
+def _table(name: str, value: Mapping[str, Any] | None, keys: set[str]) -> Iterator[tuple[str, Any]]:
+    if name == "tabs":
+        given = value or {}
+        yield "tabs_by", COUNT if given.get("count") else SPACING if given.get("spacing_mm") else NONE
+    elif value is not None and f"{name}_by" in keys:
+        yield f"{name}_by", OWN
+    for key, one in (value or {}).items():
+        if f"{name}_{key}" in keys and one is not None:
+            yield f"{name}_{key}", one
+
+
+def _pattern_values(pattern: Any) -> dict[str, Any]:
+    """Return the values of a pattern of holes; circles are a drawing's."""
+    content = pattern.model_dump()
+    kind = content.pop("kind")
+    if kind == CIRCLES:
+        return {"pattern_kind": "drawing"}
+    if kind == "grid":
+        content["columns"], content["rows"] = content.pop("count")
+    return {"pattern_kind": kind, **{f"pattern_{key}": value for key, value in content.items() if value is not None}}
+
+
+def _curves_object(document: Any, label: str, curves: Sequence[Curve]) -> Any:
+    """Return a Part object with the wires of curves, lines and arcs exact."""
+    import Part
+
+    from CNCStepper.workbench.drawings.exact_curves import keep_curves
+    from CNCStepper.workbench.drawings.wires import wire_of
+
+    obj = document.addObject("Part::Feature", "Contour")
+    obj.Label = label
+    obj.Shape = Part.makeCompound([wire_of(curve, 0.0) for curve in curves])
+    keep_curves(obj, curves)
+    return obj
+
+
+def _clamp(document: Any, clamp: Any) -> Any:
+    """Return a solid in place of a clamp: its outline, from far below to its top."""
+    import FreeCAD
+    import Part
+
+    corners = list(clamp.corners_mm)
+    if len(corners) == 2:
+        (left, front), (right, back) = corners
+        corners = [(left, front), (right, front), (right, back), (left, back)]
+    height_mm = max(clamp.top_mm, 1.0)
+    ring = [FreeCAD.Vector(x, y, clamp.top_mm - height_mm) for x, y in (*corners, corners[0])]
+    obj = document.addObject("Part::Feature", "Clamp")
+    obj.Shape = Part.Face(Part.makePolygon(ring)).extrude(FreeCAD.Vector(0, 0, height_mm))
+    return obj
+
+
+def differences(obj: Any, job: Job) -> list[str]:
+    """Return what of a file's job its objects do not hold, as sentences."""
+    from CNCStepper.workbench.document.core_job import job_of
+
+    try:
+        made = job_of(obj)
+    except CNCStepperError as error:  # the operation that cannot be made says it too
+        return [error.sentence]
+    found: list[str] = []
+    for number, (ours, theirs) in enumerate(zip(made.operation, job.operation, strict=True), start=1):
+        by_curves = {*CURVES, MARKS, "closed", *(("offset_mm",) if _drawn(theirs) else ())}
+        by_curves |= {"pattern"} if _has_places(theirs) else set()
+        for key in type(theirs).model_fields:
+            if key not in by_curves and getattr(ours, key) != getattr(theirs, key):
+                found.append(Text("operation {number} has another {key} than its file", number=number, key=key))
+    return found
+
+
+def ask_to_open(take: Callable[[str], None]) -> None:
+    """Ask for a job file and return at once; `take` is called with its path."""
+    dialog = _dialog(tr("Open job"))
+    dialog.setFileMode(dialog.FileMode.ExistingFile)
+    dialog.fileSelected.connect(guarded(take))
+    dialog.open()
+
+
+def ask_to_export(obj: Any, take: Callable[[str], None]) -> None:
+    """Ask for the file of a job object and return at once; `take` is called with its path."""
+    dialog = _dialog(tr("Export job"))
+    dialog.setFileMode(dialog.FileMode.AnyFile)
+    dialog.setAcceptMode(dialog.AcceptMode.AcceptSave)
+    dialog.setDefaultSuffix("toml")
+    dialog.selectFile(f"{obj.Label}.toml")
+    dialog.fileSelected.connect(guarded(take))
+    dialog.open()
+
+
+def _dialog(title: str) -> Any:
+    import FreeCAD
+    import FreeCADGui
+    from PySide import QtCore, QtGui
+
+    document = FreeCAD.ActiveDocument
+    folder = Path(document.FileName).parent if document is not None and document.FileName else Path.home()
+    dialog = QtGui.QFileDialog(FreeCADGui.getMainWindow(), title, str(folder))
+    dialog.setObjectName("CNCStepper_Job_file")
+    dialog.setNameFilters([tr("Jobs ({0})").format("*.toml *.json"), tr("All files ({0})").format("*")])
+    dialog.setAttribute(QtCore.Qt.WidgetAttribute.WA_DeleteOnClose)
+    return dialog
