@@ -16,6 +16,9 @@ one file are the same. An existing file is replaced without asking only where CN
     signals        CSV that begins with one of our headers, or VCD of the module "motion"
     path           CSV that begins with t_s,x_mm,y_mm,z_mm, of a lathe t_s,x_mm,z_mm
     pulses         a recording that begins with "CNCStepper pulses"
+    order table    CSV that begins with the columns of an order's rows or sheets
+    order text     text whose first line says "made by CNCStepper"
+    batch journal  JSON lines whose first has the "format" "CNCStepper batch journal"
 
 Programs that keep the user's own text (edit, compact), tools, letters and bytes carry no mark of ours.
 """
@@ -47,6 +50,9 @@ MARKS = {
     "signals": rb"\A(time_s,(x_steps|x,|0x)|\$timescale [^\n]*\n\$scope module motion)",
     "path": rb"\At_s,x_mm(,y_mm)?,z_mm\r?\n",
     "pulses": rb"\ACNCStepper pulses ",
+    "order table": rb"\A(line,drawing,template,|sheet,parts,metres,)",
+    "order text": rb"\A[^\n]*, made by CNCStepper\n",
+    "batch journal": rb'\A\{"format": "CNCStepper batch journal"\}\n',
 }
 
 

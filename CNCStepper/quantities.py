@@ -65,6 +65,7 @@ QUANTITIES: dict[str, Quantity] = {
     "current": Quantity("A", 0.001, 10_000, "no torch or wire draws more than 10 kA"),
     "voltage": Quantity("V", 0.001, 10_000, "no arc or wire stands at more than 10 kV"),
     "pressure": Quantity("bar", 0.001, 10_000, "no jet is driven by more than 10 kbar"),
+    "money": Quantity("", 0.0001, 1_000_000_000, "a rate is more than nothing and less than a thousand million"),
     "force": Quantity("N", 0.0001, 1_000_000, "no axis pushes with more than 100 t"),
 }
 
@@ -81,6 +82,7 @@ MOST_ITEMS: dict[str, int] = {  # of a list in a file; longer ones are a slip, a
     "torques": 1_000,
     "inputs": 64,
     "speeds": 100,
+    "materials": 1_000,
     "notes": 10_000,
     "diameters": 1_000,
     "cuts": 5_000,  # rows of a cut chart

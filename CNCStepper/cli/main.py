@@ -48,6 +48,7 @@ FAMILIES = {  # folder of the verbs' modules: title in the help, and its verbs
         {
             "nest": "Place the parts of an order on sheets, remnants or a strip.",
             "arrange": "Make one program of several, each placed, turned and counted.",
+            "batch": "Make, nest, prove and price the drawings of an order.",
             "slice": "Cut a solid into sheets of a thickness: drawings, marks, nested pieces.",
         },
     ),

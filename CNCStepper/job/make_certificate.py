@@ -280,8 +280,8 @@ def _places(start: Start, lines: Sequence[str]) -> dict[str, tuple[float, ...]]:
 
 
 def machine_digest(machine: Machine) -> str:
-    """Return the fingerprint of a machine profile without its buttons, which change no proof."""
-    return digest_of(machine.model_dump(mode="json", exclude={"input"}))
+    """Return the fingerprint of a machine profile without its buttons and rates, which change no proof."""
+    return digest_of(machine.model_dump(mode="json", exclude={"input", "rates"}))
 
 
 def cut_content(machine: Machine, process: Process, row: CutData | None) -> dict[str, Any]:

@@ -205,6 +205,28 @@ class Retreat(_Checked):
     outputs: Literal["keep", "off"] | None = None
 
 
+Money = Annotated[float, Bounds("money", zero=True)]
+
+
+class Rates(_Checked):
+    """What work on the machine costs, in `currency`; what is left out costs nothing.
+
+    per_hour: of the planned time. per_metre: of the length cut. per_pierce. per_sheet: to put a sheet on the table and
+    take it off. per_square_metre: of sheet, by material as orders name it; the key "other" is any other material.
+    """
+
+    currency: Annotated[str, Field(max_length=8)] = ""
+    per_hour: Money = 0.0
+    per_metre: Money = 0.0
+    per_pierce: Money = 0.0
+    per_sheet: Money = 0.0
+    per_square_metre: dict[str, Money] = Field(default={}, max_length=MOST_ITEMS["materials"])
+
+    def square_metre_of(self, material: str) -> float:
+        """Return what a square metre of a material costs."""
+        return self.per_square_metre.get(material, self.per_square_metre.get("other", 0.0))
+
+
 NO_AXIS = Axis(  # what planner and step generators take for an axis that is not there; it never moves
     steps_per_mm=100.0,
     max_rate_mm_min=1000.0,
@@ -228,7 +250,7 @@ class Machine(_Checked):
     the digital differential analyser of the published table, "dda" with our registers, "published" with its own.
     axis: x, y and, where the table has one, z; of a lathe x and z. spindle: left out, the torch is a switch (M3 and M5
     without S), or the machine has none. input: the machine's own buttons. relay: what the keys of the dock switch, by
-    the machine's own words. link: of the mini-lathe.
+    the machine's own words. link: of the mini-lathe. rates: of orders and offers.
     """
 
     name: str
@@ -248,6 +270,7 @@ class Machine(_Checked):
     input: tuple[Input, ...] = Field(default=(), max_length=MOST_ITEMS["inputs"])
     link: LatheLink | None = None
     relay: tuple[Relay, ...] = Field(default=(), max_length=len(DEVICES))
+    rates: Rates | None = None
 
     @model_validator(mode="before")
     @classmethod
@@ -262,7 +285,7 @@ class Machine(_Checked):
     def _without_what_is_usual(self, as_dict: Any) -> dict[str, Any]:
         """Omit default values, so that certificates of older profiles stay valid."""
         usual: dict[str, Any] = {"feed_mm_min": None, "rapid_mm_min": None, "interpolation": "planner"}
-        usual |= {"link": None, "relay": ()}
+        usual |= {"link": None, "relay": (), "rates": None}
         usual["processes"] = _usual_processes(self.spindle.laser)
         if not self.has_spindle:
             usual["spindle"] = self.spindle

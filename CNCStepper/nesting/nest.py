@@ -151,8 +151,9 @@ class _Group:
 
     def _improved(self, best: Attempt, end: Budget) -> Attempt:
         """Return the best attempt of orders that are changed at random until time ends."""
-        order = list(self._order)
-        while not end.over and len(set(order)) > 1:
+        order, tried = list(self._order), 0
+        while not end.over and len(set(order)) > 1 and tried != end.attempts:
+            tried += 1
             changed = self._changed(order)
             attempt = self._attempt(changed, end)
             if attempt is None:

@@ -102,9 +102,14 @@ class Layout:
 
 @dataclass
 class Budget:
-    """The time that a search may take; `stop` ends it early with the best so far."""
+    """The time that a search may take; `stop` ends it early with the best so far.
+
+    attempts: how many changed orders are tried, None: as many as there is time for. With attempts and ample time the
+    same order and seed give the same layout, however fast the computer is.
+    """
 
     time_s: float
+    attempts: int | None = None
     begun_s: float = field(default_factory=time.monotonic)
     stopped: Event = field(default_factory=Event)
     progress: Callable[[float], None] = lambda share: None
@@ -127,7 +132,7 @@ class Budget:
 
     def part(self, time_s: float) -> Budget:
         """Return a budget of at most `time_s` from now, which ends with this one."""
-        return Budget(min(time_s, self.left_s), stopped=self.stopped)
+        return Budget(min(time_s, self.left_s), self.attempts, stopped=self.stopped)
 
 
 def turned(polygon: Polygon, rotation_deg: float) -> Polygon:

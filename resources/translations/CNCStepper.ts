@@ -9754,6 +9754,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>CNCStepper batch journal</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>CNCStepper certificate</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10338,6 +10342,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>TLS takes an authority, a certificate and its key</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The section of a beam, about the zero.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10591,6 +10599,10 @@
         </message>
         <message>
             <source>a drill goes sideways through stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a fault of the program: {kind}: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10958,6 +10970,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a rate is more than nothing and less than a thousand million</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a rate is tried at rest only, not in state {state}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10991,6 +11007,10 @@
         </message>
         <message>
             <source>a scale must be positive</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a scheduler on another computer is asked over TLS only: what it is sent and sends is code</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11594,6 +11614,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>batch journal</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>before it starts set the Z zero with its tool</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12126,6 +12150,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>correct it; paths are relative to the order</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>correct its configuration file, then restart the controller</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12266,6 +12294,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>correct the template's rules</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>correct the value or its unit</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12283,6 +12315,10 @@
         </message>
         <message>
             <source>correct work zero or program, then unlock with $X; the position is kept</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>count is no whole number within its bounds</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12366,6 +12402,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>dask.distributed is not installed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>define it, or put its file beside the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12443,6 +12483,10 @@
         </message>
         <message>
             <source>draw visible shapes, paths or texts; convert pictures to paths in the drawing program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>drawing sheets</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12699,6 +12743,10 @@
         </message>
         <message>
             <source>give --at once for each copy</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give --tls-ca, --tls-cert and --tls-key</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13142,6 +13190,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>install CNCStepper on every worker, and look at the worker's log</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>install it again, or choose another font</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13150,11 +13202,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>install it: python -m pip install distributed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>install it: python -m pip install spyrrow</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>install it: python -m pip install {package}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>install the same version on all workers</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13786,6 +13846,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>line {0}: {1} of {2} not placed: {3}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>line {file_line} is run from its begin</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13891,6 +13955,10 @@
         </message>
         <message>
             <source>look at the network of the controller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>look at this drawing alone: cncstepper job</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14075,6 +14143,10 @@
         </message>
         <message>
             <source>make {name} larger</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>making and proving</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14294,6 +14366,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>name another machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>name both axes</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14490,6 +14566,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no rates in the machine's profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no regular file</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14499,6 +14579,14 @@
         </message>
         <message>
             <source>no rule of the template takes chains of the drawing: {counts}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no rule takes {0} chains of the drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no scheduler answers: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14882,6 +14970,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>order table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>order text</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>otherwise the move would be bent</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15075,6 +15171,10 @@
         </message>
         <message>
             <source>pulses, relays and trials of a rate: `cncstepper machine-test` does them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>put a text with commas in quotes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15358,6 +15458,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>save it as CSV</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>save it as CSV in UTF-8</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>save it as DXF again, as R2000 or newer</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15602,6 +15710,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>sheet refused</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>sheet {number}: {small} pieces below 1 mm2 left out</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15698,6 +15810,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>split the order</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>split the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15719,6 +15835,14 @@
         </message>
         <message>
             <source>start nearer to the part, then unlock with $X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>start one: dask scheduler --host 127.0.0.1, and dask worker for each core</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>start scheduler and workers with TLS keys, and give tls:// with --tls-ca, --tls-cert and --tls-key</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15954,6 +16078,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>tcp:// of this computer, or tls://</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>teeth and bore</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16175,6 +16303,10 @@
         </message>
         <message>
             <source>the circle's share of it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the cluster gave no result: {kind}: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16882,6 +17014,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the first line of an order names its columns: drawing and template, and material, thickness_mm, count</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the first {0} are drawn</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17502,6 +17638,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the order has no rows, or too many</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the order is no CSV: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the order is no UTF-8 text</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the other end has closed it</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17687,6 +17835,10 @@
         </message>
         <message>
             <source>the probe was not in its start state</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the process of this task ended each time</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18002,7 +18154,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the row has more values than there are columns</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the row leads to an unknown place along {axis}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the row names no {name}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18546,6 +18706,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the worker has CNCStepper {version}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the zero of the lathe can be set in manual mode only: {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18738,6 +18902,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>there is no {name} of that name</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there is nothing to find</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18803,6 +18971,10 @@
         </message>
         <message>
             <source>this is no Python script</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this is no address of a scheduler</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19778,6 +19950,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write as the first line: {columns}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write both, as in: NAME = mild-steel 3 mm 45A</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19811,6 +19987,10 @@
         </message>
         <message>
             <source>write for grbl or linuxcnc</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write how many parts are wanted</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19894,6 +20074,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write tcp://127.0.0.1:8786, or tls://HOST:8786</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write the arc with more decimals</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19915,6 +20099,10 @@
         </message>
         <message>
             <source>write the motion word again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write the name of a file</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20010,6 +20198,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} (not offered)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} MB, {1} files</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20054,6 +20246,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} parts on {1} sheets, {2} m cut, {3} pierces, {4} hours of the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} parts without a place</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20079,6 +20275,10 @@
         </message>
         <message>
             <source>{0} units an em</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} without a place</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20571,6 +20771,10 @@
         </message>
         <message>
             <source>{machine} has no relay '{name}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{machine} takes no sheets: it has no Y</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

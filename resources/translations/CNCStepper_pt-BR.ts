@@ -9754,6 +9754,10 @@
             <translation>Furo central; 0: nenhum</translation>
         </message>
         <message>
+            <source>CNCStepper batch journal</source>
+            <translation>CNCStepper batch journal</translation>
+        </message>
+        <message>
             <source>CNCStepper certificate</source>
             <translation>certificado do CNCStepper</translation>
         </message>
@@ -10338,6 +10342,10 @@
             <translation>T seleciona um extrusor: faça uma pausa com M0 onde a ferramenta deve ser trocada</translation>
         </message>
         <message>
+            <source>TLS takes an authority, a certificate and its key</source>
+            <translation>TLS exige uma autoridade, um certificado e a chave dele</translation>
+        </message>
+        <message>
             <source>The section of a beam, about the zero.</source>
             <translation>A seção de uma viga, em torno do zero.</translation>
         </message>
@@ -10592,6 +10600,10 @@
         <message>
             <source>a drill goes sideways through stock</source>
             <translation>uma broca anda de lado dentro do material</translation>
+        </message>
+        <message>
+            <source>a fault of the program: {kind}: {error}</source>
+            <translation>uma falha do programa: {kind}: {error}</translation>
         </message>
         <message>
             <source>a feed of inverse time (G93) cannot stay where the axes are scaled differently</source>
@@ -10958,6 +10970,10 @@
             <translation>um rápido com a ferramenta ligada não passa acima de todos os cortes</translation>
         </message>
         <message>
+            <source>a rate is more than nothing and less than a thousand million</source>
+            <translation>uma tarifa é maior que zero e menor que um bilhão</translation>
+        </message>
+        <message>
             <source>a rate is tried at rest only, not in state {state}</source>
             <translation>uma taxa só é testada em repouso, não no estado {state}</translation>
         </message>
@@ -10992,6 +11008,10 @@
         <message>
             <source>a scale must be positive</source>
             <translation>uma escala deve ser positiva</translation>
+        </message>
+        <message>
+            <source>a scheduler on another computer is asked over TLS only: what it is sent and sends is code</source>
+            <translation>um escalonador em outro computador só é consultado por TLS: o que ele recebe e envia é código</translation>
         </message>
         <message>
             <source>a session's file belongs to {user} and cannot be opened, so that its port is unknown</source>
@@ -11594,6 +11614,10 @@
             <translation>backlash_mm deve ser menor que o curso do eixo</translation>
         </message>
         <message>
+            <source>batch journal</source>
+            <translation>diário de pedido</translation>
+        </message>
+        <message>
             <source>before it starts set the Z zero with its tool</source>
             <translation>antes de iniciá-lo, defina o zero de Z com a ferramenta dele</translation>
         </message>
@@ -12126,6 +12150,10 @@
             <translation>corrija R ou {normal}</translation>
         </message>
         <message>
+            <source>correct it; paths are relative to the order</source>
+            <translation>corrija; os caminhos são relativos ao pedido</translation>
+        </message>
+        <message>
             <source>correct its configuration file, then restart the controller</source>
             <translation>corrija o arquivo de configuração e reinicie o controlador</translation>
         </message>
@@ -12266,6 +12294,10 @@
             <translation>corrija o script</translation>
         </message>
         <message>
+            <source>correct the template's rules</source>
+            <translation>corrija as regras do modelo</translation>
+        </message>
+        <message>
             <source>correct the value or its unit</source>
             <translation>corrija o valor ou a unidade</translation>
         </message>
@@ -12284,6 +12316,10 @@
         <message>
             <source>correct work zero or program, then unlock with $X; the position is kept</source>
             <translation>corrija o zero-peça ou o programa e destrave com $X; a posição se mantém</translation>
+        </message>
+        <message>
+            <source>count is no whole number within its bounds</source>
+            <translation>a quantidade não é um número inteiro dentro de seus limites</translation>
         </message>
         <message>
             <source>curve {number} has no length</source>
@@ -12366,6 +12402,10 @@
             <translation>cx cy r</translation>
         </message>
         <message>
+            <source>dask.distributed is not installed</source>
+            <translation>dask.distributed não está instalado</translation>
+        </message>
+        <message>
             <source>define it, or put its file beside the program</source>
             <translation>defina-a ou ponha o seu arquivo ao lado do programa</translation>
         </message>
@@ -12444,6 +12484,10 @@
         <message>
             <source>draw visible shapes, paths or texts; convert pictures to paths in the drawing program</source>
             <translation>desenhe formas, caminhos ou textos visíveis; converta imagens em caminhos no programa de desenho</translation>
+        </message>
+        <message>
+            <source>drawing sheets</source>
+            <translation>desenhando chapas</translation>
         </message>
         <message>
             <source>drawings with the suffix '{suffix}' cannot be read</source>
@@ -12700,6 +12744,10 @@
         <message>
             <source>give --at once for each copy</source>
             <translation>dê --at uma vez para cada cópia</translation>
+        </message>
+        <message>
+            <source>give --tls-ca, --tls-cert and --tls-key</source>
+            <translation>informe --tls-ca, --tls-cert e --tls-key</translation>
         </message>
         <message>
             <source>give /dev/parport0, socket://host:port, a serial device, or record:FILE</source>
@@ -13142,6 +13190,10 @@
             <translation>input: duas entradas estão em {twice}</translation>
         </message>
         <message>
+            <source>install CNCStepper on every worker, and look at the worker's log</source>
+            <translation>instale o CNCStepper em cada processo de trabalho e veja o registro dele</translation>
+        </message>
+        <message>
             <source>install it again, or choose another font</source>
             <translation>instale-a de novo ou escolha outra fonte</translation>
         </message>
@@ -13150,12 +13202,20 @@
             <translation>instale-o para o Python que verifica (python -m pip install NOME)</translation>
         </message>
         <message>
+            <source>install it: python -m pip install distributed</source>
+            <translation>instale: python -m pip install distributed</translation>
+        </message>
+        <message>
             <source>install it: python -m pip install spyrrow</source>
             <translation>instale-o: python -m pip install spyrrow</translation>
         </message>
         <message>
             <source>install it: python -m pip install {package}</source>
             <translation>instale-o: python -m pip install {package}</translation>
+        </message>
+        <message>
+            <source>install the same version on all workers</source>
+            <translation>instale a mesma versão em todos os processos de trabalho</translation>
         </message>
         <message>
             <source>install them in one (python -m pip install {packages}), or set {variable} to a Python that has them</source>
@@ -13786,6 +13846,10 @@
             <translation>linha {0}, volta</translation>
         </message>
         <message>
+            <source>line {0}: {1} of {2} not placed: {3}</source>
+            <translation>linha {0}: {1} de {2} sem lugar: {3}</translation>
+        </message>
+        <message>
             <source>line {file_line} is run from its begin</source>
             <translation>a linha {file_line} é executada desde o início</translation>
         </message>
@@ -13892,6 +13956,10 @@
         <message>
             <source>look at the network of the controller</source>
             <translation>verifique a rede do controlador</translation>
+        </message>
+        <message>
+            <source>look at this drawing alone: cncstepper job</source>
+            <translation>examine só este desenho: cncstepper job</translation>
         </message>
         <message>
             <source>look for a pendant or another program that is connected, set the zero again, then send again</source>
@@ -14076,6 +14144,10 @@
         <message>
             <source>make {name} larger</source>
             <translation>aumente {name}</translation>
+        </message>
+        <message>
+            <source>making and proving</source>
+            <translation>criando e provando</translation>
         </message>
         <message>
             <source>margin {margin_mm:g} mm</source>
@@ -14294,6 +14366,10 @@
             <translation>indique uma forma de uma só curva</translation>
         </message>
         <message>
+            <source>name another machine</source>
+            <translation>indique outra máquina</translation>
+        </message>
+        <message>
             <source>name both axes</source>
             <translation>indique os dois eixos</translation>
         </message>
@@ -14490,6 +14566,10 @@
             <translation>nenhum avanço rápido do programa diz a que altura a ferramenta pode cruzar a peça</translation>
         </message>
         <message>
+            <source>no rates in the machine's profile</source>
+            <translation>sem tarifas no perfil da máquina</translation>
+        </message>
+        <message>
             <source>no regular file</source>
             <translation>nenhum arquivo comum</translation>
         </message>
@@ -14500,6 +14580,14 @@
         <message>
             <source>no rule of the template takes chains of the drawing: {counts}</source>
             <translation>nenhuma regra do modelo pega cadeias do desenho: {counts}</translation>
+        </message>
+        <message>
+            <source>no rule takes {0} chains of the drawing</source>
+            <translation>nenhuma regra toma {0} cadeias do desenho</translation>
+        </message>
+        <message>
+            <source>no scheduler answers: {error}</source>
+            <translation>nenhum escalonador responde: {error}</translation>
         </message>
         <message>
             <source>no screw and rotor has more</source>
@@ -14882,6 +14970,14 @@
             <translation>a operação {number} tem outro {key} do que no arquivo</translation>
         </message>
         <message>
+            <source>order table</source>
+            <translation>tabela de pedido</translation>
+        </message>
+        <message>
+            <source>order text</source>
+            <translation>texto de pedido</translation>
+        </message>
+        <message>
             <source>otherwise the move would be bent</source>
             <translation>o trajeto seria curvado de outro modo</translation>
         </message>
@@ -15076,6 +15172,10 @@
         <message>
             <source>pulses, relays and trials of a rate: `cncstepper machine-test` does them</source>
             <translation>pulsos, relés e ensaios de uma taxa: `cncstepper machine-test` os faz</translation>
+        </message>
+        <message>
+            <source>put a text with commas in quotes</source>
+            <translation>ponha entre aspas um texto com vírgulas</translation>
         </message>
         <message>
             <source>put in tool {tool:g}</source>
@@ -15358,6 +15458,14 @@
             <translation>salve-o de novo no programa de desenho como SVG simples</translation>
         </message>
         <message>
+            <source>save it as CSV</source>
+            <translation>salve como CSV</translation>
+        </message>
+        <message>
+            <source>save it as CSV in UTF-8</source>
+            <translation>salve como CSV em UTF-8</translation>
+        </message>
+        <message>
             <source>save it as DXF again, as R2000 or newer</source>
             <translation>salve-o de novo como DXF, R2000 ou mais recente</translation>
         </message>
@@ -15602,6 +15710,10 @@
             <translation>forma '{name}': duas pontas ficam a {size_mm:.3g} mm uma da outra em X{x:.3f} Y{y:.3f}</translation>
         </message>
         <message>
+            <source>sheet refused</source>
+            <translation>chapa recusada</translation>
+        </message>
+        <message>
             <source>sheet {number}: {small} pieces below 1 mm2 left out</source>
             <translation>chapa {number}: {small} pedaços abaixo de 1 mm2 ficaram de fora</translation>
         </message>
@@ -15698,6 +15810,10 @@
             <translation>divida o arquivo</translation>
         </message>
         <message>
+            <source>split the order</source>
+            <translation>divida o pedido</translation>
+        </message>
+        <message>
             <source>split the program</source>
             <translation>divida o programa</translation>
         </message>
@@ -15720,6 +15836,14 @@
         <message>
             <source>start nearer to the part, then unlock with $X</source>
             <translation>comece mais perto da peça e destrave com $X</translation>
+        </message>
+        <message>
+            <source>start one: dask scheduler --host 127.0.0.1, and dask worker for each core</source>
+            <translation>inicie um: dask scheduler --host 127.0.0.1, e dask worker para cada núcleo</translation>
+        </message>
+        <message>
+            <source>start scheduler and workers with TLS keys, and give tls:// with --tls-ca, --tls-cert and --tls-key</source>
+            <translation>inicie escalonador e processos de trabalho com chaves TLS e informe tls:// com --tls-ca, --tls-cert e --tls-key</translation>
         </message>
         <message>
             <source>start the spindle with M3 and S before it</source>
@@ -15954,6 +16078,10 @@
             <translation>o rosqueamento virou movimentos simples: o avanço pode ser ajustado e nada o prende ao spindle</translation>
         </message>
         <message>
+            <source>tcp:// of this computer, or tls://</source>
+            <translation>tcp:// deste computador, ou tls://</translation>
+        </message>
+        <message>
             <source>teeth and bore</source>
             <translation>dentes e furo</translation>
         </message>
@@ -16176,6 +16304,10 @@
         <message>
             <source>the circle's share of it</source>
             <translation>o que o círculo toma dela</translation>
+        </message>
+        <message>
+            <source>the cluster gave no result: {kind}: {error}</source>
+            <translation>o cluster não deu resultado: {kind}: {error}</translation>
         </message>
         <message>
             <source>the columns of MTEXT are set one below the other</source>
@@ -16882,6 +17014,10 @@
             <translation>o arquivo foi alterado enquanto era lido</translation>
         </message>
         <message>
+            <source>the first line of an order names its columns: drawing and template, and material, thickness_mm, count</source>
+            <translation>a primeira linha de um pedido nomeia suas colunas: drawing e template, e material, thickness_mm, count</translation>
+        </message>
+        <message>
             <source>the first {0} are drawn</source>
             <translation>os primeiros {0} são desenhados</translation>
         </message>
@@ -17502,6 +17638,18 @@
             <translation>a operação é longa demais para um programa</translation>
         </message>
         <message>
+            <source>the order has no rows, or too many</source>
+            <translation>o pedido não tem linhas, ou tem demais</translation>
+        </message>
+        <message>
+            <source>the order is no CSV: {error}</source>
+            <translation>o pedido não é CSV: {error}</translation>
+        </message>
+        <message>
+            <source>the order is no UTF-8 text</source>
+            <translation>o pedido não é texto em UTF-8</translation>
+        </message>
+        <message>
             <source>the other end has closed it</source>
             <translation>a outra ponta a fechou</translation>
         </message>
@@ -17688,6 +17836,10 @@
         <message>
             <source>the probe was not in its start state</source>
             <translation>o apalpador não estava no estado inicial</translation>
+        </message>
+        <message>
+            <source>the process of this task ended each time</source>
+            <translation>o processo desta tarefa terminou todas as vezes</translation>
         </message>
         <message>
             <source>the process that calculates the retract has ended</source>
@@ -18002,8 +18154,16 @@
             <translation>as rotações de {name} não são uma lista de 1 a 360</translation>
         </message>
         <message>
+            <source>the row has more values than there are columns</source>
+            <translation>a linha tem mais valores do que há colunas</translation>
+        </message>
+        <message>
             <source>the row leads to an unknown place along {axis}</source>
             <translation>o movimento leva a um lugar desconhecido em {axis}</translation>
+        </message>
+        <message>
+            <source>the row names no {name}</source>
+            <translation>a linha não indica {name}</translation>
         </message>
         <message>
             <source>the rows of heights differ in length</source>
@@ -18546,6 +18706,10 @@
             <translation>o zero da peça foi definido numa pausa, portanto o caminho de volta ao longo do corte não é conhecido</translation>
         </message>
         <message>
+            <source>the worker has CNCStepper {version}</source>
+            <translation>o processo de trabalho tem o CNCStepper {version}</translation>
+        </message>
+        <message>
             <source>the zero of the lathe can be set in manual mode only: {0}</source>
             <translation>o zero do torno só pode ser definido em modo manual: {0}</translation>
         </message>
@@ -18738,6 +18902,10 @@
             <translation>não existe esse verbo</translation>
         </message>
         <message>
+            <source>there is no {name} of that name</source>
+            <translation>não há {name} com esse nome</translation>
+        </message>
+        <message>
             <source>there is nothing to find</source>
             <translation>não há nada a procurar</translation>
         </message>
@@ -18804,6 +18972,10 @@
         <message>
             <source>this is no Python script</source>
             <translation>isto não é um script Python</translation>
+        </message>
+        <message>
+            <source>this is no address of a scheduler</source>
+            <translation>isto não é o endereço de um escalonador</translation>
         </message>
         <message>
             <source>this is no certificate</source>
@@ -19778,6 +19950,10 @@
             <translation>escreva antes uma palavra F maior que 0</translation>
         </message>
         <message>
+            <source>write as the first line: {columns}</source>
+            <translation>escreva como primeira linha: {columns}</translation>
+        </message>
+        <message>
             <source>write both, as in: NAME = mild-steel 3 mm 45A</source>
             <translation>escreva os dois, como em: NAME = mild-steel 3 mm 45A</translation>
         </message>
@@ -19812,6 +19988,10 @@
         <message>
             <source>write for grbl or linuxcnc</source>
             <translation>escreva para grbl ou linuxcnc</translation>
+        </message>
+        <message>
+            <source>write how many parts are wanted</source>
+            <translation>escreva quantas peças são desejadas</translation>
         </message>
         <message>
             <source>write it as two</source>
@@ -19894,6 +20074,10 @@
             <translation>escreva socket://host:porta</translation>
         </message>
         <message>
+            <source>write tcp://127.0.0.1:8786, or tls://HOST:8786</source>
+            <translation>escreva tcp://127.0.0.1:8786, ou tls://HOST:8786</translation>
+        </message>
+        <message>
             <source>write the arc with more decimals</source>
             <translation>escreva o arco com mais decimais</translation>
         </message>
@@ -19916,6 +20100,10 @@
         <message>
             <source>write the motion word again</source>
             <translation>escreva de novo a palavra de movimento</translation>
+        </message>
+        <message>
+            <source>write the name of a file</source>
+            <translation>escreva o nome de um arquivo</translation>
         </message>
         <message>
             <source>write the path of the tool's centre</source>
@@ -20010,6 +20198,10 @@
             <translation>zero de {axes} definido em {system}</translation>
         </message>
         <message>
+            <source>{0} (not offered)</source>
+            <translation>{0} (sem oferta)</translation>
+        </message>
+        <message>
             <source>{0} MB, {1} files</source>
             <translation>{0} MB, {1} arquivos</translation>
         </message>
@@ -20054,6 +20246,10 @@
             <translation>{0} arestas abertas</translation>
         </message>
         <message>
+            <source>{0} parts on {1} sheets, {2} m cut, {3} pierces, {4} hours of the machine</source>
+            <translation>{0} peças em {1} chapas, {2} m cortados, {3} perfurações, {4} horas de máquina</translation>
+        </message>
+        <message>
             <source>{0} parts without a place</source>
             <translation>{0} peças sem lugar</translation>
         </message>
@@ -20080,6 +20276,10 @@
         <message>
             <source>{0} units an em</source>
             <translation>{0} unidades por em</translation>
+        </message>
+        <message>
+            <source>{0} without a place</source>
+            <translation>{0} sem lugar</translation>
         </message>
         <message>
             <source>{0}, program {1} of {2}</source>
@@ -20572,6 +20772,10 @@
         <message>
             <source>{machine} has no relay '{name}'</source>
             <translation>{machine} não tem o relé '{name}'</translation>
+        </message>
+        <message>
+            <source>{machine} takes no sheets: it has no Y</source>
+            <translation>{machine} não recebe chapas: não tem Y</translation>
         </message>
         <message>
             <source>{match} is no number</source>

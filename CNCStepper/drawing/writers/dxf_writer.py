@@ -20,6 +20,7 @@ def dxf_bytes(drawing: Drawing) -> bytes:
     """Return the file's content, an LWPOLYLINE for each chain."""
     import ezdxf  # it takes 0.4 s
 
+    ezdxf.options.write_fixed_meta_data_for_testing = True  # no dates: the same drawing is the same bytes
     document = ezdxf.new("R2004", units=ezdxf.units.MM)
     document.header.custom_vars.append("Creator", MADE_BY)
     space = document.modelspace()

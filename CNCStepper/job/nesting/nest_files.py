@@ -62,7 +62,7 @@ def write_nest(order: Order, layout: Layout, folder: Path) -> list[Path]:
         write_whole(paths[-1], dxf_bytes(sheet_drawing(order, layout, number)))
         for count, remnant in enumerate(remnants(order, layout, number)):
             paths.append(folder / f"remnant-{number}-{count}.dxf")
-            write_whole(paths[-1], dxf_bytes(Drawing(tuple(_rings(remnant)))))
+            write_whole(paths[-1], dxf_bytes(remnant_drawing(remnant)))
     paths.append(folder / "placements.json")
     write_whole(paths[-1], placements_json(layout).encode("utf-8"))
     paths.append(folder / "nest.png")
@@ -98,13 +98,19 @@ def sheet_drawing(order: Order, layout: Layout, number: int) -> Drawing:
     chains = list(_rings(used_outline(order, layout, number)))
     for placement in layout.placements:
         if placement.sheet == number:
-            chains += [_placed_chain(chain, placement) for chain in order.chains[placement.item]]
+            chains += [placed_chain(chain, placement) for chain in order.chains[placement.item]]
     return Drawing(tuple(chains))
 
 
-def _placed_chain(chain: Chain, placement: Placement) -> Chain:
+def placed_chain(chain: Chain, placement: Placement) -> Chain:
+    """Return a chain of a part where the placement puts it."""
     turned = chain.curve.rotated(placement.rotation_deg) if placement.rotation_deg else chain.curve
     return Chain(turned.moved(placement.x_mm, placement.y_mm), chain.attributes)
+
+
+def remnant_drawing(remnant: Polygon) -> Drawing:
+    """Return the drawing of a remnant, a sheet of the next order."""
+    return Drawing(tuple(_rings(remnant)))
 
 
 def _rings(polygon: Polygon) -> Iterator[Chain]:
@@ -120,6 +126,11 @@ def remnants(order: Order, layout: Layout, number: int) -> list[Polygon]:
     parts = [placed(order.items[each.item].exact, each) for each in layout.placements if each.sheet == number]
     cut = shapely.union_all([part.buffer(order.kerf_mm) if order.kerf_mm else part for part in parts])
     wide = sheet.difference(cut).buffer(-SLIVER_MM).buffer(SLIVER_MM).intersection(sheet.difference(cut))
-    pieces = [piece.simplify(CHORD_MM) for piece in shapely.get_parts(wide) if isinstance(piece, Polygon)]
+    pieces = [_settled(piece) for piece in shapely.get_parts(wide) if isinstance(piece, Polygon)]
     kept = [piece for piece in pieces if piece.area >= LEAST_REMNANT * sheet.area]
-    return sorted(kept, key=lambda piece: -piece.area)
+    return sorted(kept, key=lambda piece: (-round(piece.area, 3), piece.bounds))
+
+
+def _settled(piece: Polygon) -> Polygon:
+    """Return a remnant of few corners, the same ones whatever corner the calculation began with."""
+    return shapely.normalize(piece).simplify(CHORD_MM)

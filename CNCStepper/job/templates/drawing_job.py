@@ -82,8 +82,8 @@ def job_of_drawing(
     thickness_mm, material, unit_mm: instead of those of the template. strict: chains that no rule takes are refused.
     Raises JobError for a drawing that cannot be read or does not fit, and for what no job can be made of.
     """
-    template = _with(template, thickness_mm, unit_mm)
-    drawing = _read(template, drawing_path, share)
+    template = with_stock(template, thickness_mm, unit_mm)
+    drawing = read_by_template(template, drawing_path, share)
     found = assigned(template.rule, drawing.chains)
     if strict and found.untaken:
         raise _untaken(found, drawing_path)
@@ -99,7 +99,7 @@ def job_of_drawing(
     return DrawingJob(content, title, job, found.untaken_counts, counts)
 
 
-def _with(template: Template, thickness_mm: float | None, unit_mm: float | None) -> Template:
+def with_stock(template: Template, thickness_mm: float | None, unit_mm: float | None = None) -> Template:
     """Return the template with another thickness and unit, where they are given."""
     stock = template.stock.model_dump() | ({"thickness_mm": thickness_mm} if thickness_mm else {})
     drawing = template.drawing.model_copy(update={"unit_mm": unit_mm} if unit_mm else {})
@@ -122,7 +122,8 @@ def reading_of(template: Template, path: Path) -> ReadOptions:
     return _form(template, path.name).options()
 
 
-def _read(template: Template, path: Path, share: Share) -> Drawing:
+def read_by_template(template: Template, path: Path, share: Share = lambda share: None) -> Drawing:
+    """Return a drawing as the template has it read and mended; raises JobError where it cannot be read."""
     drawing = read_any_drawing(path, reading_of(template, path), share)
     return mended(drawing, template.drawing.mend)[0] if template.drawing.mend else drawing
 

@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The tables of an order: as CSV for a spreadsheet, and as text for a person, with what was refused below."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Iterator, Sequence
+from io import StringIO
+
+from CNCStepper.job.batch.order_costs import Figures, figures_of, row_figures, total_figures
+from CNCStepper.job.batch.run_batch import BatchResult
+from CNCStepper.output_files import MADE_BY
+
+HEAD = (
+    "line", "drawing", "template", "material", "thickness_mm", "count",
+    "made", "sheets", "metres", "pierces", "hours", "cost", "currency", "state",
+)  # fmt: skip
+SHEET_HEAD = ("sheet", "parts", "metres", "pierces", "hours", "cost", "currency", "state")
+TEXT_COLUMNS = ("line", "drawing", "material", "thickness_mm", "count", "made", "sheets", "metres", "pierces", "hours",
+                "cost", "state")  # fmt: skip
+LEFT = ("drawing", "material", "state", "sheet")
+
+
+def row_table(result: BatchResult) -> list[dict[str, str]]:
+    """Return the rows of the order with their figures, and a last one with the sums, as texts by column."""
+    table = []
+    for number, (row, figures) in enumerate(zip(result.rows, row_figures(result), strict=True)):
+        told = {
+            "line": f"{row.line}",
+            "drawing": row.drawing.name,
+            "template": row.template.name,
+            "material": row.material,
+            "thickness_mm": "" if row.thickness_mm is None else f"{row.thickness_mm:g}",
+            "count": f"{row.count}",
+            "state": state_of(result, number),
+        }
+        table.append(told | _cells(figures))
+    wanted = sum(row.count for row in result.rows)
+    total = {"drawing": "total", "count": f"{wanted}", "state": "done" if result.is_whole else "incomplete"}
+    return [*table, total | _cells(total_figures(result))]
+
+
+def _cells(figures: Figures) -> dict[str, str]:
+    return {
+        "made": f"{figures.parts}",
+        "sheets": f"{figures.sheets:.2f}",
+        "metres": f"{figures.metres:.3f}",
+        "pierces": f"{figures.pierces:.0f}",
+        "hours": f"{figures.hours:.4f}",
+        "cost": "" if figures.cost is None else f"{figures.cost:.2f}",
+        "currency": figures.currency,
+    }
+
+
+def state_of(result: BatchResult, number: int) -> str:
+    """Return what became of a row: "done", "refused" or how many parts found no place."""
+    if number in result.errors:
+        return "refused"
+    own = [sheet for sheet in result.sheets if number in sheet.rows]
+    if any(sheet.error is not None or sheet.result["refused"] for sheet in own):
+        return "sheet refused"
+    if number in result.unplaced:
+        return f"{result.unplaced[number][0]} without a place"
+    return "done"
+
+
+def sheet_table(result: BatchResult) -> list[dict[str, str]]:
+    """Return the sheets with their figures, as texts by column."""
+    table = []
+    for sheet in result.sheets:
+        parts = {"sheet": sheet.name, "parts": f"{sum(sheet.rows.values())}"}
+        if sheet.error is not None:
+            table.append(parts | {"state": "refused"})
+        else:
+            state = "refused" if sheet.result["refused"] else "done"
+            table.append(parts | _cells(figures_of(sheet)) | {"state": state})
+    return table
+
+
+def csv_bytes(head: Sequence[str], table: Sequence[dict[str, str]]) -> bytes:
+    """Return a table as CSV."""
+    text = StringIO()
+    writer = csv.DictWriter(text, head, restval="", extrasaction="ignore", lineterminator="\n")
+    writer.writeheader()
+    writer.writerows(table)
+    return text.getvalue().encode("utf-8")
+
+
+def text_table(result: BatchResult, title: str) -> str:
+    """Return both tables and all refusals as text."""
+    lines = [f"{title}, {MADE_BY}", "", *_aligned(TEXT_COLUMNS, row_table(result))]
+    lines += ["", *_aligned(SHEET_HEAD, sheet_table(result))]
+    problems = list(refusals(result))
+    return "\n".join([*lines, *([""] if problems else []), *problems]) + "\n"
+
+
+def refusals(result: BatchResult) -> Iterator[str]:
+    """Yield a sentence for each row, part and sheet that was not made: where, the value, the remedy."""
+    for number, error in sorted(result.errors.items()):
+        yield f"line {result.rows[number].line}: {result.rows[number].drawing.name}: {error}"
+    for number, (count, why) in sorted(result.unplaced.items()):
+        yield f"line {result.rows[number].line}: {count} of {result.rows[number].drawing.name} not placed: {why}"
+    for sheet in result.sheets:
+        if sheet.error is not None:
+            yield f"{sheet.name}: {sheet.error}"
+        else:
+            yield from (f"{sheet.name}: {finding}" for finding in sheet.result["refused"])
+
+
+def _aligned(head: Sequence[str], table: Sequence[dict[str, str]]) -> list[str]:
+    rows = [dict(zip(head, head, strict=True)), *table]
+    wide = {name: max(len(row.get(name, "")) for row in rows) for name in head}
+    return [
+        "  ".join(
+            row.get(name, "").ljust(wide[name]) if name in LEFT else row.get(name, "").rjust(wide[name])
+            for name in head
+        ).rstrip()
+        for row in rows
+    ]

@@ -1,0 +1,153 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""An order gives the same bytes on any workers, whoever is killed; what is done is not done again."""
+
+from __future__ import annotations
+
+import json
+import os
+import random
+import signal
+import threading
+import time
+from collections import Counter
+from pathlib import Path
+
+import pytest
+
+from CNCStepper.errors import JobError
+from CNCStepper.job.batch.batch_files import write_tables
+from CNCStepper.job.batch.cluster_workers import require_safe
+from CNCStepper.job.batch.local_workers import LocalWorkers, Workers
+from CNCStepper.job.batch.order_costs import row_figures, total_figures
+from CNCStepper.job.batch.order_rows import read_rows
+from CNCStepper.job.batch.run_batch import BatchResult, NestOptions, run_batch
+from CNCStepper.machine.profile import load_machine
+from helpers.batch.small_orders import WorkersHere, bytes_in, jobs_apart, write_order
+
+JOBS = int(os.environ.get("CNCSTEPPER_CASES", "20"))
+NESTED = ["square.dxf,laser.toml,plywood,3,5", "ring.dxf,laser.toml,plywood,3,3", "ring.dxf,laser.toml,plywood,5,1"]
+USUAL = NestOptions()
+SMALL = NestOptions(sheet_mm=(70.0, 50.0), seeds=2, attempts=1)
+
+
+def made(order: Path, folder: Path, workers: Workers, options: NestOptions = USUAL) -> BatchResult:
+    folder.mkdir(exist_ok=True)
+    with workers:
+        result = run_batch(read_rows(order), folder, workers, options)
+    write_tables(result, folder, "order")
+    return result
+
+
+def test_parts_of_one_stock_are_nested_and_priced(tmp_path: Path) -> None:
+    order = write_order(tmp_path / "in", NESTED)
+    result = made(order, tmp_path / "out", WorkersHere(), SMALL)
+    assert result.is_whole, [sheet.error or sheet.result["refused"] for sheet in result.sheets]
+    assert len(result.sheets) >= 3 and result.sheets[-1].rows == {2: 1}
+    counts: Counter[int] = Counter()
+    for sheet in result.sheets:
+        counts.update(dict(sheet.rows))
+    assert counts == {0: 5, 1: 3, 2: 1}
+    rows, total = row_figures(result), total_figures(result)
+    assert [row.parts for row in rows] == [5, 3, 1]
+    assert [row.pierces for row in rows] == [5, 6, 2]  # a line, a pierce
+    for name in ("sheets", "metres", "pierces", "hours", "cost"):
+        assert sum(getattr(row, name) for row in rows) == pytest.approx(getattr(total, name))
+    area_m2 = len(result.sheets) * 0.07 * 0.05
+    wanted = 60 * total.hours + 0.5 * total.metres + 0.1 * total.pierces + 2 * total.sheets + 20 * area_m2
+    assert total.cost == pytest.approx(wanted) and total.currency == "EUR"
+    assert "EUR" in (tmp_path / "out" / "rows.csv").read_text("utf-8")
+
+
+def test_a_zero_in_the_middle_keeps_parts_on_their_sheet(tmp_path: Path) -> None:
+    result = made(write_order(tmp_path / "in", NESTED[:1], "top-centre"), tmp_path / "out", WorkersHere(), SMALL)
+    assert result.is_whole
+    report = json.loads((tmp_path / "out" / "job-1-1-report.json").read_text("utf-8"))
+    box = report["bounding_box_mm"]
+    assert box["min"][0] >= -35.0 and box["max"][0] <= 35.0 and box["min"][0] < 0.0
+
+
+def test_workers_killed_at_random_lose_nothing_and_do_nothing_twice(tmp_path: Path) -> None:
+    order = write_order(tmp_path / "in", [*jobs_apart(JOBS), *NESTED[:2]])
+    seed = random.randrange(1_000_000)
+    print(f"seed {seed}")
+    here = made(order, tmp_path / "one", WorkersHere(seed))
+    workers, over, killed = LocalWorkers(2), threading.Event(), list[int]()
+    killer = threading.Thread(target=_kill, args=(workers, random.Random(seed), over, killed), daemon=True)
+    killer.start()
+    result = made(order, tmp_path / "two", workers)
+    over.set()
+    killer.join()
+    assert killed and result.is_whole and here.is_whole
+    assert bytes_in(tmp_path / "one") == bytes_in(tmp_path / "two")
+    lines = (tmp_path / "two" / "journal.jsonl").read_text("ascii").splitlines()[1:]
+    keys = [json.loads(line)["key"] for line in lines]
+    assert len(set(keys)) == len(keys) == result.done == here.done
+
+
+def _kill(workers: LocalWorkers, choice: random.Random, over: threading.Event, killed: list[int]) -> None:
+    """Kill a worker now and then, once at least."""
+    most = 3 + JOBS // 10
+    while not over.wait(0.2 + choice.random()) and len(killed) < most:
+        if pids := workers.pids:
+            killed.append(choice.choice(pids))
+            os.kill(killed[-1], signal.SIGKILL if hasattr(signal, "SIGKILL") else signal.SIGTERM)
+            time.sleep(2.0)  # one that is killed at each start is refused, as it should be
+
+
+@pytest.mark.parametrize("most", [2, 6])
+def test_what_was_done_before_an_interruption_is_not_done_again(tmp_path: Path, most: int) -> None:
+    order, folder = write_order(tmp_path / "in", NESTED), tmp_path / "out"
+    stopped = WorkersHere(most=most)
+    with pytest.raises(KeyboardInterrupt):
+        made(order, folder, stopped, SMALL)
+    with (folder / "journal.jsonl").open("ab") as journal:
+        journal.write(b'{"key": "torn')  # as a power failure leaves it
+    again = made(order, folder, rest := WorkersHere(), SMALL)
+    assert again.is_whole and again.found == most and again.done == rest.done
+    last = made(order, folder, idle := WorkersHere(), SMALL)
+    assert idle.done == 0 and last.found == again.found + again.done
+    kept = bytes_in(folder)
+    (folder / "job-2-1.nc").write_text("changed", "ascii")
+    made(order, folder, once := WorkersHere(), SMALL)
+    assert once.done == 1 and bytes_in(folder) == kept
+
+
+def test_files_of_rows_that_are_gone_are_taken_away(tmp_path: Path) -> None:
+    order, folder = write_order(tmp_path / "in", jobs_apart(2)), tmp_path / "out"
+    made(order, folder, WorkersHere())
+    assert (folder / "job-2-1.nc").exists()
+    made(write_order(tmp_path / "in", jobs_apart(2)[:1]), folder, WorkersHere())
+    assert not (folder / "job-2-1.nc").exists() and (folder / "job-1-1.nc").exists()
+
+
+@pytest.mark.parametrize(
+    ("address", "code"),
+    [
+        ("tcp://10.0.0.5:8786", "cluster-open"),
+        ("tcp://scheduler.shop:8786", "cluster-open"),
+        ("tcp://0.0.0.0:8786", "cluster-open"),
+        ("ucx://127.0.0.1:8786", "cluster-address"),
+        ("127.0.0.1:8786", "cluster-address"),
+        ("tls://10.0.0.5:8786", "cluster-keys"),
+    ],
+)
+def test_a_cluster_that_others_could_reach_is_refused(address: str, code: str) -> None:
+    with pytest.raises(JobError) as told:
+        require_safe(address, ())
+    assert told.value.code == code and told.value.advice and told.value.value == address
+
+
+def test_a_scheduler_here_or_with_keys_is_taken() -> None:
+    for address in ("tcp://127.0.0.1:8786", "tcp://[::1]:8786", "tcp://localhost:8786"):
+        require_safe(address, ())
+    require_safe("tls://10.0.0.5:8786", [Path("ca.pem"), Path("cert.pem"), Path("key.pem")])
+
+
+def test_rates_are_kept_in_a_profile_and_change_no_proof(tmp_path: Path) -> None:
+    from CNCStepper.job.make_certificate import machine_digest
+
+    write_order(tmp_path, NESTED)
+    machine = load_machine(tmp_path / "machine.toml")
+    assert machine.rates and machine.rates.square_metre_of("plywood") == 20.0
+    assert machine.rates.square_metre_of("steel") == 0.0
+    assert machine_digest(machine) == machine_digest(load_machine("laser-table"))
