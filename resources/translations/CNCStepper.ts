@@ -7619,6 +7619,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>This machine has no axis Z.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>This machine has no homing switches set up ($22=0).</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8940,6 +8944,10 @@
         </message>
         <message>
             <source>published points (DDA)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>pulsing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11779,6 +11787,10 @@
         </message>
         <message>
             <source>check cable and baud rate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>check cable and power of the machine, then connect again: that starts the controller of {machine} anew</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15822,6 +15834,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>square, circle and squareness need the axes X and Y</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>start it with cncstepper send</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16087,6 +16103,10 @@
         </message>
         <message>
             <source>test a torch, a laser, a jet or a wire</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>test its axes one by one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19082,6 +19102,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this machine has {axes}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this machine's speeds cannot be changed while its program runs</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19347,6 +19371,10 @@
         </message>
         <message>
             <source>unknown: {home} before the restart; {until_homed}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>unlock it ($X); where it stays locked, disconnect and connect again; then set its zero</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -296,10 +296,13 @@ class MachineTest(QtGui.QWidget):
 
     def _switch(self, relay: Any, button: Any) -> None:
         machine, on = self._shown(), button.isChecked()
-        self.bench.run(
-            [lines.ASK_MODES],
-            lambda modes: self.bench.run(lines.switching(machine, relay.device, on, lines.outputs_of(modes))),
-        )
+        button.setChecked(not on)  # until it is switched, which may be refused
+
+        def switch(modes: str) -> None:
+            found = lines.switching(machine, relay.device, on, lines.outputs_of(modes))
+            self.bench.run(found, lambda _: button.setChecked(on))
+
+        self.bench.run([lines.ASK_MODES], switch)
 
     def _to_start(self) -> None:
         axis, length = self.travel_axis.currentData(), self.travel_length.value()

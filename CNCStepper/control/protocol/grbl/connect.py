@@ -23,6 +23,7 @@ from CNCStepper.control.protocol.grbl.status_reports import (
 from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.control.transport.link import Link
 from CNCStepper.errors import LinkError, MachineRefusal, Text
+from CNCStepper.machine.controller_family import OWN
 from CNCStepper.safe_text import printable
 
 ASK_AGAIN_S = 0.25
@@ -176,11 +177,15 @@ def ask(driver: Grbl, line: str, timing: Timing) -> list[Received]:
     return said
 
 
-def alarm_refusal(alarm: Alarm, firmware: Firmware) -> MachineRefusal:
-    """Return the refusal for ALARM:n in words; -1 is an alarm without a number."""
+def alarm_refusal(alarm: Alarm, firmware: Firmware, why: str = "") -> MachineRefusal:
+    """Return the refusal for ALARM:n in words; -1 is an alarm without a number.
+
+    why: what the controller said right before it. A CNCStepper controller says so why its output has ended.
+    """
     code = firmware.alarm(alarm.code)
     number = str(alarm.code) if alarm.code >= 0 else "?"
-    return MachineRefusal(f"{firmware.key}-alarm-{number}", f"{code.meaning} (ALARM:{number})", advice=code.advice)
+    meaning = why if why and firmware.key in OWN else code.meaning
+    return MachineRefusal(f"{firmware.key}-alarm-{number}", f"{meaning} (ALARM:{number})", advice=code.advice)
 
 
 def restart_refusal(greeting: Greeting) -> MachineRefusal:
