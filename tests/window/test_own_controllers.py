@@ -25,7 +25,7 @@ from window_helpers.twin import Twin
 
 T = "CNCStepper_MachineTest_"
 PROFILES = {"parport": "thesis-table", "board": "usb-board", "lathe": "mini-lathe"}
-LINES = ["G21G90G94", "G1X20F600", "G1Y15", "G1X0"]
+LINES = ["G21G90G94", "G1X20F300", "G1Y15", "G1X0"]
 
 
 @pytest.fixture
@@ -233,8 +233,7 @@ def test_a_job_on_the_port_goes_line_by_line_and_its_lines_are_shown(
     hand.shot("own-paused")
     for step, place in ((2, (20.0, 0.0)), (4, (20.0, 15.0))):
         hand.click(f"{D}Resume")
-        hand.wait(lambda step=step: test.port._pulsing == {step}, 10, "its step line")
-        assert hand.main(test.port.words, step).endswith("pulsing")
+        hand.wait(lambda step=step: test.port.words(step).endswith("pulsing"), 10, "its step line")
         hand.shot(f"own-pulsing-{step}", M)
         hand.wait(lambda: dock.link.status.phase == "paused", 30, "the next line")
         assert hand.main(test.port.words, step + 1).endswith("low")
