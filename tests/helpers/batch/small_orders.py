@@ -66,12 +66,12 @@ def jobs_apart(count: int) -> list[str]:
 
 
 def bytes_in(folder: Path) -> dict[str, bytes]:
-    """Return the files of an order but its journal, whose lines come as tasks are done, and the remnants.
+    """Return the files of an order but its journal, whose lines come as tasks are done, and the DXF drawings.
 
-    The corners of a remnant come from unions and buffers, whose last digits are not the same in each process.
+    ezdxf writes parts of a file's head in another order in each process.
     """
-    left_out = ("journal", "remnant")
-    return {path.name: path.read_bytes() for path in folder.iterdir() if not path.name.startswith(left_out)}
+    files = (path for path in folder.iterdir() if path.suffix not in (".jsonl", ".dxf"))
+    return {path.name: path.read_bytes() for path in files}
 
 
 class WorkersHere:
