@@ -10,6 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 PROGRAM, MACHINE, FILES, TERMINAL, SPEED, NESTING = "program", "machine", "files", "terminal", "speed", "nesting"
+CLUSTER = "cluster"
 
 
 @dataclass(frozen=True)
@@ -35,9 +36,10 @@ NEEDS = (
     Need("PIL", "pillow", (FILES,)),
     Need("numba", "numba", (SPEED,)),
     Need("spyrrow", "spyrrow", (NESTING,)),
+    Need("distributed", "distributed", (CLUSTER,)),
 )
 FAST = "numba"
-REQUIRED = tuple(need.module for need in NEEDS if not {SPEED, NESTING} & set(need.purposes))
+REQUIRED = tuple(need.module for need in NEEDS if not {SPEED, NESTING, CLUSTER} & set(need.purposes))
 PIP_NAMES = {need.module: need.pip for need in NEEDS}
 
 

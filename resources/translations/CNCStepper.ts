@@ -3663,6 +3663,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Currency</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Current</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6068,6 +6072,26 @@
         </message>
         <message>
             <source>Previous</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Price per hour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Price per metre cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Price per m² of material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Price per pierce</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Price per sheet</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -3663,6 +3663,10 @@
             <translation>Cruz</translation>
         </message>
         <message>
+            <source>Currency</source>
+            <translation>Moeda</translation>
+        </message>
+        <message>
             <source>Current</source>
             <translation>Corrente</translation>
         </message>
@@ -6069,6 +6073,26 @@
         <message>
             <source>Previous</source>
             <translation>Anterior</translation>
+        </message>
+        <message>
+            <source>Price per hour</source>
+            <translation>Preço por hora</translation>
+        </message>
+        <message>
+            <source>Price per metre cut</source>
+            <translation>Preço por metro cortado</translation>
+        </message>
+        <message>
+            <source>Price per m² of material</source>
+            <translation>Preço por m² de material</translation>
+        </message>
+        <message>
+            <source>Price per pierce</source>
+            <translation>Preço por perfuração</translation>
+        </message>
+        <message>
+            <source>Price per sheet</source>
+            <translation>Preço por chapa</translation>
         </message>
         <message>
             <source>Problem</source>

@@ -129,7 +129,9 @@ def test_holes_of_several_drawings_in_any_order(document: Any, job: Any) -> None
     sketched = sketch(document, Part.Circle(Vector(60, 5), Vector(0, 0, 1), 2), *polygon((0, 20), (9, 20), (9, 30)))
     drilling = cut(job, "drill", *points, sketched, pattern_kind="drawing")
     assert (problem_of(drilling), drilling.Holes) == ("", 4)
-    assert any("'Sketch' that are no whole circles and want no holes: 3" in said for said in drilling.Proxy.warnings)
+    assert any(
+        "'Sketch' that are not whole circles, so that no hole is drilled: 3" in said for said in drilling.Proxy.warnings
+    )
     text = api.program_text(job)
     api.edit(drilling, drawings=[sketched, *reversed(points)])
     document.recompute()

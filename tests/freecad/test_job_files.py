@@ -16,7 +16,17 @@ from CNCStepper.workbench.features.base import problem_of
 
 ROOT = Path(__file__).parents[2]
 SIGN = ROOT / "examples" / "jobs" / "sign.toml"
-JOBS = sorted({*(ROOT / "examples" / "jobs").rglob("*.toml")} - {SIGN})
+JOBS = sorted((ROOT / "examples" / "jobs").rglob("*.toml"))
+
+CROSSING = """
+[[shape]]
+name = "rim"
+rectangle_mm = { corner_a = [20, 30], corner_b = [60, 60] }
+
+[[shape]]
+name = "hole"
+circle_mm = { centre = [20, 45], radius = 8 }
+"""
 
 
 def program_of(path: Path, title: str) -> list[tuple[str, str]]:
@@ -35,8 +45,12 @@ def test_a_job_file_gives_its_own_program_and_comes_out_again(document: Any, pat
     assert program_of(tmp_path / "out.toml", job.Label)[0][1] == api.program_text(job)
 
 
-def test_an_island_that_leaves_its_pocket_is_told(document: Any) -> None:
-    job, _ = open_job(document, SIGN)
+def test_an_island_that_leaves_its_pocket_is_told(document: Any, tmp_path: Path) -> None:
+    text = SIGN.read_text("utf-8").replace("../drawings", (ROOT / "examples" / "drawings").as_posix())
+    text = text.replace("[[operation]]", f"{CROSSING}\n[[operation]]", 1)
+    text = text.replace('region = ["pocket"]', 'region = ["rim"]\nislands = ["hole"]')
+    (tmp_path / "crossing.toml").write_text(text, encoding="utf-8")
+    job, _ = open_job(document, tmp_path / "crossing.toml")
     document.recompute()
     assert len(job.Operations) == 3
     assert [("cross" in problem_of(each)) for each in job.Operations].count(True) == 1

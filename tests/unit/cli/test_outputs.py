@@ -28,6 +28,7 @@ IN_FOLDERS = {
     ("run",): ["program.nc", "report.json", "certificate-1-T2.zip", "part.png"],
     ("edit", "split"): ["p-2-T7.nc"],
     ("slice",): ["slice-001.dxf", "slices.json", "assembled.png"],
+    ("batch",): ["job-1-1.nc", "rows.csv", "order.txt", "offer.pdf", "journal.jsonl"],
     ("nest",): ["sheet-0.dxf", "remnant-0-1.dxf", "placements.json", "nest.png"],
 }
 WORDS = {"PROFILE": "m.toml", "DIALECT": "grbl", "SHAPE:MM": "flat:3", "NUMBER": "1", "X,Y": "1,1", "X,Y,Z": "1,1,1"}
@@ -86,6 +87,7 @@ def test_the_walk_finds_the_verbs_that_write() -> None:
         "nest",
         "arrange",
         "slice",
+        "batch",
     }
     assert {names[0] for names in WRITING} == writers <= set(FAMILY_OF)
 

@@ -44,7 +44,7 @@ SPLIT_27_BITS = float((1 << 27) + 1)  # T. J. Dekker's factor: two halves whose 
 
 
 @njit_in_place
-def write_bytes(out, at, text):
+def put_text(out, at, text):
     """Append bytes; return the place after them."""
     for byte in text:
         out[at] = byte
@@ -53,7 +53,7 @@ def write_bytes(out, at, text):
 
 
 @njit_in_place
-def write_whole(out, at, whole, width):
+def put_whole(out, at, whole, width):
     """Append a whole number that is not negative, right-aligned in `width`; return the place after it."""
     digits, rest = 1, whole // 10
     while rest:
@@ -68,7 +68,7 @@ def write_whole(out, at, whole, width):
 
 
 @njit_in_place
-def write_number(out, at, value):
+def put_number(out, at, value):
     """Append a number below 2^62 as "%.4f" prints it: its exact value rounded half to even; return the place after it.
 
     rest * 10^4 = scaled + error, both exact (T. J. Dekker, "A floating-point technique for extending the available
@@ -89,7 +89,7 @@ def write_number(out, at, value):
         decimals += 1
     whole += decimals // UNIT_1E4
     decimals %= UNIT_1E4
-    at = write_whole(out, at, whole, 0)
+    at = put_whole(out, at, whole, 0)
     out[at] = DOT
     for place in range(at + 4, at, -1):
         out[place] = ZERO + decimals % 10
@@ -98,9 +98,9 @@ def write_number(out, at, value):
 
 
 @njit_in_place
-def write_name(out, at, count, data, begin, end, roles, numbered):
+def put_name(out, at, count, data, begin, end, roles, numbered):
     """Append the number of a call and the N word of its line, bytes [begin, end); return the place after them."""
-    at = write_whole(out, at, count, PADDED_COUNT)
+    at = put_whole(out, at, count, PADDED_COUNT)
     out[at] = SPACE
     at += 1
     first = at
@@ -116,7 +116,7 @@ def write_name(out, at, count, data, begin, end, roles, numbered):
                 at += 1
             begin += 1
     else:
-        at = write_bytes(out, at, NO_NUMBER)
+        at = put_text(out, at, NO_NUMBER)
     while at - first < PADDED_NAME:
         out[at] = SPACE
         at += 1
@@ -124,28 +124,28 @@ def write_name(out, at, count, data, begin, end, roles, numbered):
 
 
 @njit_in_place
-def write_move(out, at, facts, offset, kind, target, centre, tail):
+def put_move(out, at, facts, offset, kind, target, centre, tail):
     """Append a move in the units and the coordinates of the program; return the place after it."""
     if kind in (RAPID, LINE):
-        at = write_bytes(out, at, TRAVERSE if kind == RAPID else FEED_MOVE)
+        at = put_text(out, at, TRAVERSE if kind == RAPID else FEED_MOVE)
         for axis in range(3):
             if axis:
-                at = write_bytes(out, at, COMMA)
-            at = write_number(out, at, (target[axis] - offset[axis]) / facts.scale)
-        return write_bytes(out, at, tail)
-    at = write_bytes(out, at, ARC_MOVE)
+                at = put_text(out, at, COMMA)
+            at = put_number(out, at, (target[axis] - offset[axis]) / facts.scale)
+        return put_text(out, at, tail)
+    at = put_text(out, at, ARC_MOVE)
     for axis in (facts.first, facts.second):
-        at = write_number(out, at, (target[axis] - offset[axis]) / facts.scale)
-        at = write_bytes(out, at, COMMA)
+        at = put_number(out, at, (target[axis] - offset[axis]) / facts.scale)
+        at = put_text(out, at, COMMA)
     for axis in (facts.first, facts.second):
-        at = write_number(out, at, (centre[axis] - offset[axis]) / facts.scale)
-        at = write_bytes(out, at, COMMA)
+        at = put_number(out, at, (centre[axis] - offset[axis]) / facts.scale)
+        at = put_text(out, at, COMMA)
     if kind == ARC_CW:
         out[at] = DASH
         at += 1
-    at = write_bytes(out, write_whole(out, at, 1, 0), COMMA)
-    at = write_number(out, at, (target[facts.normal] - offset[facts.normal]) / facts.scale)
-    return write_bytes(out, at, tail)
+    at = put_text(out, put_whole(out, at, 1, 0), COMMA)
+    at = put_number(out, at, (target[facts.normal] - offset[facts.normal]) / facts.scale)
+    return put_text(out, at, tail)
 
 
 @njit_in_place
@@ -163,14 +163,14 @@ def write_calls(data, end, printed, rows, facts, offset, roles, values, columns,
         numbered = shape & (1 << N) != 0
         if shape & (1 << FEED):
             printed.count += 1
-            at = write_name(out, at, printed.count, data, begin, line_end, roles, numbered)
-            at = write_bytes(out, at, SET_FEED)
-            at = write_bytes(out, write_number(out, at, values[FEED] * facts.scale / facts.scale), CLOSE)
+            at = put_name(out, at, printed.count, data, begin, line_end, roles, numbered)
+            at = put_text(out, at, SET_FEED)
+            at = put_text(out, put_number(out, at, values[FEED] * facts.scale / facts.scale), CLOSE)
         row = printed.row
         if row < rows and row_line[row] == printed.line:
             printed.count += 1
-            at = write_name(out, at, printed.count, data, begin, line_end, roles, numbered)
-            at = write_move(out, at, facts, offset, kind[row], ends[row], centres[row], tail)
+            at = put_name(out, at, printed.count, data, begin, line_end, roles, numbered)
+            at = put_move(out, at, facts, offset, kind[row], ends[row], centres[row], tail)
             printed.row = row + 1
         printed.written = at
         printed.at = after_line_end(data, line_end, end)

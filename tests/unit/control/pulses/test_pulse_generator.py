@@ -95,7 +95,9 @@ def test_a_pulse_that_begins_late_is_as_wide_as_it_is_to_be(clock) -> None:
 def test_a_stall_ends_the_pulses_and_nothing_is_made_good(clock) -> None:
     """A write takes 54 ms, as other programs made it once; the writes behind it came at the least distance then."""
     port = clock(lambda number: 54_000_000 if number == 10 else 0)
-    with pytest.raises(LinkError, match=r"spindle, beam and drives are off, and steps may be lost.*home") as caught:
+    with pytest.raises(
+        LinkError, match=r"spindle, beam and drives are off, and steps may be lost.*set it there"
+    ) as caught:
         pace([(number * 20_000, number, 0) for number in range(100)], port, 10_000, stall_ns(50_000))
     assert caught.value.code == "pulses-late" and caught.value.limit == "40 µs"
     assert caught.value.value == "54000 µs late" and "after 10 writes" in caught.value.what

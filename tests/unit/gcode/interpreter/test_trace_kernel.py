@@ -13,7 +13,7 @@ import pytest
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpreter.canonical_trace import canonical_calls, canonical_text, default_start
 from CNCStepper.gcode.interpreter.fast_path import policy
-from CNCStepper.gcode.interpreter.fast_path.trace_kernel import write_number
+from CNCStepper.gcode.interpreter.fast_path.trace_kernel import put_number
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.state import Start
 from helpers.gcode.fast_path_programs import PlainPrograms
@@ -99,5 +99,5 @@ def test_numbers_are_rounded_as_printf_rounds_them() -> None:
     assert sum(f"{value:.5f}".endswith("5") and value * 32 == int(value * 32) for value in ties) == len(ties)
     for value in (*ties, *near, *halves, *some, 0.0, -0.0, -0.00004, 0.99995, 999.99995, 1e16):
         for signed in (value, -value):
-            end = write_number(out, 0, signed)
+            end = put_number(out, 0, signed)
             assert out[:end].tobytes().decode() == f"{signed:.4f}", signed.hex()

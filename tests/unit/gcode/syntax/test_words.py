@@ -117,10 +117,7 @@ def test_scanned_words_are_the_read_ones() -> None:
     assert blanks > 100
 
 
-SCANNERS = {  # of words; a tool table's are no program's
-    "CNCStepper.gcode.interpreter.functions.tools",
-    "CNCStepper.machine.tools.linuxcnc_tool_table",
-}
+SCANNERS = {"CNCStepper.word_pattern"}  # of words that stand in no program: tool tables, answers, reports
 _LETTER = re.compile(r"\(\[(?:A-Z|A-Za-z|GM)[@^$]*\][)|]")  # the group in which a scanner has a word's letter
 
 

@@ -11,12 +11,13 @@ import threading
 import time
 from collections import Counter
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from CNCStepper.errors import JobError
 from CNCStepper.job.batch.batch_files import write_tables
-from CNCStepper.job.batch.cluster_workers import require_safe
+from CNCStepper.job.batch.cluster_workers import ClusterWorkers, require_safe
 from CNCStepper.job.batch.local_workers import LocalWorkers, Workers
 from CNCStepper.job.batch.order_costs import row_figures, total_figures
 from CNCStepper.job.batch.order_rows import read_rows
@@ -118,6 +119,17 @@ def test_files_of_rows_that_are_gone_are_taken_away(tmp_path: Path) -> None:
     assert (folder / "job-2-1.nc").exists()
     made(write_order(tmp_path / "in", jobs_apart(2)[:1]), folder, WorkersHere())
     assert not (folder / "job-2-1.nc").exists() and (folder / "job-1-1.nc").exists()
+
+
+def test_a_scheduler_with_two_workers_gives_the_same_bytes(tmp_path: Path) -> None:
+    distributed = pytest.importorskip("distributed")
+    order = write_order(tmp_path / "in", NESTED)
+    made(order, tmp_path / "here", WorkersHere(), SMALL)
+    options: dict[str, Any] = {"n_workers": 2, "threads_per_worker": 1, "dashboard_address": "127.0.0.1:0"}
+    with distributed.LocalCluster(processes=True, host="127.0.0.1", **options) as cluster:
+        result = made(order, tmp_path / "there", ClusterWorkers(cluster.scheduler_address), SMALL)
+    assert result.is_whole
+    assert bytes_in(tmp_path / "here") == bytes_in(tmp_path / "there")
 
 
 @pytest.mark.parametrize(
