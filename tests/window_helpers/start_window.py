@@ -26,7 +26,7 @@ sys.path.append(str(HERE.parent))
 from window_helpers import window_kinds  # noqa: E402
 
 MARK = "CNCSTEPPER_WINDOW_RUN"
-LIMIT_S = float(os.environ.get("CNCSTEPPER_WINDOW_LIMIT_S", "2700"))  # a run that hangs; a slow one beside two others takes 1500
+LIMIT_S = float(os.environ.get("CNCSTEPPER_WINDOW_LIMIT_S", "2700"))  # a run that hangs; a slow one takes 1500
 LEAVE_S = float(
     os.environ.get("CNCSTEPPER_WINDOW_LEAVE_S", "15")
 )  # so long may our own processes take to end after FreeCAD did
