@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from CNCStepper.errors import JobError, Text
+from CNCStepper.machine.controller_family import family_of
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.wiring import DEVICES, Relay
 from CNCStepper.safe_text import printable
@@ -12,8 +13,11 @@ from CNCStepper.safe_text import printable
 def relays_of(machine: Machine) -> tuple[Relay, ...]:
     """Return the relays that the profile names; where it names none, one for each device that it has.
 
-    A device is there when it has a pin of its own in `signals.pins`, or else by the profile's spindle and coolant.
+    A device is there when it has a pin of its own in `signals.pins`, or else by the profile's spindle and coolant. The
+    mini-lathe's link has no byte for one.
     """
+    if family_of(machine) == "lathe":
+        return ()
     if machine.relay:
         return machine.relay
     wired: list[str] = [device for device in DEVICES if device in machine.signals.pins]

@@ -7643,6 +7643,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>This machine has no axis Z.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>This machine has no homing switches set up ($22=0).</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8964,6 +8968,10 @@
         </message>
         <message>
             <source>published points (DDA)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>pulsing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11803,6 +11811,10 @@
         </message>
         <message>
             <source>check cable and baud rate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>check cable and power of the machine, then connect again: that starts the controller of {machine} anew</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15846,6 +15858,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>square, circle and squareness need the axes X and Y</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>start it with cncstepper send</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16111,6 +16127,10 @@
         </message>
         <message>
             <source>test a torch, a laser, a jet or a wire</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>test its axes one by one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19106,6 +19126,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this machine has {axes}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this machine's speeds cannot be changed while its program runs</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19371,6 +19395,10 @@
         </message>
         <message>
             <source>unknown: {home} before the restart; {until_homed}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>unlock it ($X); where it stays locked, disconnect and connect again; then set its zero</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -7643,6 +7643,10 @@
             <translation>Isto se corta por: {0}. O processo do trabalho é: {1}</translation>
         </message>
         <message>
+            <source>This machine has no axis Z.</source>
+            <translation>Esta máquina não tem o eixo Z.</translation>
+        </message>
+        <message>
             <source>This machine has no homing switches set up ($22=0).</source>
             <translation>Esta máquina não tem fins de curso de referência configurados ($22=0).</translation>
         </message>
@@ -8965,6 +8969,10 @@
         <message>
             <source>published points (DDA)</source>
             <translation>pontos publicados (DDA)</translation>
+        </message>
+        <message>
+            <source>pulsing</source>
+            <translation>com pulsos</translation>
         </message>
         <message>
             <source>quadratic spline</source>
@@ -11804,6 +11812,10 @@
         <message>
             <source>check cable and baud rate</source>
             <translation>verifique o cabo e a taxa (baud)</translation>
+        </message>
+        <message>
+            <source>check cable and power of the machine, then connect again: that starts the controller of {machine} anew</source>
+            <translation>verifique o cabo e a alimentação da máquina e conecte de novo: isso reinicia o controlador de {machine}</translation>
         </message>
         <message>
             <source>check cable and power, then move the tool to the work zero and set it there before its next move</source>
@@ -15846,6 +15858,10 @@
             <translation>o spyrrow não está instalado</translation>
         </message>
         <message>
+            <source>square, circle and squareness need the axes X and Y</source>
+            <translation>quadrado, círculo e esquadro precisam dos eixos X e Y</translation>
+        </message>
+        <message>
             <source>start it with cncstepper send</source>
             <translation>inicie-o com cncstepper send</translation>
         </message>
@@ -16112,6 +16128,10 @@
         <message>
             <source>test a torch, a laser, a jet or a wire</source>
             <translation>teste uma tocha, um laser, um jato ou um fio</translation>
+        </message>
+        <message>
+            <source>test its axes one by one</source>
+            <translation>teste os eixos um por um</translation>
         </message>
         <message>
             <source>test with the square, which changes none</source>
@@ -19106,6 +19126,10 @@
             <translation>esta máquina não tem fuso com rotação escolhida: escreva só M3</translation>
         </message>
         <message>
+            <source>this machine has {axes}</source>
+            <translation>esta máquina tem {axes}</translation>
+        </message>
+        <message>
             <source>this machine's speeds cannot be changed while its program runs</source>
             <translation>as velocidades desta máquina não podem ser alteradas enquanto seu programa corre</translation>
         </message>
@@ -19372,6 +19396,10 @@
         <message>
             <source>unknown: {home} before the restart; {until_homed}</source>
             <translation>desconhecida: {home} antes do reinício; {until_homed}</translation>
+        </message>
+        <message>
+            <source>unlock it ($X); where it stays locked, disconnect and connect again; then set its zero</source>
+            <translation>desbloqueie-a ($X); se ela continuar bloqueada, desconecte e conecte de novo; depois defina o zero</translation>
         </message>
         <message>
             <source>unlock it in the settings, or use another work system</source>

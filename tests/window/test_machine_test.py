@@ -15,7 +15,7 @@ from PySide import QtGui
 from CNCStepper.machine.files.profile_files import own_folder
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.workbench.dock.model.port_choices import VIRTUAL
-from CNCStepper.workbench.machines.port_picture import levels_of
+from CNCStepper.workbench.machines.port_levels import levels_of
 from window_helpers import screen_places as places
 from window_helpers.hand import Hand
 

@@ -134,7 +134,9 @@ def relays(names: tuple[str, ...], seconds: float, at: ServicePort) -> None:
                 bench.send(switching(bench.machine, relay.device, False, outputs))
             click.echo(f"{relay.name}: off")
         if not chosen:
-            click.echo("the profile has no relay: name them in [[relay]]")
+            click.echo(
+                "this machine has no relay: [[relay]] of the profile names those of a controller that switches some"
+            )
 
     on_bench(at, work)
 
@@ -143,12 +145,17 @@ def relays(names: tuple[str, ...], seconds: float, at: ServicePort) -> None:
 @click.option("--seconds", type=click.FloatRange(0.1, 3600.0), default=LOOK_S, show_default=True)
 @machine_options
 def inputs(seconds: float, at: ServicePort) -> None:
-    """Print which inputs are on, at each change: XYZ limit switches, P probe, D door, H hold, R reset, S start."""
+    """Print which inputs are on, at each change: XYZ limit switches, P probe, D door, H hold, R reset, S start.
+
+    Those of a parallel port are printed by what they do and their pin.
+    """
+    from CNCStepper.control.operator.machine_test_lines import inputs_on
 
     def work(bench: Bench) -> None:
         end_s, last = time.monotonic() + seconds, None
         while time.monotonic() < end_s:
-            pins = bench.talk.ask_status().pins
+            status = bench.talk.ask_status()
+            pins = ", ".join(f"{entry.act} ({entry.pin})" for entry in inputs_on(bench.machine, status)) or status.pins
             if pins != last:
                 click.echo(f"inputs that are on: {pins or 'none'}")
                 last = pins
@@ -163,9 +170,11 @@ def inputs(seconds: float, at: ServicePort) -> None:
 @machine_options
 def square(side: float, height: float | None, feed: float, at: ServicePort) -> None:
     """Drive a square in air, from here along X and Y in their positive directions, and back to here."""
+    from CNCStepper.control.operator.machine_test_lines import check_plane
     from CNCStepper.control.operator.machine_test_lines import square as lines
 
     def work(bench: Bench) -> None:
+        check_plane(bench.machine)
         bench.check_room("x", 0.0, side)
         bench.check_room("y", 0.0, side)
         _in_air(bench, height, feed, lambda: bench.send(lines(side, feed)))
@@ -181,10 +190,11 @@ def square(side: float, height: float | None, feed: float, at: ServicePort) -> N
 @machine_options
 def circle(diameter: float, height: float | None, feed: float, at: ServicePort) -> None:
     """Drive a circle in air, clockwise, from here; its centre lies on X in the positive direction."""
-    from CNCStepper.control.operator.machine_test_lines import ASK_MODES, check_no_power, modes_back
+    from CNCStepper.control.operator.machine_test_lines import ASK_MODES, check_no_power, check_plane, modes_back
     from CNCStepper.control.operator.machine_test_lines import circle as line
 
     def work(bench: Bench) -> None:
+        check_plane(bench.machine)
         bench.check_room("x", 0.0, diameter)
         bench.check_room("y", -diameter / 2, diameter / 2)
         modes = _asked(bench.talk, ASK_MODES)

@@ -8,10 +8,11 @@ changes are put back by a line made of what `$G` said before. A relay is switche
 from __future__ import annotations
 
 from CNCStepper.control.operator.jog import JogMove
-from CNCStepper.errors import JobError, MachineRefusal
+from CNCStepper.control.session.status import SenderStatus
+from CNCStepper.errors import JobError, MachineRefusal, Text
 from CNCStepper.machine.axis_tests import room_around_mm
 from CNCStepper.machine.profile import AXIS_NAMES, Machine
-from CNCStepper.machine.wiring import Device
+from CNCStepper.machine.wiring import Device, Input
 
 COOLANTS = {"mist": ("M7", "M"), "flood": ("M8", "F")}  # the word that switches it on, its letter in a status
 SPINDLES = {"spindle_cw": ("M3", "S"), "spindle_ccw": ("M4", "C")}
@@ -44,6 +45,25 @@ def check_room(machine: Machine, mpos_mm: Position | None, axis: str, low_mm: fl
             limit=f"{-down_mm:.3f} to {up_mm:.3f} mm from here",
             advice="jog to a place with more room, or test a shorter length",
         )
+
+
+def check_plane(machine: Machine) -> None:
+    """Raise JobError where a machine has not both X and Y, in which square, circle and diagonals lie."""
+    if not {"x", "y"} <= machine.own_axes.keys():
+        axes = ", ".join(axis.upper() for axis in machine.own_axes)
+        raise JobError(
+            "test-axes",
+            "square, circle and squareness need the axes X and Y",
+            value=Text("this machine has {axes}", axes=axes),
+            advice="test its axes one by one",
+        )
+
+
+def inputs_on(machine: Machine, status: SenderStatus) -> list[Input]:
+    """Return the inputs of the machine's own parallel port that are on; none where the status has no levels of it."""
+    high = status.port_inputs
+    own = [entry for entry in machine.input if isinstance(entry.pin, int) and not entry.port]
+    return [entry for entry in own if high is not None and (entry.pin in high) == (entry.level == "high")]
 
 
 def arrivals(axis: str, length_mm: float, play_mm: float, feed_mm_min: float) -> tuple[list[str], list[str], list[str]]:

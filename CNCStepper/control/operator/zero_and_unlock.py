@@ -24,7 +24,7 @@ def set_zero(driver: Grbl, axes: str, timing: Timing) -> str:
     """
     wanted = _axes(axes)
     if (status := fresh_status(driver, timing)).state != TOOL:
-        check_state(status)
+        check_state(status, driver.cannot)
     system = _system_in_force(driver, timing)
     words = "".join(f"{axis}0" for axis in wanted)
     ask(driver, f"G10L20P{SYSTEMS.index(system) + 1}{words}", timing)

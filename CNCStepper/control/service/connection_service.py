@@ -354,7 +354,7 @@ class ConnectionService:
         self._idle.check_no_jog()
         if self._is_sent and self._run.job.home_first:
             self._home_first(self._driver, self._idle)
-        check_state(fresh_status(self._driver, self._timing))
+        check_state(fresh_status(self._driver, self._timing), self._driver.cannot)
         restarted = self._is_sent and self._counts_restart(self._driver, self._idle.trust)
         check_program(self._trust if restarted and self._trust else self._idle.trust)
         found = connect.learn(self._driver, self._timing)

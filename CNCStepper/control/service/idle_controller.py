@@ -255,7 +255,7 @@ class IdleController:
             self._tell("answer", "ok")
         else:
             if kind in MOVING_KINDS:
-                check_state(self._driver.status)
+                check_state(self._driver.status, self._driver.cannot)
             self._console.send(text, kind)
 
     def _home(self) -> None:
@@ -263,7 +263,7 @@ class IdleController:
         if self._wants_reset:
             zero_and_unlock.soft_reset(self._driver, self._timing)
         elif self.phase != "alarm":
-            check_state(self._driver.status)
+            check_state(self._driver.status, self._driver.cannot)
         self._driver.send(HOME)
         self._driver.flush()
         self._homing_since_s = self._driver.clock()
@@ -271,7 +271,7 @@ class IdleController:
     def _switch(self, line: str) -> None:
         """Send a block that only switches an output."""
         self.check_no_jog()
-        check_state(self._driver.status)
+        check_state(self._driver.status, self._driver.cannot)
         connect.ask(self._driver, line, self._timing)
 
     def _take_answer(self, answer: Answered) -> None:

@@ -29,7 +29,7 @@ from CNCStepper.control.protocol.grbl.driver import Answered, Grbl, Received
 from CNCStepper.control.protocol.grbl.motion_interlock import UNKNOWN
 from CNCStepper.control.protocol.grbl.readiness import check_zero
 from CNCStepper.control.protocol.grbl.status_poller import ANSWER_MISSING, StatusPoller
-from CNCStepper.control.protocol.grbl.status_reports import Alarm, Greeting, Status
+from CNCStepper.control.protocol.grbl.status_reports import Alarm, Feedback, Greeting, Status
 from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.control.session.command import STOPS, Command, Inbox
 from CNCStepper.control.session.job_phase import LEG_BEGINS, Phase
@@ -105,6 +105,7 @@ class JobRun:
         self._path_retract = PathRetract(job)
         self._requests = PendingRequests(clock, refuse)
         self._by_line = job.by_line
+        self._just_said = ""  # the controller's message, where nothing else has come since
         self._path: PathWatch | None = None  # before the first line
         self._gaps: BacklashTracker | None = None  # without backlash compensation
         self._begin_s = clock()
@@ -287,10 +288,11 @@ class JobRun:
             elif report.error:
                 raise self._feeder.refusal(report, driver.firmware)
         elif isinstance(report, Alarm):
-            raise connect.alarm_refusal(report, driver.firmware)
+            raise connect.alarm_refusal(report, driver.firmware, self._just_said)
         elif isinstance(report, Greeting):
             raise connect.restart_refusal(report)
-        elif isinstance(report, Status):
+        self._just_said = report.text if isinstance(report, Feedback) and report.tag == "MSG" else ""
+        if isinstance(report, Status):
             if not self._stand.is_off_path:
                 self._path_retract.note(driver, self._feeder, self._phases.name)
             self._follow_state(driver)

@@ -46,12 +46,15 @@ class Link:
     `port` is a pyserial port, or anything with its read, write and close, opened with timeout 0. baud: the rate of
     the line that the bytes take. woken: whether `wake` ended the last `read`. spares_board: whether this opening was
     the first of its port, and has seen to it that no later one restarts the board. queue_bytes: how many bytes may wait
-    before the line. filling_bytes: how many of them are written at a time.
+    before the line. filling_bytes: how many of them are written at a time. machine: the profile whose controller is a
+    process of this computer; "" at a controller with a firmware of its own.
     Every failure of the port is a LinkError with code "link-lost".
     """
 
-    def __init__(self, port: Any, name: str, baud: int = BAUD, clock: Callable[[], float] = time.monotonic):
-        self.name = name
+    def __init__(
+        self, port: Any, name: str, baud: int = BAUD, clock: Callable[[], float] = time.monotonic, machine: str = ""
+    ):
+        self.name, self.machine = name, machine
         self.spares_board = False
         self.woken = False
         self._is_lost = False
@@ -168,7 +171,7 @@ def open_link(name: str, baud: int = BAUD, machine: str = "") -> Link:
     MissingPackage without pyserial.
     """
     if machine and has_no_controller(machine):
-        return Link(open_controller(name, machine), name, LINE_BAUD)
+        return Link(open_controller(name, machine), name, LINE_BAUD, machine=machine)
     if PARALLEL_PORT.match(name):
         raise LinkError(
             "port-parallel",

@@ -14,18 +14,22 @@ from typing import Any
 from PySide import QtCore, QtGui
 
 from CNCStepper.control.operator import machine_test_lines as lines
+from CNCStepper.control.protocol.grbl.capabilities import reason
+from CNCStepper.control.session.status import SenderStatus
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.machine.axis_tests import axis_of, length_of_pulses_mm
 from CNCStepper.machine.controller_family import family_of
-from CNCStepper.machine.profile import AXIS_NAMES, Machine
+from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.relays import relays_of
 from CNCStepper.workbench.machines.declaration import Path
 from CNCStepper.workbench.machines.labels import choice_label
 from CNCStepper.workbench.machines.machine_test_connection import Bench
 from CNCStepper.workbench.machines.machine_test_results import Play, Travel, squareness_words
-from CNCStepper.workbench.machines.port_picture import PortPicture, levels_of, pins_of
+from CNCStepper.workbench.machines.port_levels import MotorLines, levels_of, pins_of
+from CNCStepper.workbench.machines.port_picture import PortPicture
 from CNCStepper.workbench.panels.fields import ERROR_COLOUR, note_label
 from CNCStepper.workbench.services import messages
+from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.services.translation import tr
 
@@ -34,6 +38,7 @@ FARTHEST_MM = 10_000.0
 MOST_PULSES = 10_000_000
 FASTEST_MM_MIN = 100_000.0
 NOTHING = "–"
+TOLD = ("stop", "position")  # of what a machine cannot do, what counts while it is tested
 Propose = Callable[[Path, float], None]
 
 
@@ -45,7 +50,10 @@ class MachineTest(QtGui.QWidget):
         self._machine, self._propose = machine, propose
         self.bench = Bench(self)
         self.travel, self.play = Travel(), Play()
+        self._motor_lines = MotorLines()
         self._locked: list[Any] = []
+        self._in_plane: list[Any] = []  # what needs X and Y
+        self._axis_boxes: list[Any] = []
         self._relays: dict[str, Any] = {}
         self.state = QtGui.QLabel(self)
         self.state.setObjectName(f"{NAME}_state")
@@ -97,6 +105,7 @@ class MachineTest(QtGui.QWidget):
             self._relays[relay.name] = button
         self.port.setVisible(family_of(machine) == "parport")
         if machine:
+            self._offer_axes(tuple(machine.own_axes))
             self.port.show_pins(*pins_of(machine))
         self.refresh()
 
@@ -106,28 +115,54 @@ class MachineTest(QtGui.QWidget):
         if machine is None:
             why = tr("The profile has a value that is none: mend it first.")
         state = tr(why) if why else tr("Connected and idle. Take the tool out, or lift it.")
-        self.state.setText(state)
+        lacks = [translated(reason(word)) + "." for word in TOLD if status and word in status.cannot]
+        self.state.setText("\n".join([state, *(words[0].upper() + words[1:] for words in lacks)]))
         self.note.setText(self.bench.trouble)
         self.note.setVisible(bool(self.bench.trouble))
         for widget in (*self._locked, *self._relays.values()):
             widget.setEnabled(not why)
             widget.setToolTip(tr(why) if why else "")
+        self._lock_plane(machine)
         self.stop_button.setEnabled(self.bench.is_busy)
-        self.inputs.setText(tr("Inputs that are on: {0}").format(status.pins or NOTHING) if status else NOTHING)
+        self.inputs.setText(tr("Inputs that are on: {0}").format(_inputs(machine, status)) if status else NOTHING)
         for relay in relays_of(machine) if machine else ():
             on = lines.is_on(relay.device, status.outputs if status else None)
             if on is not None and relay.name in self._relays:
                 self._relays[relay.name].setChecked(on)
-        self.port.show_levels(levels_of(machine, status) if machine else {})
+        if machine:
+            self._motor_lines.take(machine, status)
+            self.port.show_levels(levels_of(machine, status) | self._motor_lines.levels, self._motor_lines.pulsing)
         self.travel_words.setText(self.travel.words(machine) if machine else "")
         self.play_words.setText(self.play.words())
         self.travel_take.setEnabled(bool(machine and self.travel.correction(machine)))
+
+    def _offer_axes(self, axes: tuple[str, ...]) -> None:
+        """List the axes that the machine has; the one that was chosen stays where it is there."""
+        for box in self._axis_boxes:
+            chosen = box.currentData()
+            box.clear()
+            for axis in axes:
+                box.addItem(axis.upper(), axis)
+            box.setCurrentIndex(max(box.findData(chosen), 0))
+
+    def _lock_plane(self, machine: Machine | None) -> None:
+        """Lock what lies in X and Y on a machine without them, and the lift on one without Z."""
+        try:
+            if machine:
+                lines.check_plane(machine)
+        except CNCStepperError as error:
+            for widget in self._in_plane:
+                widget.setEnabled(False)
+                widget.setToolTip(translated(error.what))
+        has_z = machine is None or "z" in machine.own_axes
+        self.height.setEnabled(has_z)
+        self.height.setToolTip("" if has_z else tr("This machine has no axis Z."))
 
     # --- the boxes ---------------------------------------------------------------------------------
 
     def _motion(self) -> Any:
         box, form = _box(tr("Motion in air"))
-        self.axis = self._axes()
+        self.axis = self._axes("axis")
         self.count = _number(f"{NAME}_pulses", 400, MOST_PULSES, 0, "")
         self.feed = _number(f"{NAME}_feed", 600.0, FASTEST_MM_MIN, 1, " mm/min")
         self.size = _number(f"{NAME}_size", 50.0, FARTHEST_MM, 3, " mm")
@@ -144,6 +179,7 @@ class MachineTest(QtGui.QWidget):
         circle = self._button("circle", tr("Circle"), self._circle)
         self.stop_button = self._button("stop", tr("Stop"), self.bench.stop)
         self._locked.remove(self.stop_button)
+        self._in_plane += [self.size, square, circle]
         form.addRow(_row(square, circle, self.stop_button))
         return box
 
@@ -158,7 +194,7 @@ class MachineTest(QtGui.QWidget):
 
     def _travel_box(self) -> Any:
         box, form = _box(tr("Travel"))
-        self.travel_axis = self._axes()
+        self.travel_axis = self._axes("travel_axis")
         self.travel_length = _number(f"{NAME}_length", 100.0, FARTHEST_MM, 3, " mm")
         self.measured = _number(f"{NAME}_measured", 100.0, FARTHEST_MM, 4, " mm")
         self.travel_words = _words(f"{NAME}_travel_words", self)
@@ -178,7 +214,7 @@ class MachineTest(QtGui.QWidget):
 
     def _play_box(self) -> Any:
         box, form = _box(tr("Backlash"))
-        self.play_axis = self._axes()
+        self.play_axis = self._axes("play_axis")
         self.dial = _number(f"{NAME}_dial", 0.0, FARTHEST_MM, 4, " mm", least=-FARTHEST_MM)
         self.distance = _number(f"{NAME}_distance", 5.0, FARTHEST_MM, 3, " mm")
         self.play_words = _words(f"{NAME}_play_words", self)
@@ -213,7 +249,9 @@ class MachineTest(QtGui.QWidget):
         self.square_words = _words(f"{NAME}_square_words", self)
         form.addRow(tr("Side along X"), self.side_x)
         form.addRow(tr("Side along Y"), self.side_y)
-        form.addRow(_row(*(self._button(f"corner_{n}", text, partial(self._corner, n)) for n, text in _corners())))
+        corners = [self._button(f"corner_{n}", text, partial(self._corner, n)) for n, text in _corners()]
+        self._in_plane += corners
+        form.addRow(_row(*corners))
         form.addRow(tr("Lower right to upper left"), self.falling)
         form.addRow(tr("Other diagonal (0: none)"), self.rising)
         show = self._button("angle", tr("Work out the angle"), self._angle)
@@ -258,10 +296,13 @@ class MachineTest(QtGui.QWidget):
 
     def _switch(self, relay: Any, button: Any) -> None:
         machine, on = self._shown(), button.isChecked()
-        self.bench.run(
-            [lines.ASK_MODES],
-            lambda modes: self.bench.run(lines.switching(machine, relay.device, on, lines.outputs_of(modes))),
-        )
+        button.setChecked(not on)  # until it is switched, which may be refused
+
+        def switch(modes: str) -> None:
+            found = lines.switching(machine, relay.device, on, lines.outputs_of(modes))
+            self.bench.run(found, lambda _: button.setChecked(on))
+
+        self.bench.run([lines.ASK_MODES], switch)
 
     def _to_start(self) -> None:
         axis, length = self.travel_axis.currentData(), self.travel_length.value()
@@ -341,10 +382,10 @@ class MachineTest(QtGui.QWidget):
             raise CNCStepperError("bad-value", tr("The profile has a value that is none: mend it first."))
         return machine
 
-    def _axes(self) -> Any:
+    def _axes(self, name: str) -> Any:
         box = QtGui.QComboBox(self)
-        for axis in AXIS_NAMES:
-            box.addItem(axis.upper(), axis)
+        box.setObjectName(f"{NAME}_{name}")
+        self._axis_boxes.append(box)
         return box
 
     def _button(self, name: str, text: str, clicked: Callable[[], None]) -> Any:
@@ -354,6 +395,12 @@ class MachineTest(QtGui.QWidget):
         button.clicked.connect(guarded(lambda: clicked()))
         self._locked.append(button)
         return button
+
+
+def _inputs(machine: Machine | None, status: SenderStatus) -> str:
+    """Return the inputs that are on: those of a parallel port by what they do, else the letters of the status."""
+    found = lines.inputs_on(machine, status) if machine else []
+    return ", ".join(f"{choice_label(('act',), one.act)} ({one.pin})" for one in found) or status.pins or NOTHING
 
 
 def _corners() -> tuple[tuple[int, str], ...]:

@@ -12,11 +12,7 @@ from typing import Any
 
 from PySide import QtCore, QtGui
 
-from CNCStepper.control.operator.machine_test_lines import is_on
-from CNCStepper.control.session.status import SenderStatus
-from CNCStepper.machine.profile import Machine
-from CNCStepper.machine.wiring import DEVICES, INPUT_PINS, OUTPUT_PINS
-from CNCStepper.workbench.machines.labels import choice_label, signal_label
+from CNCStepper.machine.wiring import INPUT_PINS, OUTPUT_PINS
 from CNCStepper.workbench.services.translation import tr
 
 UPPER, LOWER = tuple(range(13, 0, -1)), tuple(range(25, 13, -1))
@@ -24,11 +20,12 @@ OUTPUT, INPUT, GROUND = "#5e97d3", "#36b56c", "#6b7785"
 ON = "#f7b92f"
 SHELL, FACE, INK = "#a9b3bd", "#f3f6f9", "#1b3556"
 PITCH_PX, RADIUS_PX, NAME_PX, ROW_PX = 46, 11, 110, 46
+HALF_TURN = 180 * 16  # as QPainter counts angles
 SIZE = (13 * PITCH_PX + 30, 2 * NAME_PX + 2 * ROW_PX + 24)
 
 
 class PortPicture(QtGui.QWidget):
-    """The pins; `names` are of the signals on them, `levels` what is known of each."""
+    """The pins; names are of the signals on them, levels what is known of each; pulsing pins change all the time."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -39,6 +36,7 @@ class PortPicture(QtGui.QWidget):
         self._names: dict[int, str] = {}
         self._low: set[int] = set()
         self._levels: dict[int, bool] = {}
+        self._pulsing: frozenset[int] = frozenset()
 
     def sizeHint(self) -> Any:
         """Return the size of the whole picture."""
@@ -53,10 +51,10 @@ class PortPicture(QtGui.QWidget):
         self._names, self._low = dict(names), set(active_low)
         self.update()
 
-    def show_levels(self, levels: Mapping[int, bool]) -> None:
-        """Show which pins are high; of the others nothing is known."""
-        if levels != self._levels:
-            self._levels = dict(levels)
+    def show_levels(self, levels: Mapping[int, bool], pulsing: frozenset[int] = frozenset()) -> None:
+        """Show which pins are high or low, and which have step pulses now; of the others nothing is known."""
+        if (levels, pulsing) != (self._levels, self._pulsing):
+            self._levels, self._pulsing = dict(levels), pulsing
             self.update()
 
     def places(self) -> dict[int, Any]:
@@ -71,7 +69,9 @@ class PortPicture(QtGui.QWidget):
         kind = tr("output") if pin in OUTPUT_PINS else tr("input") if pin in INPUT_PINS else tr("ground")
         parts = [tr("Pin {0}: {1}").format(pin, kind), self._names.get(pin, "")]
         parts.append(tr("active low") if pin in self._low else "")
-        if pin in self._levels:
+        if pin in self._pulsing:
+            parts.append(tr("pulsing"))
+        elif pin in self._levels:
             parts.append(tr("high") if self._levels[pin] else tr("low"))
         return ", ".join(part for part in parts if part)
 
@@ -105,8 +105,12 @@ class PortPicture(QtGui.QWidget):
         painter.setPen(QtGui.QPen(QtGui.QColor(INK), 2 if pin in self._names else 1))
         painter.setBrush(QtGui.QColor(ON if high else ground if pin in self._names or high is False else FACE))
         painter.drawEllipse(place, RADIUS_PX, RADIUS_PX)
-        painter.setPen(QtGui.QColor(INK))
         box = QtCore.QRectF(place.x() - RADIUS_PX, place.y() - RADIUS_PX, 2 * RADIUS_PX, 2 * RADIUS_PX)
+        if pin in self._pulsing:
+            painter.setPen(QtCore.Qt.PenStyle.NoPen)
+            painter.setBrush(QtGui.QColor(ON))
+            painter.drawPie(box, 0, HALF_TURN)
+        painter.setPen(QtGui.QColor(INK))
         painter.drawText(box, QtCore.Qt.AlignmentFlag.AlignCenter, str(pin))
         if name := self._names.get(pin):
             self._draw_name(painter, ("¬" if pin in self._low else "") + name, place, up=pin in UPPER)
@@ -119,36 +123,11 @@ class PortPicture(QtGui.QWidget):
         painter.translate(place.x(), edge)
         painter.rotate(-90)
         sides = QtCore.Qt.AlignmentFlag
-        box = QtCore.QRectF(0 if up else -NAME_PX, -12, NAME_PX, 24)
-        shown = painter.fontMetrics().elidedText(name, QtCore.Qt.TextElideMode.ElideRight, NAME_PX)
-        painter.drawText(box, (sides.AlignLeft if up else sides.AlignRight) | sides.AlignVCenter, shown)
+        box = QtCore.QRectF(0 if up else -NAME_PX, -PITCH_PX / 2, NAME_PX, PITCH_PX)
+        aligned = (sides.AlignLeft if up else sides.AlignRight) | sides.AlignVCenter
+        painter.drawText(box, int(aligned | QtCore.Qt.TextFlag.TextWordWrap), name)
         painter.restore()
 
 
 def _near(place: Any, pointer: Any) -> bool:
     return bool((place.x() - pointer.x()) ** 2 + (place.y() - pointer.y()) ** 2 <= RADIUS_PX**2)
-
-
-def pins_of(machine: Machine) -> tuple[dict[int, str], set[int]]:
-    """Return the names of what is wired to each pin, and the pins that are active low."""
-    wired = machine.signals.wired
-    names = {abs(pin): signal_label(name) for name, pin in wired.items()}
-    names |= {entry.pin: choice_label(("act",), entry.act) for entry in machine.input if isinstance(entry.pin, int)}
-    return names, {abs(pin) for pin in wired.values() if pin < 0}
-
-
-def levels_of(machine: Machine, status: SenderStatus | None) -> dict[int, bool]:
-    """Return the pins whose level follows from a status: outputs of devices, and all inputs where it tells them.
-
-    Of the motors' lines nothing is known: they change thousands of times a second.
-    """
-    if status is None:
-        return {}
-    wired, told = machine.signals.wired, status.port_outputs
-    if told is None:
-        known = {pin: is_on(device, status.outputs) for device, pin in wired.items() if device in DEVICES}
-    else:
-        known = {pin: device in told for device, pin in wired.items() if device in DEVICES}
-    levels = {abs(pin): on != (pin < 0) for pin, on in known.items() if on is not None}
-    high = status.port_inputs
-    return levels | ({pin: pin in high for pin in INPUT_PINS} if high is not None else {})

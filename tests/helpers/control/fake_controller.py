@@ -224,6 +224,7 @@ class Unqueued:
 
     clock: FakeClock
     woken = False
+    machine = ""
     queue_bytes = 40
     filling_bytes = 30
 

@@ -48,6 +48,7 @@ class SimulatedLink:
     """A `transport.Link` to a board in memory; time passes while it is read."""
 
     name = "simulated"
+    machine = ""
     queue_bytes = 40
     filling_bytes = 30
 

@@ -4,13 +4,19 @@
 from __future__ import annotations
 
 import csv
+import os
+import signal
+import threading
+import time
 from dataclasses import replace
 from functools import partial
+from pathlib import Path
 
 import pytest
 
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.service.sender import Sender
+from CNCStepper.control.session.status import FAILED
 from CNCStepper.control.transport.link import open_link
 from CNCStepper.errors import MachineRefusal
 from CNCStepper.job.letter_file import letter_job
@@ -81,3 +87,35 @@ def test_letters_go_the_whole_way_to_the_board(tmp_path) -> None:
     assert outcome.done, outcome.text
     codes = [int(byte, 0) for _, byte in columns(tmp_path / "y.csv")]
     assert [code for code in codes if code != 0x10] == [0x0A, 0x09, 0x05, 0x06, 0x05, 0x09]
+
+
+if hasattr(signal, "SIGSTOP") and Path("/proc/self/stat").exists():
+
+    def players_of(process: int) -> list[int]:
+        """Return the processes that play pulses for a controller that this process has started."""
+        parents = {}
+        for stat in Path("/proc").glob("[0-9]*/stat"):
+            try:
+                parents[int(stat.parent.name)] = int(stat.read_text().rpartition(")")[2].split()[1])
+            except OSError:  # it has just ended
+                continue
+        return [pid for pid, parent in parents.items() if parents.get(parent) == process]
+
+    @pytest.mark.slow
+    def test_a_player_that_is_stopped_in_the_middle_of_a_job_ends_it_in_words(tmp_path) -> None:
+        """The real way: sender, controller and player are three processes; the player is stopped by a signal."""
+        recorded = tmp_path / "x.csv"
+
+        def stop_the_player() -> None:
+            while not recorded.exists() or recorded.stat().st_size < 10_000:
+                time.sleep(0.02)
+            for player in players_of(os.getpid()):
+                os.kill(player, signal.SIGSTOP)
+
+        threading.Thread(target=stop_the_player, daemon=True).start()
+        table = load_machine("thesis-table")
+        wire, _, path = wire_round_trip("G21 G90 G17 G94\nG1 X900 F1200\nM2\n", table, "grbl", "p.nc", Start.at_zero())
+        outcome = sent(send_job(wire, table, "p.nc", path.start, "grbl"), "thesis-table", f"record:{recorded}")
+        assert outcome.kind == FAILED and not outcome.position_known
+        assert "was stopped or got no processor time" in outcome.text, outcome.text
+        assert int(columns(recorded)[-1][1], 0) == 0, "no step line stays on"

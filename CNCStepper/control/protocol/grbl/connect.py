@@ -6,6 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from pathlib import Path
 
 from CNCStepper.control.protocol.grbl.driver import REPORT_INCHES, Answered, Grbl, Received
 from CNCStepper.control.protocol.grbl.firmware import GRBL, Firmware
@@ -20,7 +21,10 @@ from CNCStepper.control.protocol.grbl.status_reports import (
     vector,
 )
 from CNCStepper.control.protocol.grbl.timeouts import Timing
+from CNCStepper.control.transport.link import Link
 from CNCStepper.errors import LinkError, MachineRefusal, Text
+from CNCStepper.machine.controller_family import OWN
+from CNCStepper.safe_text import printable
 
 ASK_AGAIN_S = 0.25
 OFFSETS = ("G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3", "G28", "G30", "G92", "TLO")
@@ -51,7 +55,7 @@ def handshake(driver: Grbl, timing: Timing) -> ControllerInfo:
     Raises LinkError when no grbl 1.1 answers, MachineRefusal when it is not idle.
     """
     woken = wake_up(driver, timing)
-    check_state(driver.status)
+    check_state(driver.status, driver.cannot)
     return learn(driver, timing, has_greeting(woken))
 
 
@@ -173,11 +177,15 @@ def ask(driver: Grbl, line: str, timing: Timing) -> list[Received]:
     return said
 
 
-def alarm_refusal(alarm: Alarm, firmware: Firmware) -> MachineRefusal:
-    """Return the refusal for ALARM:n in words; -1 is an alarm without a number."""
+def alarm_refusal(alarm: Alarm, firmware: Firmware, why: str = "") -> MachineRefusal:
+    """Return the refusal for ALARM:n in words; -1 is an alarm without a number.
+
+    why: what the controller said right before it. A CNCStepper controller says so why its output has ended.
+    """
     code = firmware.alarm(alarm.code)
     number = str(alarm.code) if alarm.code >= 0 else "?"
-    return MachineRefusal(f"{firmware.key}-alarm-{number}", f"{code.meaning} (ALARM:{number})", advice=code.advice)
+    meaning = why if why and firmware.key in OWN else code.meaning
+    return MachineRefusal(f"{firmware.key}-alarm-{number}", f"{meaning} (ALARM:{number})", advice=code.advice)
 
 
 def restart_refusal(greeting: Greeting) -> MachineRefusal:
@@ -202,7 +210,9 @@ def _answer(driver: Grbl, timing: Timing) -> list[Received]:
                 "answer-missing",
                 Text("{link} does not answer {line}", link=driver.link.name, line=line),
                 value=f"{timing.answer_s:g} s",
-                advice="check that it is a grbl 1.1 controller and that the baud rate is right",
+                advice=_check_controller(
+                    driver.link, "check that it is a grbl 1.1 controller and that the baud rate is right"
+                ),
             )
         received = _checked(driver, driver.receive(ASK_AGAIN_S / 5))
         if any(isinstance(report, Greeting) for report in received):
@@ -229,7 +239,17 @@ def _not_grbl(driver: Grbl, timing: Timing, said: list[Received]) -> LinkError:
         "not-grbl",
         f"{heard} at {driver.link.name}",
         value=f"{timing.wake_s:g} s",
-        advice="check power, cable, port and baud rate of the controller",
+        advice=_check_controller(driver.link, "check power, cable, port and baud rate of the controller"),
+    )
+
+
+def _check_controller(link: Link, advice: str) -> str:
+    """Return the advice for a controller with a firmware of its own, or what to do where it is a process of ours."""
+    if not link.machine:
+        return advice
+    return Text(
+        "check cable and power of the machine, then connect again: that starts the controller of {machine} anew",
+        machine=printable(Path(link.machine).stem, 40),
     )
 
 

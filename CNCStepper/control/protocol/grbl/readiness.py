@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 
 from CNCStepper.control.protocol.grbl.status_reports import Status
 from CNCStepper.errors import MachineRefusal, Text
@@ -32,22 +32,29 @@ WHAT_TO_DO = {
     "ConfigAlarm": "correct its configuration, then restart it",
     "Critical": "reset it, then home it or set its zero again",
 }
+UNLOCK_OR_CONNECT = "unlock it ($X); where it stays locked, disconnect and connect again; then set its zero"
 
 
-def check_state(status: Status | None) -> None:
-    """Refuse a machine that is not idle, with what to do; raises MachineRefusal."""
+def check_state(status: Status | None, cannot: Collection[str] = ()) -> None:
+    """Refuse a machine that is not idle, with what to do; raises MachineRefusal.
+
+    cannot: what the machine cannot do, as words of `capabilities.py`.
+    """
     if status is None or status.state != "Idle":
-        raise state_refusal(status)
+        raise state_refusal(status, cannot)
 
 
-def state_refusal(status: Status | None) -> MachineRefusal:
+def state_refusal(status: Status | None, cannot: Collection[str] = ()) -> MachineRefusal:
     """Return the error and the remedy of a state in which no program can be cut."""
     state = status.state if status else "silent"
+    advice = WHAT_TO_DO.get(state, "bring it to Idle first")
+    if state == "Alarm" and "home" in cannot:
+        advice = UNLOCK_OR_CONNECT
     return MachineRefusal(
         f"machine-{state.lower()}",
         IN_A_JOB.get(state, "the machine is not idle"),
         value=status.name if status else state,
-        advice=WHAT_TO_DO.get(state, "bring it to Idle first"),
+        advice=advice,
     )
 
 

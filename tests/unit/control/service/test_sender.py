@@ -12,7 +12,9 @@ from CNCStepper.control.program.bundle import write_bundle
 from CNCStepper.control.program.send_job import SendJob, read_job, write_job
 from CNCStepper.control.protocol.grbl.connect import ControllerInfo
 from CNCStepper.control.protocol.grbl.driver import Grbl
+from CNCStepper.control.protocol.grbl.readiness import state_refusal
 from CNCStepper.control.protocol.grbl.settings import expected_settings
+from CNCStepper.control.protocol.grbl.status_reports import parse
 from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.control.session.status import DONE, FAILED, REFUSED, STOPPED
 from CNCStepper.control.stream.overrides import override_byte
@@ -421,6 +423,26 @@ def test_nothing_there_is_refused():
     bench.controller.mute = True
     outcome = bench.run()
     assert outcome.kind == REFUSED and outcome.error.code == "not-grbl"
+    assert "baud rate" in outcome.error.advice
+
+
+@pytest.mark.parametrize("line", ["", "$I"])
+def test_a_silent_controller_of_this_computer_is_called_by_its_profile(line):
+    """A line: from there on nothing is answered. Where this computer is the controller, no baud rate is wrong."""
+    bench = Bench()
+    bench.link.machine = "my folder/thesis-table.toml"
+    bench.controller.mute = not line
+    if line:
+        system = bench.controller._system
+        bench.controller._system = lambda text: None if text == line else system(text)
+    outcome = bench.run()
+    assert outcome.kind == REFUSED and outcome.error.code == ("answer-missing" if line else "not-grbl")
+    assert "starts the controller of thesis-table anew" in outcome.error.advice and "baud" not in outcome.error.advice
+
+
+def test_a_locked_machine_that_cannot_home_is_not_told_to_home():
+    said = [state_refusal(parse("<Alarm|MPos:0,0,0|FS:0,0>"), cannot).advice for cannot in ((), ("home", "probe"))]
+    assert "home the machine ($H)" in said[0] and "$H" not in said[1] and "connect again" in said[1]
 
 
 def test_settings_of_another_machine_are_refused_naming_setting_value_and_wanted():
