@@ -21,7 +21,7 @@ AT_REST = ("idle", "alarm")  # phases in which no pulse comes
 def pins_of(machine: Machine) -> tuple[dict[int, str], set[int]]:
     """Return the names of what is wired to each pin, and the pins that are active low."""
     wired = machine.signals.wired
-    relays = {relay.device: relay.name for relay in machine.relay}
+    relays: dict[str, str] = {relay.device: relay.name for relay in machine.relay}
     names = {abs(pin): relays.get(name) or signal_label(name) for name, pin in wired.items()}
     names |= {entry.pin: choice_label(("act",), entry.act) for entry in machine.input if isinstance(entry.pin, int)}
     return names, {abs(pin) for pin in wired.values() if pin < 0}
