@@ -29,5 +29,5 @@ def command(
     from CNCStepper.gcode.interpreter.canonical_trace import canonical_text, default_start
 
     start = StartOptions(parameters=parameters, tool_table=tool_table, search=search).on(default_start())
-    for calls in canonical_text(read_program(program), dialect or "linuxcnc", str(program), start=start):
+    for calls in canonical_text(read_program(program), start, dialect or "linuxcnc", str(program)):
         click.echo(calls, nl=False)

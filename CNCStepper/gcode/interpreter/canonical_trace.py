@@ -44,20 +44,14 @@ def canonical_calls(
     start: None is that of a bare interpreter. tool_lengths_mm: lengths that come before its tool table, by number.
     Raises ProgramError at the line that is refused, after the calls of the lines before it.
     """
-    for calls in canonical_text(text, dialect, file, tool_lengths_mm, start):
+    start = replace(start or default_start(), tool_lengths_mm=tool_lengths_mm or {})
+    for calls in canonical_text(text, start, dialect, file):
         yield from calls.removesuffix("\n").split("\n")
 
 
-def canonical_text(
-    text: str,
-    dialect: str | Dialect = "linuxcnc",
-    file: str = "",
-    tool_lengths_mm: dict[int, float] | None = None,
-    start: Start | None = None,
-) -> Iterator[str]:
+def canonical_text(text: str, start: Start, dialect: str | Dialect = "linuxcnc", file: str = "") -> Iterator[str]:
     """Yield the lines of `canonical_calls`, one or many at once, each with its line end."""
     calls = _Calls()
-    start = replace(start or default_start(), tool_lengths_mm=tool_lengths_mm or {})
     interpreter = Interpreter(start, dialect, file, canon=calls)
     calls.interpreter = interpreter
     for call in _begin(interpreter.model):

@@ -41,7 +41,7 @@ def told(text: str, dialect: str) -> tuple[list[str], str]:
     """Return the calls up to the line that is refused, and why it is."""
     calls: list[str] = []
     try:
-        calls += canonical_text(text, dialect)
+        calls += canonical_text(text, default_start(), dialect)
     except ProgramError as error:
         return calls, str(error)
     return calls, ""
