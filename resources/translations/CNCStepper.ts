@@ -13666,10 +13666,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>jog another axis</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>jog it down to that height where the way below is free, or restart with the height {here_mm:.1f} (--height), at which it moves over the place directly</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14407,6 +14403,10 @@
         </message>
         <message>
             <source>name a shape of one curve</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>name another axis</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -13666,10 +13666,6 @@
             <translation>mova de novo se ainda for preciso</translation>
         </message>
         <message>
-            <source>jog another axis</source>
-            <translation>mova outro eixo</translation>
-        </message>
-        <message>
             <source>jog it down to that height where the way below is free, or restart with the height {here_mm:.1f} (--height), at which it moves over the place directly</source>
             <translation>desça-a à mão até essa altura onde você vê o que há embaixo, ou reinicie com a altura {here_mm:.1f} (--height), da qual ela vai logo para cima do lugar</translation>
         </message>
@@ -14408,6 +14404,10 @@
         <message>
             <source>name a shape of one curve</source>
             <translation>indique uma forma de uma só curva</translation>
+        </message>
+        <message>
+            <source>name another axis</source>
+            <translation>indique outro eixo</translation>
         </message>
         <message>
             <source>name another machine</source>
