@@ -15998,6 +15998,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>switch the lathe off and on, connect again and set its zero; unlock an alarm with $X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>switch the lathe off and on, set its zero by hand, and send the whole program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17331,6 +17335,10 @@
         </message>
         <message>
             <source>the lathe is in automatic mode and cannot be jogged: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the lathe is in automatic mode, or locked by an alarm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

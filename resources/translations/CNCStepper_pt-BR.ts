@@ -15998,6 +15998,10 @@
             <translation>desligue e ligue o torno, conecte de novo e defina o zero</translation>
         </message>
         <message>
+            <source>switch the lathe off and on, connect again and set its zero; unlock an alarm with $X</source>
+            <translation>desligue e ligue o torno, conecte de novo e ajuste o zero; destrave um alarme com $X</translation>
+        </message>
+        <message>
             <source>switch the lathe off and on, set its zero by hand, and send the whole program</source>
             <translation>desligue e ligue o torno, ajuste o zero à mão e envie o programa inteiro</translation>
         </message>
@@ -17332,6 +17336,10 @@
         <message>
             <source>the lathe is in automatic mode and cannot be jogged: {0}</source>
             <translation>o torno está em modo automático e não pode ser movido à mão: {0}</translation>
+        </message>
+        <message>
+            <source>the lathe is in automatic mode, or locked by an alarm</source>
+            <translation>o torno está no modo automático, ou travado por um alarme</translation>
         </message>
         <message>
             <source>the lathe jogs at up to {0} mm/min, or at {1}: it takes the slower one</source>
