@@ -14406,7 +14406,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>name another axis</source>
+            <source>name an axis that it has</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -14406,8 +14406,8 @@
             <translation>indique uma forma de uma só curva</translation>
         </message>
         <message>
-            <source>name another axis</source>
-            <translation>indique outro eixo</translation>
+            <source>name an axis that it has</source>
+            <translation>indique um eixo que ela tenha</translation>
         </message>
         <message>
             <source>name another machine</source>

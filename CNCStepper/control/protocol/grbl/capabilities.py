@@ -12,7 +12,7 @@ from CNCStepper.errors import MachineRefusal, Text
 
 CANNOT_CODE = "cannot"
 SWITCH = "press the machine's own switch, or let it run to its end"
-ANOTHER_AXIS = "name another axis"
+ANOTHER_AXIS = "name an axis that it has"
 REASONS: dict[str, tuple[str, str]] = {  # of each word of [CANNOT:...]: why not, and what to do
     "hold": ("this machine cannot be held while its program runs: its link has no such command", SWITCH),
     "resume": ("this machine cannot be resumed over its link", "use the machine's own buttons"),
