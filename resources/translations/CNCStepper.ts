@@ -10882,6 +10882,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a parallel port has 25 pins, and one below zero is active low</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a parameter could not be set</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13659,6 +13663,10 @@
         </message>
         <message>
             <source>jog again if it is still wanted</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>jog another axis</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16498,6 +16506,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the controller of this machine has been started; it counts from the present position</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the controller of {machine} ended at its start</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16642,10 +16654,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the cut failed by a fault of its own: {kind}: {fault}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>the cut goes into the part of another contour at X{x:.3f} Y{y:.3f}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16663,10 +16671,6 @@
         </message>
         <message>
             <source>the cut leads through the edge of a part that a contour leaves standing, {where}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the cut takes more memory than there is</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16782,10 +16786,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the drawing failed by a fault of ours: {kind}: {fault}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>the drawing has no closed outline</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16819,10 +16819,6 @@
         </message>
         <message>
             <source>the drawing reaches beyond the stock</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the drawing takes more memory than there is</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19106,6 +19102,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this machine has no Y axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine has no Z axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this machine has no Z axis: arcs are in XY</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20483,6 +20487,10 @@
         </message>
         <message>
             <source>{doing} failed by a fault of its own: {kind}: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{doing} takes more memory than there is</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
