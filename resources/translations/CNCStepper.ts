@@ -10906,6 +10906,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a parallel port has 25 pins, and one below zero is active low</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a parameter could not be set</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13775,6 +13779,10 @@
         </message>
         <message>
             <source>jog again if it is still wanted</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>jog another axis</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16670,6 +16678,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the controller of this machine has been started; it counts from the present position</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the controller of {machine} ended at its start</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16818,10 +16830,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the cut failed by a fault of its own: {kind}: {fault}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>the cut goes into the part of another contour at X{x:.3f} Y{y:.3f}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16839,10 +16847,6 @@
         </message>
         <message>
             <source>the cut leads through the edge of a part that a contour leaves standing, {where}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the cut takes more memory than there is</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16958,10 +16962,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the drawing failed by a fault of ours: {kind}: {fault}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>the drawing has no closed outline</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16995,10 +16995,6 @@
         </message>
         <message>
             <source>the drawing reaches beyond the stock</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the drawing takes more memory than there is</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19314,6 +19310,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this machine has no Y axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine has no Z axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this machine has no Z axis: arcs are in XY</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20711,6 +20715,10 @@
         </message>
         <message>
             <source>{doing} failed by a fault of its own: {kind}: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{doing} takes more memory than there is</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -10906,6 +10906,10 @@
             <translation>um número sem letra antes dele</translation>
         </message>
         <message>
+            <source>a parallel port has 25 pins, and one below zero is active low</source>
+            <translation>uma porta paralela tem 25 pinos, e um abaixo de zero é ativo em nível baixo</translation>
+        </message>
+        <message>
             <source>a parameter could not be set</source>
             <translation>um parâmetro não pôde ser definido</translation>
         </message>
@@ -13776,6 +13780,10 @@
         <message>
             <source>jog again if it is still wanted</source>
             <translation>mova de novo se ainda for preciso</translation>
+        </message>
+        <message>
+            <source>jog another axis</source>
+            <translation>mova outro eixo</translation>
         </message>
         <message>
             <source>jog it down to that height where the way below is free, or restart with the height {here_mm:.1f} (--height), at which it moves over the place directly</source>
@@ -16670,6 +16678,10 @@
             <translation>o controlador está iniciando</translation>
         </message>
         <message>
+            <source>the controller of this machine has been started; it counts from the present position</source>
+            <translation>o controlador desta máquina foi iniciado; ele conta a partir da posição atual</translation>
+        </message>
+        <message>
             <source>the controller of {machine} ended at its start</source>
             <translation>o controlador de {machine} terminou ao iniciar</translation>
         </message>
@@ -16818,10 +16830,6 @@
             <translation>o corte começa sem esperar o spindle</translation>
         </message>
         <message>
-            <source>the cut failed by a fault of its own: {kind}: {fault}</source>
-            <translation>o corte falhou por um defeito próprio: {kind}: {fault}</translation>
-        </message>
-        <message>
             <source>the cut goes into the part of another contour at X{x:.3f} Y{y:.3f}</source>
             <translation>o corte entra na peça de outro contorno em X{x:.3f} Y{y:.3f}</translation>
         </message>
@@ -16840,10 +16848,6 @@
         <message>
             <source>the cut leads through the edge of a part that a contour leaves standing, {where}</source>
             <translation>o corte passa pela borda de uma peça que um contorno deixa em pé, {where}</translation>
-        </message>
-        <message>
-            <source>the cut takes more memory than there is</source>
-            <translation>o corte precisa de mais memória do que há</translation>
         </message>
         <message>
             <source>the cycle '{cycle}' takes no shapes of a drawing</source>
@@ -16958,10 +16962,6 @@
             <translation>o desenho declara entidades que representam mais do que um texto curto</translation>
         </message>
         <message>
-            <source>the drawing failed by a fault of ours: {kind}: {fault}</source>
-            <translation>o desenho falhou por uma falha nossa: {kind}: {fault}</translation>
-        </message>
-        <message>
             <source>the drawing has no closed outline</source>
             <translation>o desenho não tem nenhum contorno fechado</translation>
         </message>
@@ -16996,10 +16996,6 @@
         <message>
             <source>the drawing reaches beyond the stock</source>
             <translation>o desenho passa do material</translation>
-        </message>
-        <message>
-            <source>the drawing takes more memory than there is</source>
-            <translation>o desenho precisa de mais memória do que há</translation>
         </message>
         <message>
             <source>the drawing would become too many objects</source>
@@ -19314,6 +19310,14 @@
             <translation>esta máquina não informa sua posição: ela é contada pelo que foi enviado</translation>
         </message>
         <message>
+            <source>this machine has no Y axis</source>
+            <translation>esta máquina não tem eixo Y</translation>
+        </message>
+        <message>
+            <source>this machine has no Z axis</source>
+            <translation>esta máquina não tem eixo Z</translation>
+        </message>
+        <message>
             <source>this machine has no Z axis: arcs are in XY</source>
             <translation>esta máquina não tem eixo Z: os arcos ficam em XY</translation>
         </message>
@@ -20712,6 +20716,10 @@
         <message>
             <source>{doing} failed by a fault of its own: {kind}: {error}</source>
             <translation>{doing} falhou por um defeito próprio: {kind}: {error}</translation>
+        </message>
+        <message>
+            <source>{doing} takes more memory than there is</source>
+            <translation>{doing} precisa de mais memória do que há</translation>
         </message>
         <message>
             <source>{doubles} boundaries of hatches are drawn as lines too; they are read once</source>
