@@ -15210,7 +15210,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>peck_mm must not exceed depth_mm, {limit:g} mm; {advice}</source>
+            <source>peck_mm must not exceed depth_mm, {limit:g} mm; write 0 to drill in one go</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20015,10 +20015,6 @@
         </message>
         <message>
             <source>work_offset must be one of {work_systems}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>write 0 to drill in one go</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -9463,7 +9463,7 @@
         </message>
         <message>
             <source>'{code}' is no insert of ISO 1832</source>
-            <translation type="unfinished"></translation>
+            <translation>'{code}' não é uma pastilha da ISO 1832</translation>
         </message>
         <message>
             <source>'{drawing}' holds no lines that can be followed</source>
@@ -9491,7 +9491,7 @@
         </message>
         <message>
             <source>'{insert}' is no insert of a {kind} tool</source>
-            <translation type="unfinished"></translation>
+            <translation>'{insert}' não é pastilha de uma ferramenta {kind}</translation>
         </message>
         <message>
             <source>'{key}' cannot be {value!r}</source>
@@ -9591,7 +9591,7 @@
         </message>
         <message>
             <source>0.005 mm apart</source>
-            <translation type="unfinished"></translation>
+            <translation>0.005 mm de diferença</translation>
         </message>
         <message>
             <source>0.87 times the width</source>
@@ -9599,7 +9599,7 @@
         </message>
         <message>
             <source>00 to 99, in tenths of a mm</source>
-            <translation type="unfinished"></translation>
+            <translation>00 a 99, em décimos de mm</translation>
         </message>
         <message>
             <source>= is missing after the parameter</source>
@@ -10567,7 +10567,7 @@
         </message>
         <message>
             <source>a corner has a chamfer_mm or a fillet_mm, not both</source>
-            <translation type="unfinished"></translation>
+            <translation>um canto tem chamfer_mm ou fillet_mm, não ambos</translation>
         </message>
         <message>
             <source>a corner is either rounded (A) or broken (C)</source>
@@ -10715,7 +10715,7 @@
         </message>
         <message>
             <source>a lathe has no cycle '{name}'</source>
-            <translation type="unfinished"></translation>
+            <translation>um torno não tem o ciclo '{name}'</translation>
         </message>
         <message>
             <source>a lathe tool is compensated in the plane ZX</source>
@@ -10979,11 +10979,11 @@
         </message>
         <message>
             <source>a profile needs points or dxf, one of them</source>
-            <translation type="unfinished"></translation>
+            <translation>um perfil precisa de points ou dxf, um dos dois</translation>
         </message>
         <message>
             <source>a profile's ends have no corner to cut and its begin no arc</source>
-            <translation type="unfinished"></translation>
+            <translation>as pontas de um perfil não têm canto a cortar, e o início não tem arco</translation>
         </message>
         <message>
             <source>a program for {language} cannot be restarted in its middle</source>
@@ -11207,7 +11207,7 @@
         </message>
         <message>
             <source>a turning tool needs insert, for example "CNMG 120408", or front_deg and back_deg</source>
-            <translation type="unfinished"></translation>
+            <translation>uma ferramenta de tornear precisa de insert, por exemplo "CNMG 120408", ou de front_deg e back_deg</translation>
         </message>
         <message>
             <source>a value in the expression does not fit its operation</source>
@@ -11267,11 +11267,11 @@
         </message>
         <message>
             <source>a {kind} tool has no insert of ISO 1832</source>
-            <translation type="unfinished"></translation>
+            <translation>uma ferramenta {kind} não tem pastilha da ISO 1832</translation>
         </message>
         <message>
             <source>a {kind} tool {verb} {key}</source>
-            <translation type="unfinished"></translation>
+            <translation>uma ferramenta {kind} {verb} {key}</translation>
         </message>
         <message>
             <source>a {shape} does not cut from the edge</source>
@@ -11423,11 +11423,11 @@
         </message>
         <message>
             <source>an arc needs arc = "cw" or "ccw", and radius_mm or centre</source>
-            <translation type="unfinished"></translation>
+            <translation>um arco precisa de arc = "cw" ou "ccw", e de radius_mm ou centre</translation>
         </message>
         <message>
             <source>an arc needs radius_mm or centre, not both</source>
-            <translation type="unfinished"></translation>
+            <translation>um arco precisa de radius_mm ou centre, não de ambos</translation>
         </message>
         <message>
             <source>an arc of another plane than XY</source>
@@ -11575,7 +11575,7 @@
         </message>
         <message>
             <source>at least {0} mm</source>
-            <translation type="unfinished"></translation>
+            <translation>no mínimo {0} mm</translation>
         </message>
         <message>
             <source>at least {chord:.4f} mm</source>
@@ -11643,7 +11643,7 @@
         </message>
         <message>
             <source>at z {0} mm, radius {1} mm</source>
-            <translation type="unfinished"></translation>
+            <translation>em z {0} mm, raio {1} mm</translation>
         </message>
         <message>
             <source>attach to it again</source>
@@ -11711,7 +11711,7 @@
         </message>
         <message>
             <source>bar_mm must be below smallest_bore_mm</source>
-            <translation type="unfinished"></translation>
+            <translation>bar_mm deve ser menor que smallest_bore_mm</translation>
         </message>
         <message>
             <source>batch journal</source>
@@ -11799,11 +11799,11 @@
         </message>
         <message>
             <source>bore_mm belongs to a stock of the form 'tube', and to no other</source>
-            <translation type="unfinished"></translation>
+            <translation>bore_mm pertence a um material da forma 'tube', e a nenhum outro</translation>
         </message>
         <message>
             <source>bore_mm must be below diameter_mm, {limit}</source>
-            <translation type="unfinished"></translation>
+            <translation>bore_mm deve ser menor que diameter_mm, {limit}</translation>
         </message>
         <message>
             <source>both radii must be positive</source>
@@ -11835,7 +11835,7 @@
         </message>
         <message>
             <source>chamfers and fillets lie between two lines</source>
-            <translation type="unfinished"></translation>
+            <translation>chanfros e arredondamentos ficam entre duas retas</translation>
         </message>
         <message>
             <source>change F in the program</source>
@@ -12267,11 +12267,11 @@
         </message>
         <message>
             <source>correct centre or to</source>
-            <translation type="unfinished"></translation>
+            <translation>corrija centre ou to</translation>
         </message>
         <message>
             <source>correct it</source>
-            <translation type="unfinished"></translation>
+            <translation>corrija-o</translation>
         </message>
         <message>
             <source>correct it; paths are relative to the order</source>
@@ -12379,7 +12379,7 @@
         </message>
         <message>
             <source>correct the insert's code</source>
-            <translation type="unfinished"></translation>
+            <translation>corrija o código da pastilha</translation>
         </message>
         <message>
             <source>correct the jog command</source>
@@ -12579,7 +12579,7 @@
         </message>
         <message>
             <source>draw it joined up</source>
-            <translation type="unfinished"></translation>
+            <translation>desenhe-o emendado</translation>
         </message>
         <message>
             <source>draw it larger, or leave it out</source>
@@ -12611,7 +12611,7 @@
         </message>
         <message>
             <source>draw them as points</source>
-            <translation type="unfinished"></translation>
+            <translation>desenhe-os como pontos</translation>
         </message>
         <message>
             <source>draw them {kerf_mm:g} mm apart</source>
@@ -12635,7 +12635,7 @@
         </message>
         <message>
             <source>drill {0} mm</source>
-            <translation type="unfinished"></translation>
+            <translation>broca de {0} mm</translation>
         </message>
         <message>
             <source>drive a laser by a controller with grbl's laser mode</source>
@@ -12663,7 +12663,7 @@
         </message>
         <message>
             <source>end it at the axis</source>
-            <translation type="unfinished"></translation>
+            <translation>termine-o no eixo</translation>
         </message>
         <message>
             <source>end it in .gif, or install ffmpeg</source>
@@ -12783,7 +12783,7 @@
         </message>
         <message>
             <source>feed_min_mm_rev must not exceed feed_max_mm_rev</source>
-            <translation type="unfinished"></translation>
+            <translation>feed_min_mm_rev não deve exceder feed_max_mm_rev</translation>
         </message>
         <message>
             <source>feeds a turn became feeds a minute, at the speed that S asks for</source>
@@ -12871,7 +12871,7 @@
         </message>
         <message>
             <source>from z {0} mm by {1} mm</source>
-            <translation type="unfinished"></translation>
+            <translation>a partir de z {0} mm, por {1} mm</translation>
         </message>
         <message>
             <source>from {begin} at line {first_line}, to {end} at line {last_line}</source>
@@ -13231,7 +13231,7 @@
         </message>
         <message>
             <source>has no</source>
-            <translation type="unfinished"></translation>
+            <translation>não tem</translation>
         </message>
         <message>
             <source>heights belong to a stock of the form 'height_field', and to no other</source>
@@ -13979,7 +13979,7 @@
         </message>
         <message>
             <source>let z never rise along it</source>
-            <translation type="unfinished"></translation>
+            <translation>não deixe z subir ao longo dele</translation>
         </message>
         <message>
             <source>lift the head higher, or go round the piece</source>
@@ -14523,7 +14523,7 @@
         </message>
         <message>
             <source>name a profile with both</source>
-            <translation type="unfinished"></translation>
+            <translation>escolha um perfil com ambos</translation>
         </message>
         <message>
             <source>name a script with the suffix .py</source>
@@ -14819,11 +14819,11 @@
         </message>
         <message>
             <source>nose radius</source>
-            <translation type="unfinished"></translation>
+            <translation>raio de ponta</translation>
         </message>
         <message>
             <source>nose {0} mm</source>
-            <translation type="unfinished"></translation>
+            <translation>ponta de {0} mm</translation>
         </message>
         <message>
             <source>not a DXF file: {why}</source>
@@ -15139,7 +15139,7 @@
         </message>
         <message>
             <source>operation must be a list of tables</source>
-            <translation type="unfinished"></translation>
+            <translation>operation deve ser uma lista de tabelas</translation>
         </message>
         <message>
             <source>operation {number} ({cycle}) will take long: about {length_mm:.0f} m of cut in {levels} levels</source>
@@ -15151,11 +15151,11 @@
         </message>
         <message>
             <source>operation {number} turns the profile '{profile}', which the job does not have: it has {names}</source>
-            <translation type="unfinished"></translation>
+            <translation>a operação {number} torneia o perfil '{profile}', que o trabalho não tem: ele tem {names}</translation>
         </message>
         <message>
             <source>operation {number} uses tool {tool}, which the job does not have: it has {tools}</source>
-            <translation type="unfinished"></translation>
+            <translation>a operação {number} usa a ferramenta {tool}, que o trabalho não tem: ele tem {tools}</translation>
         </message>
         <message>
             <source>order table</source>
@@ -15207,11 +15207,11 @@
         </message>
         <message>
             <source>parting blade {0} mm</source>
-            <translation type="unfinished"></translation>
+            <translation>bedame de {0} mm</translation>
         </message>
         <message>
-            <source>peck_mm must not exceed depth_mm, {limit:g} mm; {advice}</source>
-            <translation type="unfinished"></translation>
+            <source>peck_mm must not exceed depth_mm, {limit:g} mm; write 0 to drill in one go</source>
+            <translation>peck_mm não deve exceder depth_mm, {limit:g} mm; escreva 0 para furar de uma vez</translation>
         </message>
         <message>
             <source>peck_mm {peck_mm:g} mm</source>
@@ -15399,11 +15399,11 @@
         </message>
         <message>
             <source>radius 0 mm</source>
-            <translation type="unfinished"></translation>
+            <translation>raio 0 mm</translation>
         </message>
         <message>
             <source>radius {0} mm at z {1} mm</source>
-            <translation type="unfinished"></translation>
+            <translation>raio {0} mm em z {1} mm</translation>
         </message>
         <message>
             <source>raise F, or turn the spindle slower</source>
@@ -15499,7 +15499,7 @@
         </message>
         <message>
             <source>redraw it</source>
-            <translation type="unfinished"></translation>
+            <translation>redesenhe-o</translation>
         </message>
         <message>
             <source>relay: {twice} is there twice</source>
@@ -16399,7 +16399,7 @@
         </message>
         <message>
             <source>the arc's centre is not as far from both its ends</source>
-            <translation type="unfinished"></translation>
+            <translation>o centro do arco não está à mesma distância das duas pontas</translation>
         </message>
         <message>
             <source>the arc's end does not lie on its circle</source>
@@ -16415,7 +16415,7 @@
         </message>
         <message>
             <source>the arc's radius is too small for its ends</source>
-            <translation type="unfinished"></translation>
+            <translation>o raio do arco é pequeno demais para as suas pontas</translation>
         </message>
         <message>
             <source>the arranged program has {count} cuts, not {wanted}</source>
@@ -16783,7 +16783,7 @@
         </message>
         <message>
             <source>the corner is too large for its lines</source>
-            <translation type="unfinished"></translation>
+            <translation>o canto é grande demais para as suas retas</translation>
         </message>
         <message>
             <source>the corners of a clamp enclose nothing</source>
@@ -17339,11 +17339,11 @@
         </message>
         <message>
             <source>the insert '{code}' has no {name} of ISO 1832</source>
-            <translation type="unfinished"></translation>
+            <translation>a pastilha '{code}' não tem {name} da ISO 1832</translation>
         </message>
         <message>
             <source>the insert must fill 1 to 179 degrees from back_deg to front_deg: it fills {angle:g}</source>
-            <translation type="unfinished"></translation>
+            <translation>a pastilha deve ocupar de 1 a 179 graus entre back_deg e front_deg: ocupa {angle:g}</translation>
         </message>
         <message>
             <source>the job cannot be read: {error}</source>
@@ -17523,7 +17523,7 @@
         </message>
         <message>
             <source>the layer of a profile must hold one chain</source>
-            <translation type="unfinished"></translation>
+            <translation>a camada de um perfil deve conter uma só cadeia</translation>
         </message>
         <message>
             <source>the leads fit nowhere in the scrap; the closest obstacle is {name} at X{x:.3f} Y{y:.3f}</source>
@@ -17691,7 +17691,7 @@
         </message>
         <message>
             <source>the machine has no axes X and Z</source>
-            <translation type="unfinished"></translation>
+            <translation>a máquina não tem os eixos X e Z</translation>
         </message>
         <message>
             <source>the machine has no such spindle</source>
@@ -18111,15 +18111,15 @@
         </message>
         <message>
             <source>the profile crosses itself</source>
-            <translation type="unfinished"></translation>
+            <translation>o perfil cruza a si mesmo</translation>
         </message>
         <message>
             <source>the profile goes over the centre</source>
-            <translation type="unfinished"></translation>
+            <translation>o perfil passa do centro</translation>
         </message>
         <message>
             <source>the profile has an undercut: it runs back towards the end face</source>
-            <translation type="unfinished"></translation>
+            <translation>o perfil tem um rebaixo: ele volta em direção à face</translation>
         </message>
         <message>
             <source>the profile has no end</source>
@@ -18607,7 +18607,7 @@
         </message>
         <message>
             <source>the start is in the stock: its z must be at least {face:g} mm, or its x outside {diameter:g} mm</source>
-            <translation type="unfinished"></translation>
+            <translation>o ponto inicial está dentro do material: seu z deve ser no mínimo {face:g} mm, ou seu x ficar fora de {diameter:g} mm</translation>
         </message>
         <message>
             <source>the state of the machine's position cannot be stored: {error}</source>
@@ -19599,7 +19599,7 @@
         </message>
         <message>
             <source>two {of_what} have the same {key}</source>
-            <translation type="unfinished"></translation>
+            <translation>dois de {of_what} têm o mesmo {key}</translation>
         </message>
         <message>
             <source>undo that, choose another drawing, or choose none</source>
@@ -20018,10 +20018,6 @@
             <translation>work_offset deve ser um destes: {work_systems}</translation>
         </message>
         <message>
-            <source>write 0 to drill in one go</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>write 0 where the edge does not matter</source>
             <translation>escreva 0 onde a borda não importa</translation>
         </message>
@@ -20159,7 +20155,7 @@
         </message>
         <message>
             <source>write [[operation]]</source>
-            <translation type="unfinished"></translation>
+            <translation>escreva [[operation]]</translation>
         </message>
         <message>
             <source>write a G0 or G1 before</source>
@@ -20267,7 +20263,7 @@
         </message>
         <message>
             <source>write four letters and six digits, for example CNMG 120408</source>
-            <translation type="unfinished"></translation>
+            <translation>escreva quatro letras e seis algarismos, por exemplo CNMG 120408</translation>
         </message>
         <message>
             <source>write how many parts are wanted</source>
@@ -20519,7 +20515,7 @@
         </message>
         <message>
             <source>{0} mm long</source>
-            <translation type="unfinished"></translation>
+            <translation>{0} mm de comprimento</translation>
         </message>
         <message>
             <source>{0} mm/min</source>
