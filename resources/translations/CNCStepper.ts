@@ -13782,10 +13782,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>jog another axis</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>jog it down to that height where the way below is free, or restart with the height {here_mm:.1f} (--height), at which it moves over the place directly</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14531,6 +14527,10 @@
         </message>
         <message>
             <source>name a shape of one curve</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>name an axis that it has</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16162,6 +16162,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>switch the lathe off and on, connect again and set its zero; unlock an alarm with $X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>switch the lathe off and on, set its zero by hand, and send the whole program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17515,6 +17519,10 @@
         </message>
         <message>
             <source>the lathe is in automatic mode and cannot be jogged: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the lathe is in automatic mode, or locked by an alarm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

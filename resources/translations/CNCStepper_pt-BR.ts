@@ -13782,10 +13782,6 @@
             <translation>mova de novo se ainda for preciso</translation>
         </message>
         <message>
-            <source>jog another axis</source>
-            <translation>mova outro eixo</translation>
-        </message>
-        <message>
             <source>jog it down to that height where the way below is free, or restart with the height {here_mm:.1f} (--height), at which it moves over the place directly</source>
             <translation>desça-a à mão até essa altura onde você vê o que há embaixo, ou reinicie com a altura {here_mm:.1f} (--height), da qual ela vai logo para cima do lugar</translation>
         </message>
@@ -14532,6 +14528,10 @@
         <message>
             <source>name a shape of one curve</source>
             <translation>indique uma forma de uma só curva</translation>
+        </message>
+        <message>
+            <source>name an axis that it has</source>
+            <translation>indique um eixo que ela tenha</translation>
         </message>
         <message>
             <source>name another machine</source>
@@ -16162,6 +16162,10 @@
             <translation>desligue e ligue o torno, conecte de novo e defina o zero</translation>
         </message>
         <message>
+            <source>switch the lathe off and on, connect again and set its zero; unlock an alarm with $X</source>
+            <translation>desligue e ligue o torno, conecte de novo e ajuste o zero; destrave um alarme com $X</translation>
+        </message>
+        <message>
             <source>switch the lathe off and on, set its zero by hand, and send the whole program</source>
             <translation>desligue e ligue o torno, ajuste o zero à mão e envie o programa inteiro</translation>
         </message>
@@ -17516,6 +17520,10 @@
         <message>
             <source>the lathe is in automatic mode and cannot be jogged: {0}</source>
             <translation>o torno está em modo automático e não pode ser movido à mão: {0}</translation>
+        </message>
+        <message>
+            <source>the lathe is in automatic mode, or locked by an alarm</source>
+            <translation>o torno está no modo automático, ou travado por um alarme</translation>
         </message>
         <message>
             <source>the lathe jogs at up to {0} mm/min, or at {1}: it takes the slower one</source>
