@@ -5507,6 +5507,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Motor's power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Motor's steps</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12518,6 +12522,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>cut {depth:.3g} mm deep at most</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>cuts {overlap_mm:.3g} mm before the place again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13207,6 +13215,10 @@
         </message>
         <message>
             <source>grblHAL takes arc centres from the start point only (G91.1)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>grip with {force:.4g} N, or cut {depth:.3g} mm deep</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14686,6 +14698,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no material is stiffer than diamond</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no material needs more than 100 kN on a square millimetre of chip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no memory card is mounted</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14759,6 +14779,10 @@
         </message>
         <message>
             <source>no screw and rotor has more</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no spindle of a lathe or mill has more than 1 MW</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16434,6 +16458,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the bar bends away from the tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the bar is slender: it bends and chatters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the bar may turn in the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the bars' width</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16851,6 +16887,14 @@
         </message>
         <message>
             <source>the cut leads through the edge of a part that a contour leaves standing, {where}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the cut needs more power than the motor has</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the cutting force of {title} in turning is not in the table</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19738,6 +19782,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use a steady rest, or at most {length:.4g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use a tailstock, or at most {length:.4g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use a thread mill with one tooth, given as an engraver with a large tip_diameter_mm or as flat</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20679,6 +20731,10 @@
         </message>
         <message>
             <source>{deep_mm:.3f} mm deep</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{depth:.3g} mm deep, or {rpm:.4g} rpm, would do</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
