@@ -13,13 +13,14 @@ from CNCStepper.errors import Place, Text, placed
 from CNCStepper.input_file import read_input
 from CNCStepper.job.nesting.nest_files import write_nest
 from CNCStepper.job.nesting.order_file import Order
-from CNCStepper.job.slicing.sections import SOLIDS, Sections, mesh_sections, solid_sections
+from CNCStepper.job.slicing.sections import Sections, mesh_sections, solid_sections
 from CNCStepper.job.slicing.slice_files import nest_order, write_stack
 from CNCStepper.job.slicing.slice_form import SliceForm
 from CNCStepper.job.slicing.solid_slices import Stack, stack_of
 from CNCStepper.nesting.nest import nest
 from CNCStepper.nesting.nesting_model import Budget, Layout
 
+SOLIDS = (".step", ".stp", ".brep", ".brp", ".fcstd")
 PARTS = ("front", "middle", "back")  # names of the runs of sheets, from the lowest
 
 

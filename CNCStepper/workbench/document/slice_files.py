@@ -11,12 +11,13 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from CNCStepper import text_json
-from CNCStepper.errors import CNCStepperError
+from CNCStepper.errors import CNCStepperError, Place
 from CNCStepper.workbench.document.drawing_files import Reading
 from CNCStepper.workbench.features.base import proxy_type
 from CNCStepper.workbench.features.drawings.drawing import Drawing, path_of
-from CNCStepper.workbench.features.drawings.slices import export_solid, key_of, question_of, require_solid
+from CNCStepper.workbench.features.drawings.slices import asked_of, key_of, take_answer
+
+TEMPORARY = "cncstepper-slices-"  # how folders begin that hold the solid for the process
 
 
 class Slicing:
@@ -35,7 +36,7 @@ class Slicing:
     ):
         self._obj, self._done, self._failed, self._share = obj, done, failed, share
         self._place = obj.Document.Name, obj.Name
-        self._temporary = tempfile.TemporaryDirectory(prefix="cncstepper-slices-")
+        self._temporary = tempfile.TemporaryDirectory(prefix=TEMPORARY)
         self._made_of = ""
         self._to_read: list[Any] = []
         self._reading: Reading | None = None
@@ -45,9 +46,9 @@ class Slicing:
         """Ask the process; raises JobError where there is no solid, no folder, or a bad value."""
         from CNCStepper.workbench.calculation.drawing_process import DrawingRequest, process
 
-        solid = export_solid(require_solid(self._obj), Path(self._temporary.name))
+        question = {"slices": asked_of(self._obj, Path(self._temporary.name))}
         self._made_of = key_of(self._obj)
-        process().ask(self, DrawingRequest(question_of(self._obj, solid), self._take, self._refuse, self._share))
+        process().ask(self, DrawingRequest(question, self._take, self._refuse, self._share))
 
     def end(self) -> None:
         """Make nothing any more."""
@@ -69,10 +70,8 @@ class Slicing:
     def _take(self, answer: dict[str, Any]) -> None:
         if self._ended or not self._is_there:
             return
-        obj = self._obj
-        self._to_read = drawings_of(obj, [Path(path) for path in answer["sheets"]])
-        obj.SliceCount, obj.SheetCount = answer["slices"], len(answer["sheets"])
-        obj.Report, obj.MadeOf = text_json.dumps(answer), self._made_of
+        self._to_read = drawings_of(self._obj, [Path(path) for path in answer["sheets"]])
+        take_answer(self._obj, answer, self._made_of)
         self._read_next()
 
     def _read_next(self) -> None:
@@ -127,12 +126,12 @@ def slice_now(obj: Any) -> None:
     from CNCStepper.job.slicing.make_slices import answer_of
     from CNCStepper.workbench.document.drawing_files import read_now
 
-    made_of = key_of(obj)
-    with tempfile.TemporaryDirectory(prefix="cncstepper-slices-") as folder:
-        solid = export_solid(require_solid(obj), Path(folder))
-        answer = answer_of(question_of(obj, solid)["slices"])
+    try:
+        with tempfile.TemporaryDirectory(prefix=TEMPORARY) as folder:
+            answer = answer_of(asked_of(obj, Path(folder)))
+    except CNCStepperError as error:
+        raise error.at(Place(obj.Label)) from error
     for drawing in drawings_of(obj, [Path(path) for path in answer["sheets"]]):
         read_now(drawing)
-    obj.SliceCount, obj.SheetCount = answer["slices"], len(answer["sheets"])
-    obj.Report, obj.MadeOf = text_json.dumps(answer), made_of
+    take_answer(obj, answer, key_of(obj))
     obj.Proxy.execute(obj)

@@ -43,7 +43,7 @@ class BackgroundPanel(Panel):
         self._closing = False  # OK was pressed while it was made
 
     def begin(self, work: Work, words: str) -> None:
-        """Begin a work, in place of the one that is under way."""
+        """Begin a work, in place of the one that is under way; what stands in its way is said below the form."""
         if self.work is not None:
             self.work.end()
         self.refused = False
@@ -53,9 +53,8 @@ class BackgroundPanel(Panel):
         self.note.begin()
         try:
             work.begin()
-        except CNCStepperError:
-            self._end()
-            raise
+        except CNCStepperError as error:
+            self.failed(error)
 
     def accept(self) -> bool:
         """Keep all as one undo step, as soon as it is made; stay open where it could not be."""

@@ -12,6 +12,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from CNCStepper import text_json
 from CNCStepper.errors import JobError
 from CNCStepper.workbench import packages
 from CNCStepper.workbench.features.base import (
@@ -21,6 +22,7 @@ from CNCStepper.workbench.features.base import (
     HIDDEN,
     INTEGER,
     LINK,
+    STALE,
     TEXT,
     Feature,
     Property,
@@ -75,7 +77,7 @@ class Slices(Feature):
         require_solid(obj)
         if obj.MadeOf and is_stale(obj):
             what, advice = "the solid or a value has changed since the sheets were made", "slice it again"
-            raise JobError("slices-stale", what, advice=advice)
+            raise JobError(STALE, what, advice=advice)
 
 
 def require_solid(obj: Any) -> Any:
@@ -130,23 +132,27 @@ def folder_of(obj: Any) -> Path:
     return Path(obj.Document.FileName).with_suffix("") / obj.Name
 
 
-def export_solid(solid: Any, folder: Path) -> Path:
-    """Write a solid into a folder for the process, a body exactly and a mesh as triangles; return the file."""
-    if hasattr(solid, "Mesh"):
-        path = folder / "solid.stl"
-        solid.Mesh.write(str(path))
-    else:
-        path = folder / "solid.brep"
-        solid.Shape.exportBrep(str(path))
-    return path
+def asked_of(obj: Any, folder: Path) -> dict[str, Any]:
+    """Return what the process is asked, and write the solid into a folder for it, a body exactly, a mesh as triangles.
 
-
-def question_of(obj: Any, solid: Path) -> dict[str, Any]:
-    """Return what the process is asked; raises JobError for a bad value."""
+    Raises JobError where there is no solid, no folder for the drawings, or a bad value.
+    """
     packages.require()
     from CNCStepper.job.slicing.slice_form import SliceForm
     from CNCStepper.machine.profile import validated
 
+    solid = require_solid(obj)
     form = validated(SliceForm, obj.Proxy.given(values(obj)), obj.Label)
-    asked = {"solid": str(solid), "folder": str(folder_of(obj)), "title": obj.Label, "form": form.model_dump()}
-    return {"slices": asked}
+    asked = {"folder": str(folder_of(obj)), "title": obj.Label, "form": form.model_dump()}
+    path = folder / ("solid.stl" if hasattr(solid, "Mesh") else "solid.brep")
+    if hasattr(solid, "Mesh"):
+        solid.Mesh.write(str(path))
+    else:
+        solid.Shape.exportBrep(str(path))
+    return {"solid": str(path), **asked}
+
+
+def take_answer(obj: Any, answer: dict[str, Any], made_of: str) -> None:
+    """Keep what was made of the solid and the values that `made_of` holds."""
+    obj.SliceCount, obj.SheetCount = answer["slices"], len(answer["sheets"])
+    obj.Report, obj.MadeOf = text_json.dumps(answer), made_of
