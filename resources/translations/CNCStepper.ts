@@ -9470,6 +9470,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{designation}' is no designation of a thread</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{drawing}' holds no lines that can be followed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11326,6 +11330,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>above {0} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>above {highest_cut:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12271,6 +12279,10 @@
         </message>
         <message>
             <source>correct centre or to</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct diameter_mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13870,6 +13882,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>lead times speed is more than axis {axis} can: {lead:.4g} mm at {rpm:.4g} rpm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>leads had to be made smaller to stay in the scrap, down to {smallest:.0%} of their size</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13967,6 +13983,10 @@
         </message>
         <message>
             <source>left out: {letter}, which never moves; that axis stands at 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lengthen the thread</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14163,6 +14183,10 @@
         </message>
         <message>
             <source>lower steps/mm or maximum rate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lower taper_deg or its length</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15431,6 +15455,10 @@
         </message>
         <message>
             <source>raise F, or turn the spindle slower</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>raise first_depth_mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16838,6 +16866,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the crest of the thread lies below its floor</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the curve has no length</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17146,6 +17178,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the feed does not follow the spindle: choose a machine whose controller has G33</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the feed does not follow the spindle: write thread passes as G01 at F = pitch * rpm / 60, for a lathe that begins each run of G01 at the encoder's index (mini-lathe:thread_start=index)</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17287,6 +17323,10 @@
         </message>
         <message>
             <source>the flanges' width</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the floor of the thread crosses the axis</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17574,7 +17614,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the lathe's timer makes a lead of {lead:.4f} mm, not {wanted:.4f} mm: over the thread {off:.3f} mm; at {rpm:.2f} rpm it is right</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the layer of a profile must hold one chain</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the lead of '{text}' is no whole number of pitches</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18051,6 +18099,10 @@
         </message>
         <message>
             <source>the pins of the machine are not known to this reader</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the pitch of '{designation}' is too coarse for its diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18755,6 +18807,22 @@
         </message>
         <message>
             <source>the thickness of material {number}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the thread '{text}' is not in the table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the thread is longer than its cylinder of {diameter:.4g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the thread is not longer than its pull-out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the thread takes too many passes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19574,6 +19642,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>turn with at most {most:.4g} rpm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>turning (G7, G95, G96) is in force here: no entry is written for a lathe</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20230,6 +20302,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write a finer pitch</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write a lead that is</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write a letter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20366,6 +20446,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write length_mm = {length:.4g}, or lengthen the cylinder</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20383,6 +20467,10 @@
         </message>
         <message>
             <source>write one program a tool, or pause at tool changes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write one such as M20x2.5, M20, 1/2-13 UNC, 1/4-28 UNF, 3/8-16 BSW, G1/2, Tr20x4 or Tr40x14P7</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20767,6 +20855,10 @@
         </message>
         <message>
             <source>{dialect} has no {what}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{dialect} programs are written without '{code}'</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
