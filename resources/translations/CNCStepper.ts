@@ -9462,6 +9462,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{code}' is no insert of ISO 1832</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{drawing}' holds no lines that can be followed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9483,6 +9487,10 @@
         </message>
         <message>
             <source>'{inner}' and '{outer}' cross, so that it is not clear what lies inside</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{insert}' is no insert of a {kind} tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9582,7 +9590,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>0.005 mm apart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>0.87 times the width</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>00 to 99, in tenths of a mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10550,6 +10566,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a corner has a chamfer_mm or a fillet_mm, not both</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a corner is either rounded (A) or broken (C)</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10691,6 +10711,10 @@
         </message>
         <message>
             <source>a jog needs a way and a feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a lathe has no cycle '{name}'</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10882,6 +10906,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a parallel port has 25 pins, and one below zero is active low</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a parameter could not be set</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10947,6 +10975,14 @@
         </message>
         <message>
             <source>a process of ours has a machine's port, but its file {path} cannot be read: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a profile needs points or dxf, one of them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a profile's ends have no corner to cut and its begin no arc</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11170,6 +11206,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a turning tool needs insert, for example "CNMG 120408", or front_deg and back_deg</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a value in the expression does not fit its operation</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11223,6 +11263,14 @@
         </message>
         <message>
             <source>a word is twice in one line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a {kind} tool has no insert of ISO 1832</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a {kind} tool {verb} {key}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11374,6 +11422,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>an arc needs arc = "cw" or "ccw", and radius_mm or centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>an arc needs radius_mm or centre, not both</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>an arc of another plane than XY</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11518,6 +11574,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>at least {0} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>at least {chord:.4f} mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11582,6 +11642,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>at z {0} mm, radius {1} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>attach to it again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11643,6 +11707,10 @@
         </message>
         <message>
             <source>backlash_mm must be below the travel of the axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>bar_mm must be below smallest_bore_mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11730,6 +11798,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>bore_mm belongs to a stock of the form 'tube', and to no other</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>bore_mm must be below diameter_mm, {limit}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>both radii must be positive</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11755,6 +11831,10 @@
         </message>
         <message>
             <source>chains have fewer lines and arcs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>chamfers and fillets lie between two lines</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12186,6 +12266,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>correct centre or to</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>correct it; paths are relative to the order</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12287,6 +12375,10 @@
         </message>
         <message>
             <source>correct the homing settings ($22 to $27, $44 to $46)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct the insert's code</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12486,6 +12578,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>draw it joined up</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>draw it larger, or leave it out</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12514,6 +12610,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>draw them as points</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>draw them {kerf_mm:g} mm apart</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12531,6 +12631,10 @@
         </message>
         <message>
             <source>drawings with the suffix '{suffix}' cannot be written</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>drill {0} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12555,6 +12659,10 @@
         </message>
         <message>
             <source>enable homing ($22=1) or switch soft limits off ($20=0)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>end it at the axis</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12674,6 +12782,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>feed_min_mm_rev must not exceed feed_max_mm_rev</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>feeds a turn became feeds a minute, at the speed that S asks for</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12755,6 +12867,10 @@
         </message>
         <message>
             <source>from here on findings of this kind are not listed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>from z {0} mm by {1} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13111,6 +13227,10 @@
         </message>
         <message>
             <source>half the difference of the diameters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>has no</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13662,6 +13782,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>jog another axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>jog it down to that height where the way below is free, or restart with the height {here_mm:.1f} (--height), at which it moves over the place directly</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13851,6 +13975,10 @@
         </message>
         <message>
             <source>let it plunge at the start of the contour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>let z never rise along it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14394,6 +14522,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>name a profile with both</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>name a script with the suffix .py</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14683,6 +14815,14 @@
         </message>
         <message>
             <source>none of the selected drawings can be followed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>nose radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>nose {0} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14998,11 +15138,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>operation must be a list of tables</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>operation {number} ({cycle}) will take long: about {length_mm:.0f} m of cut in {levels} levels</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>operation {number} has another {key} than its file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>operation {number} turns the profile '{profile}', which the job does not have: it has {names}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>operation {number} uses tool {tool}, which the job does not have: it has {tools}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15051,6 +15203,14 @@
         </message>
         <message>
             <source>part {number} goes beyond the sheet at X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>parting blade {0} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>peck_mm must not exceed depth_mm, {limit:g} mm; {advice}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15238,6 +15398,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>radius 0 mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>radius {0} mm at z {1} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>raise F, or turn the spindle slower</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15327,6 +15495,10 @@
         </message>
         <message>
             <source>real time</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>redraw it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16226,6 +16398,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the arc's centre is not as far from both its ends</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the arc's end does not lie on its circle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16235,6 +16411,10 @@
         </message>
         <message>
             <source>the arc's radius is not larger than the tool's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the arc's radius is too small for its ends</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16498,6 +16678,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the controller of this machine has been started; it counts from the present position</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the controller of {machine} ended at its start</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16598,6 +16782,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the corner is too large for its lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the corners of a clamp enclose nothing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16642,10 +16830,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the cut failed by a fault of its own: {kind}: {fault}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>the cut goes into the part of another contour at X{x:.3f} Y{y:.3f}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16663,10 +16847,6 @@
         </message>
         <message>
             <source>the cut leads through the edge of a part that a contour leaves standing, {where}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the cut takes more memory than there is</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16782,10 +16962,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the drawing failed by a fault of ours: {kind}: {fault}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>the drawing has no closed outline</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16819,10 +16995,6 @@
         </message>
         <message>
             <source>the drawing reaches beyond the stock</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the drawing takes more memory than there is</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17166,6 +17338,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the insert '{code}' has no {name} of ISO 1832</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the insert must fill 1 to 179 degrees from back_deg to front_deg: it fills {angle:g}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the job cannot be read: {error}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17342,6 +17522,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the layer of a profile must hold one chain</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the leads fit nowhere in the scrap; the closest obstacle is {name} at X{x:.3f} Y{y:.3f}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17503,6 +17687,10 @@
         </message>
         <message>
             <source>the machine finds its own zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine has no axes X and Z</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17919,6 +18107,18 @@
         </message>
         <message>
             <source>the profile cannot be reached from where the cycle begins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the profile crosses itself</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the profile goes over the centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the profile has an undercut: it runs back towards the end face</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18403,6 +18603,10 @@
         </message>
         <message>
             <source>the stand-alone interpreter moves X Y Z A B C only</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the start is in the stock: its z must be at least {face:g} mm, or its x outside {diameter:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19106,6 +19310,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this machine has no Y axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine has no Z axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this machine has no Z axis: arcs are in XY</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19383,6 +19595,10 @@
         </message>
         <message>
             <source>two words of the line contradict each other</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>two {of_what} have the same {key}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19802,6 +20018,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write 0 to drill in one go</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write 0 where the edge does not matter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19938,6 +20158,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write [[operation]]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write a G0 or G1 before</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20039,6 +20263,10 @@
         </message>
         <message>
             <source>write for grbl or linuxcnc</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write four letters and six digits, for example CNMG 120408</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20290,6 +20518,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} mm long</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} mm/min</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20483,6 +20715,10 @@
         </message>
         <message>
             <source>{doing} failed by a fault of its own: {kind}: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{doing} takes more memory than there is</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -9462,6 +9462,10 @@
             <translation>'{axes}' não indica eixos</translation>
         </message>
         <message>
+            <source>'{code}' is no insert of ISO 1832</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{drawing}' holds no lines that can be followed</source>
             <translation>'{drawing}' não contém linhas que possam ser seguidas</translation>
         </message>
@@ -9484,6 +9488,10 @@
         <message>
             <source>'{inner}' and '{outer}' cross, so that it is not clear what lies inside</source>
             <translation>'{inner}' e '{outer}' se cruzam, de modo que não está claro o que fica dentro</translation>
+        </message>
+        <message>
+            <source>'{insert}' is no insert of a {kind} tool</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>'{key}' cannot be {value!r}</source>
@@ -9582,8 +9590,16 @@
             <translation>0 sem fenda de entrada</translation>
         </message>
         <message>
+            <source>0.005 mm apart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>0.87 times the width</source>
             <translation>0,87 vezes a largura</translation>
+        </message>
+        <message>
+            <source>00 to 99, in tenths of a mm</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>= is missing after the parameter</source>
@@ -10550,6 +10566,10 @@
             <translation>uma coordenada não é um comprimento em mm</translation>
         </message>
         <message>
+            <source>a corner has a chamfer_mm or a fillet_mm, not both</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a corner is either rounded (A) or broken (C)</source>
             <translation>um canto é arredondado (A) ou chanfrado (C)</translation>
         </message>
@@ -10692,6 +10712,10 @@
         <message>
             <source>a jog needs a way and a feed</source>
             <translation>um movimento manual precisa de distância e avanço</translation>
+        </message>
+        <message>
+            <source>a lathe has no cycle '{name}'</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>a lathe tool is compensated in the plane ZX</source>
@@ -10882,6 +10906,10 @@
             <translation>um número sem letra antes dele</translation>
         </message>
         <message>
+            <source>a parallel port has 25 pins, and one below zero is active low</source>
+            <translation>uma porta paralela tem 25 pinos, e um abaixo de zero é ativo em nível baixo</translation>
+        </message>
+        <message>
             <source>a parameter could not be set</source>
             <translation>um parâmetro não pôde ser definido</translation>
         </message>
@@ -10948,6 +10976,14 @@
         <message>
             <source>a process of ours has a machine's port, but its file {path} cannot be read: {error}</source>
             <translation>um processo nosso tem a porta de uma máquina, mas seu arquivo {path} não pode ser lido: {error}</translation>
+        </message>
+        <message>
+            <source>a profile needs points or dxf, one of them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a profile's ends have no corner to cut and its begin no arc</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>a program for {language} cannot be restarted in its middle</source>
@@ -11170,6 +11206,10 @@
             <translation>uma transformação não pode achatar a curva</translation>
         </message>
         <message>
+            <source>a turning tool needs insert, for example "CNMG 120408", or front_deg and back_deg</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a value in the expression does not fit its operation</source>
             <translation>um valor da expressão não serve para a operação</translation>
         </message>
@@ -11224,6 +11264,14 @@
         <message>
             <source>a word is twice in one line</source>
             <translation>uma palavra aparece duas vezes na linha</translation>
+        </message>
+        <message>
+            <source>a {kind} tool has no insert of ISO 1832</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a {kind} tool {verb} {key}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>a {shape} does not cut from the edge</source>
@@ -11374,6 +11422,14 @@
             <translation>um arco precisa de um ponto inicial conhecido</translation>
         </message>
         <message>
+            <source>an arc needs arc = "cw" or "ccw", and radius_mm or centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>an arc needs radius_mm or centre, not both</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>an arc of another plane than XY</source>
             <translation>um arco em outro plano que não XY</translation>
         </message>
@@ -11518,6 +11574,10 @@
             <translation>no mínimo a largura do corte de {kerf_mm:g} mm</translation>
         </message>
         <message>
+            <source>at least {0} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>at least {chord:.4f} mm</source>
             <translation>ao menos {chord:.4f} mm</translation>
         </message>
@@ -11582,6 +11642,10 @@
             <translation>no intervalo do perfil as letras são rápidas demais para {axis}</translation>
         </message>
         <message>
+            <source>at z {0} mm, radius {1} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>attach to it again</source>
             <translation>ligue-se a ela de novo</translation>
         </message>
@@ -11644,6 +11708,10 @@
         <message>
             <source>backlash_mm must be below the travel of the axis</source>
             <translation>backlash_mm deve ser menor que o curso do eixo</translation>
+        </message>
+        <message>
+            <source>bar_mm must be below smallest_bore_mm</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>batch journal</source>
@@ -11730,6 +11798,14 @@
             <translation>desfoque a imagem, reduza-a ou escolha outro limiar</translation>
         </message>
         <message>
+            <source>bore_mm belongs to a stock of the form 'tube', and to no other</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>bore_mm must be below diameter_mm, {limit}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>both radii must be positive</source>
             <translation>os dois semieixos devem ser positivos</translation>
         </message>
@@ -11756,6 +11832,10 @@
         <message>
             <source>chains have fewer lines and arcs</source>
             <translation>cadeias têm menos linhas e arcos</translation>
+        </message>
+        <message>
+            <source>chamfers and fillets lie between two lines</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>change F in the program</source>
@@ -12186,6 +12266,14 @@
             <translation>corrija R ou {normal}</translation>
         </message>
         <message>
+            <source>correct centre or to</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>correct it; paths are relative to the order</source>
             <translation>corrija; os caminhos são relativos ao pedido</translation>
         </message>
@@ -12288,6 +12376,10 @@
         <message>
             <source>correct the homing settings ($22 to $27, $44 to $46)</source>
             <translation>corrija as configurações de referenciamento ($22 a $27, $44 a $46)</translation>
+        </message>
+        <message>
+            <source>correct the insert's code</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>correct the jog command</source>
@@ -12486,6 +12578,10 @@
             <translation>desenhe-a em uma tabela [[shape]]</translation>
         </message>
         <message>
+            <source>draw it joined up</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>draw it larger, or leave it out</source>
             <translation>desenhe-o maior ou deixe-o de fora</translation>
         </message>
@@ -12514,6 +12610,10 @@
             <translation>desenhe algo nele, ou escolha outro desenho</translation>
         </message>
         <message>
+            <source>draw them as points</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>draw them {kerf_mm:g} mm apart</source>
             <translation>desenhe-as a {kerf_mm:g} mm uma da outra</translation>
         </message>
@@ -12532,6 +12632,10 @@
         <message>
             <source>drawings with the suffix '{suffix}' cannot be written</source>
             <translation>desenhos com o sufixo '{suffix}' não podem ser escritos</translation>
+        </message>
+        <message>
+            <source>drill {0} mm</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>drive a laser by a controller with grbl's laser mode</source>
@@ -12556,6 +12660,10 @@
         <message>
             <source>enable homing ($22=1) or switch soft limits off ($20=0)</source>
             <translation>habilite o referenciamento ($22=1) ou desligue os limites de software ($20=0)</translation>
+        </message>
+        <message>
+            <source>end it at the axis</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>end it in .gif, or install ffmpeg</source>
@@ -12674,6 +12782,10 @@
             <translation>modo de avanço: unidades por rotação</translation>
         </message>
         <message>
+            <source>feed_min_mm_rev must not exceed feed_max_mm_rev</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>feeds a turn became feeds a minute, at the speed that S asks for</source>
             <translation>avanços por rotação viraram avanços por minuto, na rotação que S pede</translation>
         </message>
@@ -12756,6 +12868,10 @@
         <message>
             <source>from here on findings of this kind are not listed</source>
             <translation>daqui em diante os achados deste tipo não são listados</translation>
+        </message>
+        <message>
+            <source>from z {0} mm by {1} mm</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>from {begin} at line {first_line}, to {end} at line {last_line}</source>
@@ -13112,6 +13228,10 @@
         <message>
             <source>half the difference of the diameters</source>
             <translation>a metade da diferença dos diâmetros</translation>
+        </message>
+        <message>
+            <source>has no</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>heights belong to a stock of the form 'height_field', and to no other</source>
@@ -13662,6 +13782,10 @@
             <translation>mova de novo se ainda for preciso</translation>
         </message>
         <message>
+            <source>jog another axis</source>
+            <translation>mova outro eixo</translation>
+        </message>
+        <message>
             <source>jog it down to that height where the way below is free, or restart with the height {here_mm:.1f} (--height), at which it moves over the place directly</source>
             <translation>desça-a à mão até essa altura onde você vê o que há embaixo, ou reinicie com a altura {here_mm:.1f} (--height), da qual ela vai logo para cima do lugar</translation>
         </message>
@@ -13852,6 +13976,10 @@
         <message>
             <source>let it plunge at the start of the contour</source>
             <translation>faça-a mergulhar no início do contorno</translation>
+        </message>
+        <message>
+            <source>let z never rise along it</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>lift the head higher, or go round the piece</source>
@@ -14394,6 +14522,10 @@
             <translation>indique uma porta paralela, um dispositivo serial, socket://host:porta ou record:ARQUIVO</translation>
         </message>
         <message>
+            <source>name a profile with both</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>name a script with the suffix .py</source>
             <translation>indique um script com o sufixo .py</translation>
         </message>
@@ -14684,6 +14816,14 @@
         <message>
             <source>none of the selected drawings can be followed</source>
             <translation>nenhum dos desenhos selecionados pode ser seguido</translation>
+        </message>
+        <message>
+            <source>nose radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>nose {0} mm</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>not a DXF file: {why}</source>
@@ -14998,12 +15138,24 @@
             <translation>a operação '{cycle}' usa a ferramenta {tool}, que o trabalho não tem</translation>
         </message>
         <message>
+            <source>operation must be a list of tables</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>operation {number} ({cycle}) will take long: about {length_mm:.0f} m of cut in {levels} levels</source>
             <translation>a operação {number} ({cycle}) vai demorar: cerca de {length_mm:.0f} m de corte em {levels} níveis</translation>
         </message>
         <message>
             <source>operation {number} has another {key} than its file</source>
             <translation>a operação {number} tem outro {key} do que no arquivo</translation>
+        </message>
+        <message>
+            <source>operation {number} turns the profile '{profile}', which the job does not have: it has {names}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>operation {number} uses tool {tool}, which the job does not have: it has {tools}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>order table</source>
@@ -15052,6 +15204,14 @@
         <message>
             <source>part {number} goes beyond the sheet at X{x:.3f} Y{y:.3f}</source>
             <translation>a peça {number} passa da chapa em X{x:.3f} Y{y:.3f}</translation>
+        </message>
+        <message>
+            <source>parting blade {0} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>peck_mm must not exceed depth_mm, {limit:g} mm; {advice}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>peck_mm {peck_mm:g} mm</source>
@@ -15238,6 +15398,14 @@
             <translation>os semieixos e a resolução devem ser positivos</translation>
         </message>
         <message>
+            <source>radius 0 mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>radius {0} mm at z {1} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>raise F, or turn the spindle slower</source>
             <translation>aumente F, ou diminua a rotação do spindle</translation>
         </message>
@@ -15328,6 +15496,10 @@
         <message>
             <source>real time</source>
             <translation>tempo real</translation>
+        </message>
+        <message>
+            <source>redraw it</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>relay: {twice} is there twice</source>
@@ -16226,6 +16398,10 @@
             <translation>o arco percorreria outro ângulo</translation>
         </message>
         <message>
+            <source>the arc's centre is not as far from both its ends</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the arc's end does not lie on its circle</source>
             <translation>o fim do arco não está na sua circunferência</translation>
         </message>
@@ -16236,6 +16412,10 @@
         <message>
             <source>the arc's radius is not larger than the tool's</source>
             <translation>o raio do arco não é maior que o da ferramenta</translation>
+        </message>
+        <message>
+            <source>the arc's radius is too small for its ends</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the arranged program has {count} cuts, not {wanted}</source>
@@ -16498,6 +16678,10 @@
             <translation>o controlador está iniciando</translation>
         </message>
         <message>
+            <source>the controller of this machine has been started; it counts from the present position</source>
+            <translation>o controlador desta máquina foi iniciado; ele conta a partir da posição atual</translation>
+        </message>
+        <message>
             <source>the controller of {machine} ended at its start</source>
             <translation>o controlador de {machine} terminou ao iniciar</translation>
         </message>
@@ -16598,6 +16782,10 @@
             <translation>o sistema de coordenadas em vigor não pode ser mudado</translation>
         </message>
         <message>
+            <source>the corner is too large for its lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the corners of a clamp enclose nothing</source>
             <translation>os cantos de um grampo não delimitam nenhuma área</translation>
         </message>
@@ -16642,10 +16830,6 @@
             <translation>o corte começa sem esperar o spindle</translation>
         </message>
         <message>
-            <source>the cut failed by a fault of its own: {kind}: {fault}</source>
-            <translation>o corte falhou por um defeito próprio: {kind}: {fault}</translation>
-        </message>
-        <message>
             <source>the cut goes into the part of another contour at X{x:.3f} Y{y:.3f}</source>
             <translation>o corte entra na peça de outro contorno em X{x:.3f} Y{y:.3f}</translation>
         </message>
@@ -16664,10 +16848,6 @@
         <message>
             <source>the cut leads through the edge of a part that a contour leaves standing, {where}</source>
             <translation>o corte passa pela borda de uma peça que um contorno deixa em pé, {where}</translation>
-        </message>
-        <message>
-            <source>the cut takes more memory than there is</source>
-            <translation>o corte precisa de mais memória do que há</translation>
         </message>
         <message>
             <source>the cycle '{cycle}' takes no shapes of a drawing</source>
@@ -16782,10 +16962,6 @@
             <translation>o desenho declara entidades que representam mais do que um texto curto</translation>
         </message>
         <message>
-            <source>the drawing failed by a fault of ours: {kind}: {fault}</source>
-            <translation>o desenho falhou por uma falha nossa: {kind}: {fault}</translation>
-        </message>
-        <message>
             <source>the drawing has no closed outline</source>
             <translation>o desenho não tem nenhum contorno fechado</translation>
         </message>
@@ -16820,10 +16996,6 @@
         <message>
             <source>the drawing reaches beyond the stock</source>
             <translation>o desenho passa do material</translation>
-        </message>
-        <message>
-            <source>the drawing takes more memory than there is</source>
-            <translation>o desenho precisa de mais memória do que há</translation>
         </message>
         <message>
             <source>the drawing would become too many objects</source>
@@ -17166,6 +17338,14 @@
             <translation>o interno</translation>
         </message>
         <message>
+            <source>the insert '{code}' has no {name} of ISO 1832</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the insert must fill 1 to 179 degrees from back_deg to front_deg: it fills {angle:g}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the job cannot be read: {error}</source>
             <translation>o trabalho não pode ser lido: {error}</translation>
         </message>
@@ -17342,6 +17522,10 @@
             <translation>o torno se move à mão a até {0} mm/min, ou a {1}: fica a menor</translation>
         </message>
         <message>
+            <source>the layer of a profile must hold one chain</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the leads fit nowhere in the scrap; the closest obstacle is {name} at X{x:.3f} Y{y:.3f}</source>
             <translation>as entradas e saídas não cabem em lugar nenhum da sobra; o obstáculo mais próximo é {name} em X{x:.3f} Y{y:.3f}</translation>
         </message>
@@ -17504,6 +17688,10 @@
         <message>
             <source>the machine finds its own zero</source>
             <translation>a máquina procura o seu próprio zero</translation>
+        </message>
+        <message>
+            <source>the machine has no axes X and Z</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the machine has no such spindle</source>
@@ -17920,6 +18108,18 @@
         <message>
             <source>the profile cannot be reached from where the cycle begins</source>
             <translation>o perfil não pode ser alcançado de onde o ciclo começa</translation>
+        </message>
+        <message>
+            <source>the profile crosses itself</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the profile goes over the centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the profile has an undercut: it runs back towards the end face</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the profile has no end</source>
@@ -18404,6 +18604,10 @@
         <message>
             <source>the stand-alone interpreter moves X Y Z A B C only</source>
             <translation>o interpretador autônomo só move X Y Z A B C</translation>
+        </message>
+        <message>
+            <source>the start is in the stock: its z must be at least {face:g} mm, or its x outside {diameter:g} mm</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the state of the machine's position cannot be stored: {error}</source>
@@ -19106,6 +19310,14 @@
             <translation>esta máquina não informa sua posição: ela é contada pelo que foi enviado</translation>
         </message>
         <message>
+            <source>this machine has no Y axis</source>
+            <translation>esta máquina não tem eixo Y</translation>
+        </message>
+        <message>
+            <source>this machine has no Z axis</source>
+            <translation>esta máquina não tem eixo Z</translation>
+        </message>
+        <message>
             <source>this machine has no Z axis: arcs are in XY</source>
             <translation>esta máquina não tem eixo Z: os arcos ficam em XY</translation>
         </message>
@@ -19384,6 +19596,10 @@
         <message>
             <source>two words of the line contradict each other</source>
             <translation>duas palavras da linha se contradizem</translation>
+        </message>
+        <message>
+            <source>two {of_what} have the same {key}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>undo that, choose another drawing, or choose none</source>
@@ -19802,6 +20018,10 @@
             <translation>work_offset deve ser um destes: {work_systems}</translation>
         </message>
         <message>
+            <source>write 0 to drill in one go</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write 0 where the edge does not matter</source>
             <translation>escreva 0 onde a borda não importa</translation>
         </message>
@@ -19938,6 +20158,10 @@
             <translation>escreva [MATERIAL_NUMBER_n] e abaixo linhas como: CUT_SPEED = 3850</translation>
         </message>
         <message>
+            <source>write [[operation]]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write a G0 or G1 before</source>
             <translation>escreva antes um G0 ou G1</translation>
         </message>
@@ -20040,6 +20264,10 @@
         <message>
             <source>write for grbl or linuxcnc</source>
             <translation>escreva para grbl ou linuxcnc</translation>
+        </message>
+        <message>
+            <source>write four letters and six digits, for example CNMG 120408</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>write how many parts are wanted</source>
@@ -20290,6 +20518,10 @@
             <translation>{0} mm cada, com os eixos em esquadro</translation>
         </message>
         <message>
+            <source>{0} mm long</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} mm/min</source>
             <translation>{0} mm/min</translation>
         </message>
@@ -20484,6 +20716,10 @@
         <message>
             <source>{doing} failed by a fault of its own: {kind}: {error}</source>
             <translation>{doing} falhou por um defeito próprio: {kind}: {error}</translation>
+        </message>
+        <message>
+            <source>{doing} takes more memory than there is</source>
+            <translation>{doing} precisa de mais memória do que há</translation>
         </message>
         <message>
             <source>{doubles} boundaries of hatches are drawn as lines too; they are read once</source>

@@ -12,6 +12,7 @@ from CNCStepper.errors import MachineRefusal, Text
 
 CANNOT_CODE = "cannot"
 SWITCH = "press the machine's own switch, or let it run to its end"
+JOG_ANOTHER = "jog another axis"
 REASONS: dict[str, tuple[str, str]] = {  # of each word of [CANNOT:...]: why not, and what to do
     "hold": ("this machine cannot be held while its program runs: its link has no such command", SWITCH),
     "resume": ("this machine cannot be resumed over its link", "use the machine's own buttons"),
@@ -22,6 +23,8 @@ REASONS: dict[str, tuple[str, str]] = {  # of each word of [CANNOT:...]: why not
     "override": ("this machine's speeds cannot be changed while its program runs", "change F in the program"),
     "jog": ("this machine cannot be jogged from here", "use the machine's own buttons"),
     "jog-hold": ("this machine cannot be jogged while a program is held", "stop the program, then jog"),
+    "jog-y": ("this machine has no Y axis", JOG_ANOTHER),
+    "jog-z": ("this machine has no Z axis", JOG_ANOTHER),
     "back": ("this machine cannot go back along its cut", "restart the program at a line before it"),
     "home": ("this machine cannot find its own zero", "move the tool to the work zero and set it there"),
     "probe": ("this machine has no probe", "set the zero by hand"),
@@ -30,7 +33,7 @@ REASONS: dict[str, tuple[str, str]] = {  # of each word of [CANNOT:...]: why not
         "look at the machine",
     ),
 }
-OF_PROGRAMS = frozenset(REASONS) - {"home", "probe", "jog"}  # that matter while a program runs
+OF_PROGRAMS = frozenset(REASONS) - {"home", "probe", "jog", "jog-y", "jog-z"}  # that matter while a program runs
 NEEDS: dict[str, tuple[str, ...]] = {  # the ability that each command needs
     "hold": ("hold",),
     "resume": ("resume",),

@@ -210,6 +210,12 @@ def why_not(control: str, moment: ControllerSnapshot) -> str:
     return "" if stands or moment.phase in rule.phases else rule.why_not
 
 
+def why_not_axis(axis: str, moment: ControllerSnapshot) -> str:
+    """Return why an axis cannot be jogged though others can, "" when it can."""
+    word = f"jog-{axis}"
+    return reason(word) if word in moment.cannot else ""
+
+
 def does(control: str, moment: ControllerSnapshot) -> str:
     """Return what a control of `RULES` does, or what it cannot reach where it can be pressed all the same."""
     word = missing(control, moment.cannot) if control == "stop" else ""
