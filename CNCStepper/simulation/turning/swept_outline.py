@@ -117,6 +117,11 @@ def hulls(part: np.ndarray, begin: np.ndarray, end: np.ndarray) -> np.ndarray:
     return shapely.convex_hull(shapely.multipoints(corners.reshape(-1, 2), indices=index))  # type: ignore[no-any-return]
 
 
+def swept_at(part: np.ndarray, ends: np.ndarray) -> BaseGeometry:
+    """Return the area of a convex outline between two places, float64[2, 2]."""
+    return hulls(part, ends[:1], ends[1:])[0]
+
+
 def _thread_section(parts: list[np.ndarray], move: Moves) -> BaseGeometry:
     """Return what a move that follows the spindle cuts out of one half section: the outline once a turn.
 

@@ -33,22 +33,16 @@ ADVICE_OF = {
 class TurningSetup:
     """What a program is checked against. tools: by number. obstacles: chuck, jaws, tailstock, by name, as regions.
 
-    wanted: the profiles; empty where they are not known. allowed: a region that other operations may cut, such as a
-    thread's or a parting groove. x_factor: 2 where the program gives X as diameter: findings give places as it does.
+    wanted: the profiles and all else that may be cut; empty where it is not known. x_factor: 2 where the program gives
+    X as diameter: findings give places as it does.
     """
 
     stock: HalfSection
     tools: dict[int, ToolSection]
     obstacles: dict[str, BaseGeometry] = field(default_factory=dict)
     wanted: Sequence[WantedProfile] = ()
-    allowed: BaseGeometry = field(default_factory=shapely.Polygon)
     x_factor: float = 1.0
     file: str = ""
-
-
-def chuck_region(length_mm: float, diameter_mm: float, depth_mm: float = 100.0) -> BaseGeometry:
-    """Return a chuck, or the jaws on it, as a region: from its face at z = -length_mm away from the part."""
-    return shapely.box(-length_mm - depth_mm, 0.0, -length_mm, diameter_mm / 2)
 
 
 def check_turning(part: TurnedPart, setup: TurningSetup) -> list[Finding]:
@@ -133,7 +127,7 @@ class _Checks:
         """Yield the deepest cut into the wanted part."""
         if not self._setup.wanted:
             return
-        worst = gouge(self._part.section, self._part.stock, self._setup.wanted, self._setup.allowed)
+        worst = gouge(self._part.section, self._part.stock, self._setup.wanted)
         if worst is not None and worst.depth_mm > GOUGE_MM:
             cut = np.flatnonzero(shapely.distance(self._part.areas, shapely.Point(worst.place_mm)) <= CONTACT_MM)
             numbers: dict[str, Any] = {"value": worst.depth_mm, "limit": GOUGE_MM, "unit": "mm"}

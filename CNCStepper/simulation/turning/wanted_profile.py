@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 import shapely
@@ -18,7 +19,6 @@ from shapely.geometry.base import BaseGeometry
 
 from CNCStepper.simulation.turning.half_section import HalfSection, solid
 from CNCStepper.simulation.turning.insert_reach import out_of_reach
-from CNCStepper.simulation.turning.swept_outline import hulls
 from CNCStepper.simulation.turning.tool_section import ToolSection
 from CNCStepper.simulation.turning.turned_part import thickness
 
@@ -29,39 +29,41 @@ FAR_MM = 1e4
 
 @dataclass(frozen=True)
 class WantedProfile:
-    """A chain of points (z, r), float64[n, 2], arcs as chords, that operations are to leave; inside: of a bore.
+    """What operations on one profile are to cut: a region of the half plane, within a stretch of z, mm.
 
-    leave_r_mm, leave_z_mm: the stock to leave of the last operation on it. left_mm: how much thicker the steps of its
-    passes may be, where no operation finishes it. tools: the numbers of those that cut it.
+    points: the profile itself, (z, r), float64[n, 2]. leave_mm: the stock to leave of the last operation, normal to it.
+    left_mm: how much thicker the steps of its passes may be, where no operation finishes it. tools: the numbers of
+    those that cut it; without any, no material is missed that is left.
     """
 
+    to_cut: BaseGeometry
+    span_mm: tuple[float, float]
     points: np.ndarray
-    inside: bool = False
-    leave_r_mm: float = 0.0
-    leave_z_mm: float = 0.0
+    leave_mm: float = 0.0
     left_mm: float = 0.0
     tools: tuple[int, ...] = ()
     name: str = ""
 
-    @property
-    def to_cut(self) -> BaseGeometry:
-        """The half plane's region that may be cut: outside the chain, or inside it down to the axis."""
-        far = 0.0 if self.inside else FAR_MM
-        ends = [(self.points[-1, 0], far), (self.points[0, 0], far)]
-        return shapely.make_valid(shapely.Polygon(np.vstack([self.points, ends])))
-
-    @property
-    def span_mm(self) -> tuple[float, float]:
-        """The least and the largest z of the chain."""
-        return float(self.points[:, 0].min()), float(self.points[:, 0].max())
-
     def must_go(self) -> BaseGeometry:
         """Return what is to be cut when the stock to leave stays."""
-        if not (self.leave_r_mm or self.leave_z_mm):
+        if not self.leave_mm:
             return self.to_cut
-        z, r = self.leave_z_mm, self.leave_r_mm
-        box = np.array([(-z, -r), (z, -r), (z, r), (-z, r)])
-        return self.to_cut.difference(shapely.union_all(hulls(box, self.points[:-1], self.points[1:])))
+        return self.to_cut.difference(shapely.LineString(self.points).buffer(self.leave_mm, quad_segs=64))
+
+
+def wanted_chain(points: np.ndarray, inside: bool = False, **more: Any) -> WantedProfile:
+    """Return a profile by its chain (z, r), arcs as chords: what lies outside it is cut, or inside it in a bore."""
+    far = 0.0 if inside else FAR_MM
+    closed = np.vstack([points, [(points[-1, 0], far), (points[0, 0], far)]])
+    span = float(points[:, 0].min()), float(points[:, 0].max())
+    return WantedProfile(solid(shapely.make_valid(shapely.Polygon(closed))), span, points, **more)
+
+
+def wanted_ring(z_mm: tuple[float, float], radius_mm: tuple[float, float], **more: Any) -> WantedProfile:
+    """Return what an end face, a groove or a parting cut takes: all between two z and two radii."""
+    (z_first, z_last), (inner, outer) = z_mm, radius_mm
+    points = np.array([(z_last, outer), (z_last, inner), (z_first, inner), (z_first, outer)])
+    return WantedProfile(shapely.box(z_first, inner, z_last, outer), z_mm, points, **more)
 
 
 @dataclass(frozen=True)
@@ -73,11 +75,9 @@ class Excess:
     region: BaseGeometry
 
 
-def gouge(
-    part: HalfSection, stock: HalfSection, wanted: Sequence[WantedProfile], allowed: BaseGeometry
-) -> Excess | None:
-    """Return the deepest cut into the wanted part, None for none; allowed: a region that other operations may cut."""
-    keep = solid(_judged(_keep(stock, wanted), wanted).difference(allowed))
+def gouge(part: HalfSection, stock: HalfSection, wanted: Sequence[WantedProfile]) -> Excess | None:
+    """Return the deepest cut into the wanted part, None for none."""
+    keep = _judged(_keep(stock, wanted), wanted)
     missing = solid(keep.difference(part.region))
     found = [_deepest(piece, keep) for piece in shapely.get_parts(missing)]
     return max(found, key=lambda one: one.depth_mm, default=None)

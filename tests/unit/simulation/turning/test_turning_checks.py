@@ -13,11 +13,12 @@ from CNCStepper.machine.tools.turning_tool import TurningTool
 from CNCStepper.simulation.finding import Finding
 from CNCStepper.simulation.turning.half_section import bar, below_chain
 from CNCStepper.simulation.turning.insert_reach import out_of_reach
+from CNCStepper.simulation.turning.obstacles import chuck_region, tailstock_region
 from CNCStepper.simulation.turning.swept_outline import moves_of
 from CNCStepper.simulation.turning.tool_section import ToolSection
 from CNCStepper.simulation.turning.turned_part import turned_part
-from CNCStepper.simulation.turning.turning_checks import TurningSetup, check_turning, chuck_region
-from CNCStepper.simulation.turning.wanted_profile import WantedProfile, gouge
+from CNCStepper.simulation.turning.turning_checks import TurningSetup, check_turning
+from CNCStepper.simulation.turning.wanted_profile import gouge, wanted_chain, wanted_ring
 from helpers.cycles.seeds import SEEDS
 from helpers.simulation.half_section_judge import inside
 from helpers.simulation.lathe_moves import cnmg, lathe_path
@@ -25,7 +26,7 @@ from helpers.simulation.lathe_moves import cnmg, lathe_path
 STOCK = bar(55, 100, 0)
 PASS = [("rapid", 5, 26), ("feed", -40, 26), ("feed", -40, 29), ("rapid", 5, 29)]
 FINISH = [("rapid", 5, 25), ("feed", -40, 25), ("feed", -40, 29), ("rapid", 5, 29)]
-WANTED = WantedProfile(np.array([(0.0, 25.0), (-40.0, 25.0), (-40.0, 27.5)]), tools=(1,), name="shaft")
+WANTED = wanted_chain(np.array([(0.0, 25.0), (-40.0, 25.0), (-40.0, 27.5)]), tools=(1,), name="shaft")
 
 
 def found(moves: list[tuple], tool: ToolSection | None = None, **setup) -> dict[str, Finding]:
@@ -70,7 +71,7 @@ def test_places_are_given_as_the_program_gives_x() -> None:
 
 
 @pytest.mark.parametrize(
-    ("leave", "codes"), [({}, {"left-over"}), ({"leave_r_mm": 1.0}, set()), ({"left_mm": 1.0}, set())]
+    ("leave", "codes"), [({}, {"left-over"}), ({"leave_mm": 1.0}, set()), ({"left_mm": 1.0}, set())]
 )
 def test_material_left_beyond_the_stock_to_leave(leave: dict, codes: set) -> None:
     findings = found(PASS, wanted=[replace(WANTED, **leave)])
@@ -147,8 +148,10 @@ def test_chuck_jaws_and_tailstock_are_not_to_be_touched() -> None:
     assert "collision" not in found([*far[:2], ("feed", -89, 40), ("rapid", 5, 40)], obstacles=obstacles)
     one = found([("rapid", 5, 26), ("feed", -92, 26)], obstacles=obstacles)["collision"]
     assert (one.place.line, "jaws" in one.text) == (2, True)
-    tail = {"tailstock": shapely.box(0, 0, 60, 10)}
+    tail = {"tailstock": tailstock_region(0, 20, 60, 6)}
+    assert tail["tailstock"].bounds == (0, 0, 200, 10)
     assert "tailstock" in found([("rapid", 5, 5)], obstacles=tail)["collision"].text
+    assert found([("rapid", 0.5, 12)], obstacles=tail) == {}
 
 
 def test_x_past_the_centre_is_refused_with_the_least_that_would_do() -> None:
@@ -176,11 +179,11 @@ def test_a_tool_without_a_shape_is_an_error() -> None:
 
 
 def test_a_bore_is_judged_from_within() -> None:
-    profile = WantedProfile(np.array([(0.0, 12.0), (-20.0, 12.0)]), inside=True, tools=(1,))
+    profile = wanted_chain(np.array([(0.0, 12.0), (-20.0, 12.0)]), inside=True, tools=(1,))
     drill = ToolSection.of(TurningTool(number=1, kind="drill", diameter_mm=24, point_angle_deg=179))
     moves = [("rapid", 5, 0), ("feed", -21, 0), ("rapid", 5, 0)]
     assert found(moves, drill, wanted=[profile]) == {}
     wide = ToolSection.of(TurningTool(number=1, kind="drill", diameter_mm=24.1, point_angle_deg=179))
     assert found(moves, wide, wanted=[profile])["gouge"].value == pytest.approx(0.05, abs=1e-3)
     part = turned_part(moves_of(lathe_path(moves)), STOCK, {1: wide})
-    assert gouge(part.section, STOCK, [profile], shapely.box(-20, 12, 0, 12.1)) is None
+    assert gouge(part.section, STOCK, [profile, wanted_ring((-20, 0), (12, 12.1))]) is None
