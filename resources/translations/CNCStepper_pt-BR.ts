@@ -5507,6 +5507,10 @@
             <translation>Passos dos motores: {0}</translation>
         </message>
         <message>
+            <source>Motor's power</source>
+            <translation>Potência do motor</translation>
+        </message>
+        <message>
             <source>Motor's steps</source>
             <translation>Passos do motor</translation>
         </message>
@@ -9463,7 +9467,7 @@
         </message>
         <message>
             <source>'{code}' is no insert of ISO 1832</source>
-            <translation type="unfinished"></translation>
+            <translation>'{code}' não é uma pastilha da ISO 1832</translation>
         </message>
         <message>
             <source>'{drawing}' holds no lines that can be followed</source>
@@ -9491,7 +9495,7 @@
         </message>
         <message>
             <source>'{insert}' is no insert of a {kind} tool</source>
-            <translation type="unfinished"></translation>
+            <translation>'{insert}' não é pastilha de uma ferramenta {kind}</translation>
         </message>
         <message>
             <source>'{key}' cannot be {value!r}</source>
@@ -9591,7 +9595,7 @@
         </message>
         <message>
             <source>0.005 mm apart</source>
-            <translation type="unfinished"></translation>
+            <translation>0.005 mm de diferença</translation>
         </message>
         <message>
             <source>0.87 times the width</source>
@@ -9599,7 +9603,7 @@
         </message>
         <message>
             <source>00 to 99, in tenths of a mm</source>
-            <translation type="unfinished"></translation>
+            <translation>00 a 99, em décimos de mm</translation>
         </message>
         <message>
             <source>= is missing after the parameter</source>
@@ -10567,7 +10571,7 @@
         </message>
         <message>
             <source>a corner has a chamfer_mm or a fillet_mm, not both</source>
-            <translation type="unfinished"></translation>
+            <translation>um canto tem chamfer_mm ou fillet_mm, não ambos</translation>
         </message>
         <message>
             <source>a corner is either rounded (A) or broken (C)</source>
@@ -10715,7 +10719,7 @@
         </message>
         <message>
             <source>a lathe has no cycle '{name}'</source>
-            <translation type="unfinished"></translation>
+            <translation>um torno não tem o ciclo '{name}'</translation>
         </message>
         <message>
             <source>a lathe tool is compensated in the plane ZX</source>
@@ -10979,11 +10983,11 @@
         </message>
         <message>
             <source>a profile needs points or dxf, one of them</source>
-            <translation type="unfinished"></translation>
+            <translation>um perfil precisa de points ou dxf, um dos dois</translation>
         </message>
         <message>
             <source>a profile's ends have no corner to cut and its begin no arc</source>
-            <translation type="unfinished"></translation>
+            <translation>as pontas de um perfil não têm canto a cortar, e o início não tem arco</translation>
         </message>
         <message>
             <source>a program for {language} cannot be restarted in its middle</source>
@@ -11207,7 +11211,7 @@
         </message>
         <message>
             <source>a turning tool needs insert, for example "CNMG 120408", or front_deg and back_deg</source>
-            <translation type="unfinished"></translation>
+            <translation>uma ferramenta de tornear precisa de insert, por exemplo "CNMG 120408", ou de front_deg e back_deg</translation>
         </message>
         <message>
             <source>a value in the expression does not fit its operation</source>
@@ -11267,11 +11271,11 @@
         </message>
         <message>
             <source>a {kind} tool has no insert of ISO 1832</source>
-            <translation type="unfinished"></translation>
+            <translation>uma ferramenta {kind} não tem pastilha da ISO 1832</translation>
         </message>
         <message>
             <source>a {kind} tool {verb} {key}</source>
-            <translation type="unfinished"></translation>
+            <translation>uma ferramenta {kind} {verb} {key}</translation>
         </message>
         <message>
             <source>a {shape} does not cut from the edge</source>
@@ -11423,11 +11427,11 @@
         </message>
         <message>
             <source>an arc needs arc = "cw" or "ccw", and radius_mm or centre</source>
-            <translation type="unfinished"></translation>
+            <translation>um arco precisa de arc = "cw" ou "ccw", e de radius_mm ou centre</translation>
         </message>
         <message>
             <source>an arc needs radius_mm or centre, not both</source>
-            <translation type="unfinished"></translation>
+            <translation>um arco precisa de radius_mm ou centre, não de ambos</translation>
         </message>
         <message>
             <source>an arc of another plane than XY</source>
@@ -11575,7 +11579,7 @@
         </message>
         <message>
             <source>at least {0} mm</source>
-            <translation type="unfinished"></translation>
+            <translation>no mínimo {0} mm</translation>
         </message>
         <message>
             <source>at least {chord:.4f} mm</source>
@@ -11643,7 +11647,7 @@
         </message>
         <message>
             <source>at z {0} mm, radius {1} mm</source>
-            <translation type="unfinished"></translation>
+            <translation>em z {0} mm, raio {1} mm</translation>
         </message>
         <message>
             <source>attach to it again</source>
@@ -11711,7 +11715,7 @@
         </message>
         <message>
             <source>bar_mm must be below smallest_bore_mm</source>
-            <translation type="unfinished"></translation>
+            <translation>bar_mm deve ser menor que smallest_bore_mm</translation>
         </message>
         <message>
             <source>batch journal</source>
@@ -11799,11 +11803,11 @@
         </message>
         <message>
             <source>bore_mm belongs to a stock of the form 'tube', and to no other</source>
-            <translation type="unfinished"></translation>
+            <translation>bore_mm pertence a um material da forma 'tube', e a nenhum outro</translation>
         </message>
         <message>
             <source>bore_mm must be below diameter_mm, {limit}</source>
-            <translation type="unfinished"></translation>
+            <translation>bore_mm deve ser menor que diameter_mm, {limit}</translation>
         </message>
         <message>
             <source>both radii must be positive</source>
@@ -11835,7 +11839,7 @@
         </message>
         <message>
             <source>chamfers and fillets lie between two lines</source>
-            <translation type="unfinished"></translation>
+            <translation>chanfros e arredondamentos ficam entre duas retas</translation>
         </message>
         <message>
             <source>change F in the program</source>
@@ -12267,11 +12271,11 @@
         </message>
         <message>
             <source>correct centre or to</source>
-            <translation type="unfinished"></translation>
+            <translation>corrija centre ou to</translation>
         </message>
         <message>
             <source>correct it</source>
-            <translation type="unfinished"></translation>
+            <translation>corrija-o</translation>
         </message>
         <message>
             <source>correct it; paths are relative to the order</source>
@@ -12379,7 +12383,7 @@
         </message>
         <message>
             <source>correct the insert's code</source>
-            <translation type="unfinished"></translation>
+            <translation>corrija o código da pastilha</translation>
         </message>
         <message>
             <source>correct the jog command</source>
@@ -12518,6 +12522,10 @@
             <translation>corte com uma largura de corte de no máximo {room_mm:.3f} mm, desenhe o furo mais largo que o corte, ou ponha spot_below_mm acima de {diameter_mm:.3f} para marcá-lo para furação</translation>
         </message>
         <message>
+            <source>cut {depth:.3g} mm deep at most</source>
+            <translation>corte no máximo {depth:.3g} mm de profundidade</translation>
+        </message>
+        <message>
             <source>cuts {overlap_mm:.3g} mm before the place again</source>
             <translation>corta de novo {overlap_mm:.3g} mm antes do ponto</translation>
         </message>
@@ -12579,7 +12587,7 @@
         </message>
         <message>
             <source>draw it joined up</source>
-            <translation type="unfinished"></translation>
+            <translation>desenhe-o emendado</translation>
         </message>
         <message>
             <source>draw it larger, or leave it out</source>
@@ -12611,7 +12619,7 @@
         </message>
         <message>
             <source>draw them as points</source>
-            <translation type="unfinished"></translation>
+            <translation>desenhe-os como pontos</translation>
         </message>
         <message>
             <source>draw them {kerf_mm:g} mm apart</source>
@@ -12635,7 +12643,7 @@
         </message>
         <message>
             <source>drill {0} mm</source>
-            <translation type="unfinished"></translation>
+            <translation>broca de {0} mm</translation>
         </message>
         <message>
             <source>drive a laser by a controller with grbl's laser mode</source>
@@ -12663,7 +12671,7 @@
         </message>
         <message>
             <source>end it at the axis</source>
-            <translation type="unfinished"></translation>
+            <translation>termine-o no eixo</translation>
         </message>
         <message>
             <source>end it in .gif, or install ffmpeg</source>
@@ -12783,7 +12791,7 @@
         </message>
         <message>
             <source>feed_min_mm_rev must not exceed feed_max_mm_rev</source>
-            <translation type="unfinished"></translation>
+            <translation>feed_min_mm_rev não deve exceder feed_max_mm_rev</translation>
         </message>
         <message>
             <source>feeds a turn became feeds a minute, at the speed that S asks for</source>
@@ -12871,7 +12879,7 @@
         </message>
         <message>
             <source>from z {0} mm by {1} mm</source>
-            <translation type="unfinished"></translation>
+            <translation>a partir de z {0} mm, por {1} mm</translation>
         </message>
         <message>
             <source>from {begin} at line {first_line}, to {end} at line {last_line}</source>
@@ -13210,6 +13218,10 @@
             <translation>o grblHAL só aceita centros de arco a partir do ponto inicial (G91.1)</translation>
         </message>
         <message>
+            <source>grip with {force:.4g} N, or cut {depth:.3g} mm deep</source>
+            <translation>prenda com {force:.4g} N, ou corte {depth:.3g} mm de profundidade</translation>
+        </message>
+        <message>
             <source>half a notch</source>
             <translation>meio entalhe</translation>
         </message>
@@ -13231,7 +13243,7 @@
         </message>
         <message>
             <source>has no</source>
-            <translation type="unfinished"></translation>
+            <translation>não tem</translation>
         </message>
         <message>
             <source>heights belong to a stock of the form 'height_field', and to no other</source>
@@ -13782,10 +13794,6 @@
             <translation>mova de novo se ainda for preciso</translation>
         </message>
         <message>
-            <source>jog another axis</source>
-            <translation>mova outro eixo</translation>
-        </message>
-        <message>
             <source>jog it down to that height where the way below is free, or restart with the height {here_mm:.1f} (--height), at which it moves over the place directly</source>
             <translation>desça-a à mão até essa altura onde você vê o que há embaixo, ou reinicie com a altura {here_mm:.1f} (--height), da qual ela vai logo para cima do lugar</translation>
         </message>
@@ -13979,7 +13987,7 @@
         </message>
         <message>
             <source>let z never rise along it</source>
-            <translation type="unfinished"></translation>
+            <translation>não deixe z subir ao longo dele</translation>
         </message>
         <message>
             <source>lift the head higher, or go round the piece</source>
@@ -14523,7 +14531,7 @@
         </message>
         <message>
             <source>name a profile with both</source>
-            <translation type="unfinished"></translation>
+            <translation>escolha um perfil com ambos</translation>
         </message>
         <message>
             <source>name a script with the suffix .py</source>
@@ -14532,6 +14540,10 @@
         <message>
             <source>name a shape of one curve</source>
             <translation>indique uma forma de uma só curva</translation>
+        </message>
+        <message>
+            <source>name an axis that it has</source>
+            <translation>indique um eixo que ela tenha</translation>
         </message>
         <message>
             <source>name another machine</source>
@@ -14686,6 +14698,14 @@
             <translation>nenhuma máquina mantém um décimo de mícron, e acima de 10 mm nada é mantido</translation>
         </message>
         <message>
+            <source>no material is stiffer than diamond</source>
+            <translation>nenhum material é mais rígido que o diamante</translation>
+        </message>
+        <message>
+            <source>no material needs more than 100 kN on a square millimetre of chip</source>
+            <translation>nenhum material exige mais de 100 kN por milímetro quadrado de cavaco</translation>
+        </message>
+        <message>
             <source>no memory card is mounted</source>
             <translation>nenhum cartão de memória está montado</translation>
         </message>
@@ -14762,6 +14782,10 @@
             <translation>nenhum fuso com rotor tem mais</translation>
         </message>
         <message>
+            <source>no spindle of a lathe or mill has more than 1 MW</source>
+            <translation>nenhum fuso de torno ou fresadora tem mais de 1 MW</translation>
+        </message>
+        <message>
             <source>no spindle turns faster than a million a minute</source>
             <translation>nenhum fuso gira mais que um milhão de voltas por minuto</translation>
         </message>
@@ -14819,11 +14843,11 @@
         </message>
         <message>
             <source>nose radius</source>
-            <translation type="unfinished"></translation>
+            <translation>raio de ponta</translation>
         </message>
         <message>
             <source>nose {0} mm</source>
-            <translation type="unfinished"></translation>
+            <translation>ponta de {0} mm</translation>
         </message>
         <message>
             <source>not a DXF file: {why}</source>
@@ -15139,7 +15163,7 @@
         </message>
         <message>
             <source>operation must be a list of tables</source>
-            <translation type="unfinished"></translation>
+            <translation>operation deve ser uma lista de tabelas</translation>
         </message>
         <message>
             <source>operation {number} ({cycle}) will take long: about {length_mm:.0f} m of cut in {levels} levels</source>
@@ -15151,11 +15175,11 @@
         </message>
         <message>
             <source>operation {number} turns the profile '{profile}', which the job does not have: it has {names}</source>
-            <translation type="unfinished"></translation>
+            <translation>a operação {number} torneia o perfil '{profile}', que o trabalho não tem: ele tem {names}</translation>
         </message>
         <message>
             <source>operation {number} uses tool {tool}, which the job does not have: it has {tools}</source>
-            <translation type="unfinished"></translation>
+            <translation>a operação {number} usa a ferramenta {tool}, que o trabalho não tem: ele tem {tools}</translation>
         </message>
         <message>
             <source>order table</source>
@@ -15207,11 +15231,11 @@
         </message>
         <message>
             <source>parting blade {0} mm</source>
-            <translation type="unfinished"></translation>
+            <translation>bedame de {0} mm</translation>
         </message>
         <message>
-            <source>peck_mm must not exceed depth_mm, {limit:g} mm; {advice}</source>
-            <translation type="unfinished"></translation>
+            <source>peck_mm must not exceed depth_mm, {limit:g} mm; write 0 to drill in one go</source>
+            <translation>peck_mm não deve exceder depth_mm, {limit:g} mm; escreva 0 para furar de uma vez</translation>
         </message>
         <message>
             <source>peck_mm {peck_mm:g} mm</source>
@@ -15399,11 +15423,11 @@
         </message>
         <message>
             <source>radius 0 mm</source>
-            <translation type="unfinished"></translation>
+            <translation>raio 0 mm</translation>
         </message>
         <message>
             <source>radius {0} mm at z {1} mm</source>
-            <translation type="unfinished"></translation>
+            <translation>raio {0} mm em z {1} mm</translation>
         </message>
         <message>
             <source>raise F, or turn the spindle slower</source>
@@ -15499,7 +15523,7 @@
         </message>
         <message>
             <source>redraw it</source>
-            <translation type="unfinished"></translation>
+            <translation>redesenhe-o</translation>
         </message>
         <message>
             <source>relay: {twice} is there twice</source>
@@ -16162,6 +16186,10 @@
             <translation>desligue e ligue o torno, conecte de novo e defina o zero</translation>
         </message>
         <message>
+            <source>switch the lathe off and on, connect again and set its zero; unlock an alarm with $X</source>
+            <translation>desligue e ligue o torno, conecte de novo e ajuste o zero; destrave um alarme com $X</translation>
+        </message>
+        <message>
             <source>switch the lathe off and on, set its zero by hand, and send the whole program</source>
             <translation>desligue e ligue o torno, ajuste o zero à mão e envie o programa inteiro</translation>
         </message>
@@ -16399,7 +16427,7 @@
         </message>
         <message>
             <source>the arc's centre is not as far from both its ends</source>
-            <translation type="unfinished"></translation>
+            <translation>o centro do arco não está à mesma distância das duas pontas</translation>
         </message>
         <message>
             <source>the arc's end does not lie on its circle</source>
@@ -16415,7 +16443,7 @@
         </message>
         <message>
             <source>the arc's radius is too small for its ends</source>
-            <translation type="unfinished"></translation>
+            <translation>o raio do arco é pequeno demais para as suas pontas</translation>
         </message>
         <message>
             <source>the arranged program has {count} cuts, not {wanted}</source>
@@ -16428,6 +16456,18 @@
         <message>
             <source>the axes are X (radial) and Z (axial)</source>
             <translation>os eixos são X (radial) e Z (axial)</translation>
+        </message>
+        <message>
+            <source>the bar bends away from the tool</source>
+            <translation>a barra se flexiona para longe da ferramenta</translation>
+        </message>
+        <message>
+            <source>the bar is slender: it bends and chatters</source>
+            <translation>a barra é esbelta: flexiona e vibra</translation>
+        </message>
+        <message>
+            <source>the bar may turn in the chuck</source>
+            <translation>a barra pode girar na placa</translation>
         </message>
         <message>
             <source>the bars' width</source>
@@ -16783,7 +16823,7 @@
         </message>
         <message>
             <source>the corner is too large for its lines</source>
-            <translation type="unfinished"></translation>
+            <translation>o canto é grande demais para as suas retas</translation>
         </message>
         <message>
             <source>the corners of a clamp enclose nothing</source>
@@ -16848,6 +16888,14 @@
         <message>
             <source>the cut leads through the edge of a part that a contour leaves standing, {where}</source>
             <translation>o corte passa pela borda de uma peça que um contorno deixa em pé, {where}</translation>
+        </message>
+        <message>
+            <source>the cut needs more power than the motor has</source>
+            <translation>o corte exige mais potência do que o motor tem</translation>
+        </message>
+        <message>
+            <source>the cutting force of {title} in turning is not in the table</source>
+            <translation>a força de corte de {title} no torneamento não está na tabela</translation>
         </message>
         <message>
             <source>the cycle '{cycle}' takes no shapes of a drawing</source>
@@ -17339,11 +17387,11 @@
         </message>
         <message>
             <source>the insert '{code}' has no {name} of ISO 1832</source>
-            <translation type="unfinished"></translation>
+            <translation>a pastilha '{code}' não tem {name} da ISO 1832</translation>
         </message>
         <message>
             <source>the insert must fill 1 to 179 degrees from back_deg to front_deg: it fills {angle:g}</source>
-            <translation type="unfinished"></translation>
+            <translation>a pastilha deve ocupar de 1 a 179 graus entre back_deg e front_deg: ocupa {angle:g}</translation>
         </message>
         <message>
             <source>the job cannot be read: {error}</source>
@@ -17518,12 +17566,16 @@
             <translation>o torno está em modo automático e não pode ser movido à mão: {0}</translation>
         </message>
         <message>
+            <source>the lathe is in automatic mode, or locked by an alarm</source>
+            <translation>o torno está no modo automático, ou travado por um alarme</translation>
+        </message>
+        <message>
             <source>the lathe jogs at up to {0} mm/min, or at {1}: it takes the slower one</source>
             <translation>o torno se move à mão a até {0} mm/min, ou a {1}: fica a menor</translation>
         </message>
         <message>
             <source>the layer of a profile must hold one chain</source>
-            <translation type="unfinished"></translation>
+            <translation>a camada de um perfil deve conter uma só cadeia</translation>
         </message>
         <message>
             <source>the leads fit nowhere in the scrap; the closest obstacle is {name} at X{x:.3f} Y{y:.3f}</source>
@@ -17691,7 +17743,7 @@
         </message>
         <message>
             <source>the machine has no axes X and Z</source>
-            <translation type="unfinished"></translation>
+            <translation>a máquina não tem os eixos X e Z</translation>
         </message>
         <message>
             <source>the machine has no such spindle</source>
@@ -18111,15 +18163,15 @@
         </message>
         <message>
             <source>the profile crosses itself</source>
-            <translation type="unfinished"></translation>
+            <translation>o perfil cruza a si mesmo</translation>
         </message>
         <message>
             <source>the profile goes over the centre</source>
-            <translation type="unfinished"></translation>
+            <translation>o perfil passa do centro</translation>
         </message>
         <message>
             <source>the profile has an undercut: it runs back towards the end face</source>
-            <translation type="unfinished"></translation>
+            <translation>o perfil tem um rebaixo: ele volta em direção à face</translation>
         </message>
         <message>
             <source>the profile has no end</source>
@@ -18607,7 +18659,7 @@
         </message>
         <message>
             <source>the start is in the stock: its z must be at least {face:g} mm, or its x outside {diameter:g} mm</source>
-            <translation type="unfinished"></translation>
+            <translation>o ponto inicial está dentro do material: seu z deve ser no mínimo {face:g} mm, ou seu x ficar fora de {diameter:g} mm</translation>
         </message>
         <message>
             <source>the state of the machine's position cannot be stored: {error}</source>
@@ -19599,7 +19651,7 @@
         </message>
         <message>
             <source>two {of_what} have the same {key}</source>
-            <translation type="unfinished"></translation>
+            <translation>dois de {of_what} têm o mesmo {key}</translation>
         </message>
         <message>
             <source>undo that, choose another drawing, or choose none</source>
@@ -19728,6 +19780,14 @@
         <message>
             <source>use a speed between $31 and $30</source>
             <translation>use uma rotação entre $31 e $30</translation>
+        </message>
+        <message>
+            <source>use a steady rest, or at most {length:.4g} mm</source>
+            <translation>use uma luneta, ou no máximo {length:.4g} mm</translation>
+        </message>
+        <message>
+            <source>use a tailstock, or at most {length:.4g} mm</source>
+            <translation>use um contraponto, ou no máximo {length:.4g} mm</translation>
         </message>
         <message>
             <source>use a thread mill with one tooth, given as an engraver with a large tip_diameter_mm or as flat</source>
@@ -20018,10 +20078,6 @@
             <translation>work_offset deve ser um destes: {work_systems}</translation>
         </message>
         <message>
-            <source>write 0 to drill in one go</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>write 0 where the edge does not matter</source>
             <translation>escreva 0 onde a borda não importa</translation>
         </message>
@@ -20159,7 +20215,7 @@
         </message>
         <message>
             <source>write [[operation]]</source>
-            <translation type="unfinished"></translation>
+            <translation>escreva [[operation]]</translation>
         </message>
         <message>
             <source>write a G0 or G1 before</source>
@@ -20267,7 +20323,7 @@
         </message>
         <message>
             <source>write four letters and six digits, for example CNMG 120408</source>
-            <translation type="unfinished"></translation>
+            <translation>escreva quatro letras e seis algarismos, por exemplo CNMG 120408</translation>
         </message>
         <message>
             <source>write how many parts are wanted</source>
@@ -20519,7 +20575,7 @@
         </message>
         <message>
             <source>{0} mm long</source>
-            <translation type="unfinished"></translation>
+            <translation>{0} mm de comprimento</translation>
         </message>
         <message>
             <source>{0} mm/min</source>
@@ -20676,6 +20732,10 @@
         <message>
             <source>{deep_mm:.3f} mm deep</source>
             <translation>{deep_mm:.3f} mm de profundidade</translation>
+        </message>
+        <message>
+            <source>{depth:.3g} mm deep, or {rpm:.4g} rpm, would do</source>
+            <translation>{depth:.3g} mm de profundidade, ou {rpm:.4g} rpm, serviriam</translation>
         </message>
         <message>
             <source>{dialect} answers {answer}</source>

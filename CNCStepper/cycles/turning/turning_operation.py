@@ -102,10 +102,8 @@ class TurnDrill(TurningOperation):
     @model_validator(mode="after")
     def _pecks_are_not_deeper(self) -> TurnDrill:
         if self.peck_mm > self.depth_mm:
-            limit, advice = self.depth_mm, "write 0 to drill in one go"
-            raise ValueError(
-                Text("peck_mm must not exceed depth_mm, {limit:g} mm; {advice}", limit=limit, advice=advice)
-            )
+            what = "peck_mm must not exceed depth_mm, {limit:g} mm; write 0 to drill in one go"
+            raise ValueError(Text(what, limit=self.depth_mm))
         return self
 
 
