@@ -5507,6 +5507,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Motor's power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Motor's steps</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9462,6 +9466,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{code}' is no insert of ISO 1832</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{designation}' is no designation of a thread</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{drawing}' holds no lines that can be followed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9483,6 +9495,10 @@
         </message>
         <message>
             <source>'{inner}' and '{outer}' cross, so that it is not clear what lies inside</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{insert}' is no insert of a {kind} tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9582,7 +9598,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>0.005 mm apart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>0.87 times the width</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>00 to 99, in tenths of a mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10462,6 +10486,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>X goes past the centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>[ is missing after {keyword}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10499,6 +10527,10 @@
         </message>
         <message>
             <source>a `%` is neither at the begin nor at the end of the file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a bar of {diameter:g} x {length:g} mm holds no material</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10547,6 +10579,10 @@
         </message>
         <message>
             <source>a coordinate is not a length in mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a corner has a chamfer_mm or a fillet_mm, not both</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10691,6 +10727,10 @@
         </message>
         <message>
             <source>a jog needs a way and a feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a lathe has no cycle '{name}'</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10882,6 +10922,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a parallel port has 25 pins, and one below zero is active low</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a parameter could not be set</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10911,6 +10955,10 @@
         </message>
         <message>
             <source>a picture and no line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a piece {length:.3f} mm long comes off the bar here</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10947,6 +10995,14 @@
         </message>
         <message>
             <source>a process of ours has a machine's port, but its file {path} cannot be read: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a profile needs points or dxf, one of them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a profile's ends have no corner to cut and its begin no arc</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11170,6 +11226,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a turning tool needs insert, for example "CNMG 120408", or front_deg and back_deg</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a value in the expression does not fit its operation</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11226,6 +11286,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a {kind} tool has no insert of ISO 1832</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a {kind} tool {verb} {key}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a {shape} does not cut from the edge</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11274,6 +11342,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>above {0} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>above {highest_cut:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11303,6 +11375,10 @@
         </message>
         <message>
             <source>add the missing pass, or lower the stepover or the stepdown</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>add the missing pass, or state the stock to leave</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11371,6 +11447,14 @@
         </message>
         <message>
             <source>an arc needs a known start point</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>an arc needs arc = "cw" or "ccw", and radius_mm or centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>an arc needs radius_mm or centre, not both</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11518,6 +11602,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>at least {0} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>at least {chord:.4f} mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11582,6 +11670,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>at z {0} mm, radius {1} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>attach to it again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11643,6 +11735,10 @@
         </message>
         <message>
             <source>backlash_mm must be below the travel of the axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>bar_mm must be below smallest_bore_mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11730,6 +11826,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>bore_mm belongs to a stock of the form 'tube', and to no other</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>bore_mm must be below diameter_mm, {limit}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>both radii must be positive</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11754,7 +11858,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>catch it, and stop the spindle after it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>chains have fewer lines and arcs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>chamfers and fillets lie between two lines</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11963,6 +12075,10 @@
         </message>
         <message>
             <source>choose a tool of at most {widest:.3f} mm diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose a tool that reaches further, or cut this part with another one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12186,6 +12302,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>correct centre or to</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct diameter_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>correct it; paths are relative to the order</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12290,6 +12418,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>correct the insert's code</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>correct the jog command</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12307,6 +12439,10 @@
         </message>
         <message>
             <source>correct the path or the file's permissions</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct the path, or the tool's shape and nose radius</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12426,6 +12562,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>cut {depth:.3g} mm deep at most</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>cuts {overlap_mm:.3g} mm before the place again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12486,6 +12626,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>draw it joined up</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>draw it larger, or leave it out</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12514,6 +12658,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>draw them as points</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>draw them {kerf_mm:g} mm apart</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12531,6 +12679,10 @@
         </message>
         <message>
             <source>drawings with the suffix '{suffix}' cannot be written</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>drill {0} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12558,6 +12710,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>end it at the axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>end it in .gif, or install ffmpeg</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12578,11 +12734,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>end the move at the axis, at most a nose radius beyond it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>end the name in .json</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>end the name in one of {known}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>end the profile at the X where the cycle begins, or make I larger</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12674,6 +12838,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>feed_min_mm_rev must not exceed feed_max_mm_rev</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>feeds a turn became feeds a minute, at the speed that S asks for</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12758,6 +12926,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>from z {0} mm by {1} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>from {begin} at line {first_line}, to {end} at line {last_line}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12819,6 +12991,10 @@
         </message>
         <message>
             <source>give a device name or socket://host:port</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give a diameter above the bore and a length above 0</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13094,6 +13270,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>grip with {force:.4g} N, or cut {depth:.3g} mm deep</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>half a notch</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13111,6 +13291,10 @@
         </message>
         <message>
             <source>half the difference of the diameters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>has no</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13738,6 +13922,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>lead times speed is more than axis {axis} can: {lead:.4g} mm at {rpm:.4g} rpm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>leads had to be made smaller to stay in the scrap, down to {smallest:.0%} of their size</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13838,6 +14026,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>lengthen the thread</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>lengths of tools went into the coordinates</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13851,6 +14043,14 @@
         </message>
         <message>
             <source>let it plunge at the start of the contour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>let it stick out {length:g} mm at most, or support its end</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>let z never rise along it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14030,6 +14230,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>lower taper_deg or its length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>lower the feed here, or the axis' rate and acceleration in controller and profile</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14055,10 +14259,6 @@
         </message>
         <message>
             <source>make D smaller</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>make I larger</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14191,6 +14391,10 @@
         </message>
         <message>
             <source>marks_for names '{title}', which is no rule with a sheet_cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>material is left on profile '{name}' where its tools reach</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14394,11 +14598,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>name a profile with both</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>name a script with the suffix .py</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>name a shape of one curve</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>name an axis that it has</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14415,6 +14627,10 @@
         </message>
         <message>
             <source>name it once</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>name its insert, or its angles and nose radius</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14554,6 +14770,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no material is stiffer than diamond</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no material needs more than 100 kN on a square millimetre of chip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no memory card is mounted</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14630,6 +14854,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no spindle of a lathe or mill has more than 1 MW</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no spindle turns faster than a million a minute</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14683,6 +14911,14 @@
         </message>
         <message>
             <source>none of the selected drawings can be followed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>nose radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>nose {0} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14998,11 +15234,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>operation must be a list of tables</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>operation {number} ({cycle}) will take long: about {length_mm:.0f} m of cut in {levels} levels</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>operation {number} has another {key} than its file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>operation {number} turns the profile '{profile}', which the job does not have: it has {names}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>operation {number} uses tool {tool}, which the job does not have: it has {tools}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15051,6 +15299,14 @@
         </message>
         <message>
             <source>part {number} goes beyond the sheet at X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>parting blade {0} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>peck_mm must not exceed depth_mm, {limit:g} mm; write 0 to drill in one go</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15238,7 +15494,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>radius 0 mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>radius {0} mm at z {1} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>raise F, or turn the spindle slower</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>raise first_depth_mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15327,6 +15595,10 @@
         </message>
         <message>
             <source>real time</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>redraw it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15447,6 +15719,14 @@
         </message>
         <message>
             <source>resume, so that the change is over, and hold it again then</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>retract along X beside the tailstock, or move it away</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>retract before it, or make it a feed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15774,6 +16054,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>shorten the travel along Z, or let the bar stick out further</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>simplify it, or divide it</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15990,6 +16274,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>switch the lathe off and on, connect again and set its zero; unlock an alarm with $X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>switch the lathe off and on, set its zero by hand, and send the whole program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16063,6 +16351,10 @@
         </message>
         <message>
             <source>take it out, or use one of: NAME, {keys}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take more passes of a lower depth</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16226,6 +16518,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the arc's centre is not as far from both its ends</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the arc's end does not lie on its circle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16238,6 +16534,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the arc's radius is too small for its ends</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the arranged program has {count} cuts, not {wanted}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16247,6 +16547,22 @@
         </message>
         <message>
             <source>the axes are X (radial) and Z (axial)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the bar bends away from the tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the bar is slender: it bends and chatters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the bar may turn in the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the bar sticks out of the chuck too far for its diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16498,6 +16814,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the controller of this machine has been started; it counts from the present position</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the controller of {machine} ended at its start</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16598,6 +16918,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the corner is too large for its lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the corners of a clamp enclose nothing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16607,6 +16931,10 @@
         </message>
         <message>
             <source>the count of copies is out of bounds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the crest of the thread lies below its floor</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16642,10 +16970,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the cut failed by a fault of its own: {kind}: {fault}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>the cut goes into the part of another contour at X{x:.3f} Y{y:.3f}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16666,7 +16990,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the cut takes more memory than there is</source>
+            <source>the cut needs more power than the motor has</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the cut of the {tool} is deeper than it may be</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the cutting force of {title} in turning is not in the table</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16782,10 +17114,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the drawing failed by a fault of ours: {kind}: {fault}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>the drawing has no closed outline</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16819,10 +17147,6 @@
         </message>
         <message>
             <source>the drawing reaches beyond the stock</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the drawing takes more memory than there is</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16923,6 +17247,10 @@
         </message>
         <message>
             <source>the feed asks more of {name} than its highest rate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the feed does not follow the spindle: choose a machine whose controller has G33</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17070,6 +17398,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the floor of the thread crosses the axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the folder belongs to another user</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17154,6 +17486,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the holder of the tool touches the part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the holder of the {tool} tool goes into stock</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17163,6 +17499,14 @@
         </message>
         <message>
             <source>the inner one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the insert '{code}' has no {name} of ISO 1832</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the insert must fill 1 to 179 degrees from back_deg to front_deg: it fills {angle:g}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17338,7 +17682,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the lathe is in automatic mode, or locked by an alarm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the lathe jogs at up to {0} mm/min, or at {1}: it takes the slower one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the lathe's timer makes a lead of {lead:.4f} mm, not {wanted:.4f} mm: over the thread {off:.3f} mm; at {rpm:.2f} rpm it is right</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the layer of a profile must hold one chain</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the lead of '{text}' is no whole number of pitches</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17503,6 +17863,10 @@
         </message>
         <message>
             <source>the machine finds its own zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine has no axes X and Z</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17814,6 +18178,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the pitch of '{designation}' is too coarse for its diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the place cannot be written: {error}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17919,6 +18287,18 @@
         </message>
         <message>
             <source>the profile cannot be reached from where the cycle begins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the profile crosses itself</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the profile goes over the centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the profile has an undercut: it runs back towards the end face</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18406,6 +18786,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the start is in the stock: its z must be at least {face:g} mm, or its x outside {diameter:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the state of the machine's position cannot be stored: {error}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18499,6 +18883,22 @@
         </message>
         <message>
             <source>the thickness of material {number}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the thread '{text}' is not in the table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the thread is longer than its cylinder of {diameter:.4g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the thread is not longer than its pull-out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the thread takes too many passes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18603,6 +19003,10 @@
         </message>
         <message>
             <source>the tool offset may not be changed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the tool runs into the {obstacle}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18759,6 +19163,10 @@
         </message>
         <message>
             <source>the {tool_shape} tool's form is not given, so it is judged as a flat one of its diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the {tool} takes too thick a chip</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19106,6 +19514,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this machine has no Y axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine has no Z axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this machine has no Z axis: arcs are in XY</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19190,6 +19606,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>times its diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>tiny chains</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19258,6 +19678,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>tool {number} has no shape: its moves are not simulated</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>tool {number} is unknown, so that its cuts are not checked</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19307,6 +19731,10 @@
         </message>
         <message>
             <source>turn the spindle slower</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>turn with at most {most:.4g} rpm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19383,6 +19811,10 @@
         </message>
         <message>
             <source>two words of the line contradict each other</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>two {of_what} have the same {key}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19511,6 +19943,14 @@
         </message>
         <message>
             <source>use a speed between $31 and $30</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use a steady rest, or at most {length:.4g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use a tailstock, or at most {length:.4g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19938,6 +20378,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write [[operation]]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write a G0 or G1 before</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19947,6 +20391,14 @@
         </message>
         <message>
             <source>write a decimal number after the letter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write a finer pitch</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write a lead that is</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20042,6 +20494,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write four letters and six digits, for example CNMG 120408</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write how many parts are wanted</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20082,6 +20538,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write length_mm = {length:.4g}, or lengthen the cylinder</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20099,6 +20559,10 @@
         </message>
         <message>
             <source>write one program a tool, or pause at tool changes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write one such as M20x2.5, M20, 1/2-13 UNC, 1/4-28 UNF, 3/8-16 BSW, G1/2, Tr20x4 or Tr40x14P7</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20290,6 +20754,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} mm long</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} mm/min</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20446,6 +20914,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{depth:.3g} mm deep, or {rpm:.4g} rpm, would do</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{dialect} answers {answer}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20478,11 +20950,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{dialect} programs are written without '{code}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{dialect} programs are written without '{event_kind}'</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{doing} failed by a fault of its own: {kind}: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{doing} takes more memory than there is</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
