@@ -9470,6 +9470,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{designation}' is no designation of a thread</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{drawing}' holds no lines that can be followed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10482,6 +10486,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>X goes past the centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>[ is missing after {keyword}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10519,6 +10527,10 @@
         </message>
         <message>
             <source>a `%` is neither at the begin nor at the end of the file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a bar of {diameter:g} x {length:g} mm holds no material</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10946,6 +10958,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a piece {length:.3f} mm long comes off the bar here</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a pin in the configuration is wrong</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11326,6 +11342,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>above {0} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>above {highest_cut:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11355,6 +11375,10 @@
         </message>
         <message>
             <source>add the missing pass, or lower the stepover or the stepdown</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>add the missing pass, or state the stock to leave</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11834,6 +11858,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>catch it, and stop the spindle after it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>chains have fewer lines and arcs</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12047,6 +12075,10 @@
         </message>
         <message>
             <source>choose a tool of at most {widest:.3f} mm diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose a tool that reaches further, or cut this part with another one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12274,6 +12306,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>correct diameter_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>correct it</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12403,6 +12439,10 @@
         </message>
         <message>
             <source>correct the path or the file's permissions</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct the path, or the tool's shape and nose radius</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12694,11 +12734,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>end the move at the axis, at most a nose radius beyond it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>end the name in .json</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>end the name in one of {known}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>end the profile at the X where the cycle begins, or make I larger</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12943,6 +12991,10 @@
         </message>
         <message>
             <source>give a device name or socket://host:port</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give a diameter above the bore and a length above 0</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13870,6 +13922,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>lead times speed is more than axis {axis} can: {lead:.4g} mm at {rpm:.4g} rpm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>leads had to be made smaller to stay in the scrap, down to {smallest:.0%} of their size</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13970,6 +14026,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>lengthen the thread</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>lengths of tools went into the coordinates</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13983,6 +14043,10 @@
         </message>
         <message>
             <source>let it plunge at the start of the contour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>let it stick out {length:g} mm at most, or support its end</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14166,6 +14230,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>lower taper_deg or its length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>lower the feed here, or the axis' rate and acceleration in controller and profile</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14191,10 +14259,6 @@
         </message>
         <message>
             <source>make D smaller</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>make I larger</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14327,6 +14391,10 @@
         </message>
         <message>
             <source>marks_for names '{title}', which is no rule with a sheet_cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>material is left on profile '{name}' where its tools reach</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14559,6 +14627,10 @@
         </message>
         <message>
             <source>name it once</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>name its insert, or its angles and nose radius</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15434,6 +15506,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>raise first_depth_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>raise interval_ms of the profile's signals</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15643,6 +15719,14 @@
         </message>
         <message>
             <source>resume, so that the change is over, and hold it again then</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>retract along X beside the tailstock, or move it away</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>retract before it, or make it a feed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15970,6 +16054,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>shorten the travel along Z, or let the bar stick out further</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>simplify it, or divide it</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16266,6 +16354,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>take more passes of a lower depth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>take one of them out</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16467,6 +16559,10 @@
         </message>
         <message>
             <source>the bar may turn in the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the bar sticks out of the chuck too far for its diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16838,6 +16934,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the crest of the thread lies below its floor</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the curve has no length</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16891,6 +16991,10 @@
         </message>
         <message>
             <source>the cut needs more power than the motor has</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the cut of the {tool} is deeper than it may be</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17146,6 +17250,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the feed does not follow the spindle: choose a machine whose controller has G33</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the feed does not follow the spindle: write thread passes as G01 at F = pitch * rpm / 60, for a lathe that begins each run of G01 at the encoder's index (mini-lathe:thread_start=index)</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17290,6 +17398,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the floor of the thread crosses the axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the folder belongs to another user</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17371,6 +17483,10 @@
         </message>
         <message>
             <source>the holder</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the holder of the tool touches the part</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17574,7 +17690,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the lathe's timer makes a lead of {lead:.4f} mm, not {wanted:.4f} mm: over the thread {off:.3f} mm; at {rpm:.2f} rpm it is right</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the layer of a profile must hold one chain</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the lead of '{text}' is no whole number of pitches</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18051,6 +18175,10 @@
         </message>
         <message>
             <source>the pins of the machine are not known to this reader</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the pitch of '{designation}' is too coarse for its diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18758,6 +18886,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the thread '{text}' is not in the table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the thread is longer than its cylinder of {diameter:.4g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the thread is not longer than its pull-out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the thread takes too many passes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the timeline</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18859,6 +19003,10 @@
         </message>
         <message>
             <source>the tool offset may not be changed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the tool runs into the {obstacle}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19015,6 +19163,10 @@
         </message>
         <message>
             <source>the {tool_shape} tool's form is not given, so it is judged as a flat one of its diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the {tool} takes too thick a chip</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19454,6 +19606,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>times its diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>tiny chains</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19522,6 +19678,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>tool {number} has no shape: its moves are not simulated</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>tool {number} is unknown, so that its cuts are not checked</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19571,6 +19731,10 @@
         </message>
         <message>
             <source>turn the spindle slower</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>turn with at most {most:.4g} rpm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20230,6 +20394,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write a finer pitch</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write a lead that is</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write a letter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20366,6 +20538,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write length_mm = {length:.4g}, or lengthen the cylinder</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20383,6 +20559,10 @@
         </message>
         <message>
             <source>write one program a tool, or pause at tool changes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write one such as M20x2.5, M20, 1/2-13 UNC, 1/4-28 UNF, 3/8-16 BSW, G1/2, Tr20x4 or Tr40x14P7</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20767,6 +20947,10 @@
         </message>
         <message>
             <source>{dialect} has no {what}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{dialect} programs are written without '{code}'</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

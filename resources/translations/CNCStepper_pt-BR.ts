@@ -9470,6 +9470,10 @@
             <translation>'{code}' não é uma pastilha da ISO 1832</translation>
         </message>
         <message>
+            <source>'{designation}' is no designation of a thread</source>
+            <translation>'{designation}' não é a designação de uma rosca</translation>
+        </message>
+        <message>
             <source>'{drawing}' holds no lines that can be followed</source>
             <translation>'{drawing}' não contém linhas que possam ser seguidas</translation>
         </message>
@@ -10482,6 +10486,10 @@
             <translation>Largura do rasgo</translation>
         </message>
         <message>
+            <source>X goes past the centre</source>
+            <translation>X passa do centro</translation>
+        </message>
+        <message>
             <source>[ is missing after {keyword}</source>
             <translation>falta [ depois de {keyword}</translation>
         </message>
@@ -10520,6 +10528,10 @@
         <message>
             <source>a `%` is neither at the begin nor at the end of the file</source>
             <translation>há um `%` onde nenhum arquivo começa nem termina</translation>
+        </message>
+        <message>
+            <source>a bar of {diameter:g} x {length:g} mm holds no material</source>
+            <translation>uma barra de {diameter:g} x {length:g} mm não contém material</translation>
         </message>
         <message>
             <source>a bulge is not that of an arc in mm</source>
@@ -10946,6 +10958,10 @@
             <translation>uma imagem, e não uma linha</translation>
         </message>
         <message>
+            <source>a piece {length:.3f} mm long comes off the bar here</source>
+            <translation>aqui uma peça de {length:.3f} mm de comprimento se separa da barra</translation>
+        </message>
+        <message>
             <source>a pin in the configuration is wrong</source>
             <translation>um pino da configuração está errado</translation>
         </message>
@@ -11326,6 +11342,10 @@
             <translation>acima de 0, abaixo de {diameter_mm:g} mm</translation>
         </message>
         <message>
+            <source>above {0} mm</source>
+            <translation>acima de {0} mm</translation>
+        </message>
+        <message>
             <source>above {highest_cut:g} mm</source>
             <translation>acima de {highest_cut:g} mm</translation>
         </message>
@@ -11356,6 +11376,10 @@
         <message>
             <source>add the missing pass, or lower the stepover or the stepdown</source>
             <translation>acrescente o passe que falta, ou diminua a penetração de trabalho ou a profundidade de corte</translation>
+        </message>
+        <message>
+            <source>add the missing pass, or state the stock to leave</source>
+            <translation>acrescente o passe que falta, ou informe o sobremetal</translation>
         </message>
         <message>
             <source>add the other</source>
@@ -11834,6 +11858,10 @@
             <translation>ciclos fixos não podem ser usados</translation>
         </message>
         <message>
+            <source>catch it, and stop the spindle after it</source>
+            <translation>apare a peça, e pare o fuso depois</translation>
+        </message>
+        <message>
             <source>chains have fewer lines and arcs</source>
             <translation>cadeias têm menos linhas e arcos</translation>
         </message>
@@ -12048,6 +12076,10 @@
         <message>
             <source>choose a tool of at most {widest:.3f} mm diameter</source>
             <translation>escolha uma ferramenta de no máximo {widest:.3f} mm de diâmetro</translation>
+        </message>
+        <message>
+            <source>choose a tool that reaches further, or cut this part with another one</source>
+            <translation>escolha uma ferramenta de maior alcance, ou corte esta parte com outra</translation>
         </message>
         <message>
             <source>choose an earlier line</source>
@@ -12274,6 +12306,10 @@
             <translation>corrija centre ou to</translation>
         </message>
         <message>
+            <source>correct diameter_mm</source>
+            <translation>corrija diameter_mm</translation>
+        </message>
+        <message>
             <source>correct it</source>
             <translation>corrija-o</translation>
         </message>
@@ -12404,6 +12440,10 @@
         <message>
             <source>correct the path or the file's permissions</source>
             <translation>corrija o caminho ou as permissões do arquivo</translation>
+        </message>
+        <message>
+            <source>correct the path, or the tool's shape and nose radius</source>
+            <translation>corrija o percurso, ou a forma e o raio de ponta da ferramenta</translation>
         </message>
         <message>
             <source>correct the path, the lead-in or the kerf</source>
@@ -12694,12 +12734,20 @@
             <translation>encerre essa sessão como {user}, ou remova o arquivo como {user} se nenhuma estiver mais em execução</translation>
         </message>
         <message>
+            <source>end the move at the axis, at most a nose radius beyond it</source>
+            <translation>termine o movimento no eixo, no máximo um raio de ponta além dele</translation>
+        </message>
+        <message>
             <source>end the name in .json</source>
             <translation>termine o nome em .json</translation>
         </message>
         <message>
             <source>end the name in one of {known}</source>
             <translation>termine o nome em um de {known}</translation>
+        </message>
+        <message>
+            <source>end the profile at the X where the cycle begins, or make I larger</source>
+            <translation>termine o perfil no X em que o ciclo começa, ou aumente I</translation>
         </message>
         <message>
             <source>end the tool change and resume, or reset it</source>
@@ -12944,6 +12992,10 @@
         <message>
             <source>give a device name or socket://host:port</source>
             <translation>dê um nome de dispositivo ou socket://host:porta</translation>
+        </message>
+        <message>
+            <source>give a diameter above the bore and a length above 0</source>
+            <translation>informe um diâmetro maior que o furo e um comprimento acima de 0</translation>
         </message>
         <message>
             <source>give a file that ends in {endings}</source>
@@ -13870,6 +13922,10 @@
             <translation>entre e saia pelo retalho</translation>
         </message>
         <message>
+            <source>lead times speed is more than axis {axis} can: {lead:.4g} mm at {rpm:.4g} rpm</source>
+            <translation>avanço por volta vezes rotação é mais do que o eixo {axis} consegue: {lead:.4g} mm a {rpm:.4g} rpm</translation>
+        </message>
+        <message>
             <source>leads had to be made smaller to stay in the scrap, down to {smallest:.0%} of their size</source>
             <translation>entradas e saídas tiveram de ser diminuídas para ficar na sobra, até {smallest:.0%} do seu tamanho</translation>
         </message>
@@ -13970,6 +14026,10 @@
             <translation>omitido: {letter}, que nunca se move; esse eixo fica em 0</translation>
         </message>
         <message>
+            <source>lengthen the thread</source>
+            <translation>alongue a rosca</translation>
+        </message>
+        <message>
             <source>lengths of tools went into the coordinates</source>
             <translation>os comprimentos das ferramentas entraram nas coordenadas</translation>
         </message>
@@ -13984,6 +14044,10 @@
         <message>
             <source>let it plunge at the start of the contour</source>
             <translation>faça-a mergulhar no início do contorno</translation>
+        </message>
+        <message>
+            <source>let it stick out {length:g} mm at most, or support its end</source>
+            <translation>deixe no máximo {length:g} mm para fora, ou apoie a ponta</translation>
         </message>
         <message>
             <source>let z never rise along it</source>
@@ -14166,6 +14230,10 @@
             <translation>diminua os passos/mm ou a velocidade máxima</translation>
         </message>
         <message>
+            <source>lower taper_deg or its length</source>
+            <translation>reduza taper_deg ou o comprimento</translation>
+        </message>
+        <message>
             <source>lower the feed here, or the axis' rate and acceleration in controller and profile</source>
             <translation>diminua o avanço aqui, ou a velocidade e a aceleração do eixo no controlador e no perfil</translation>
         </message>
@@ -14192,10 +14260,6 @@
         <message>
             <source>make D smaller</source>
             <translation>diminua D</translation>
-        </message>
-        <message>
-            <source>make I larger</source>
-            <translation>aumente I</translation>
         </message>
         <message>
             <source>make Q larger</source>
@@ -14328,6 +14392,10 @@
         <message>
             <source>marks_for names '{title}', which is no rule with a sheet_cut</source>
             <translation>marks_for nomeia '{title}', que não é uma regra com sheet_cut</translation>
+        </message>
+        <message>
+            <source>material is left on profile '{name}' where its tools reach</source>
+            <translation>sobra material no perfil '{name}' onde as ferramentas alcançam</translation>
         </message>
         <message>
             <source>material is left where it should be removed{islands}</source>
@@ -14560,6 +14628,10 @@
         <message>
             <source>name it once</source>
             <translation>nomeie-a uma só vez</translation>
+        </message>
+        <message>
+            <source>name its insert, or its angles and nose radius</source>
+            <translation>informe a pastilha, ou os ângulos e o raio de ponta</translation>
         </message>
         <message>
             <source>name one</source>
@@ -15434,6 +15506,10 @@
             <translation>aumente F, ou diminua a rotação do spindle</translation>
         </message>
         <message>
+            <source>raise first_depth_mm</source>
+            <translation>aumente first_depth_mm</translation>
+        </message>
+        <message>
             <source>raise interval_ms of the profile's signals</source>
             <translation>aumente interval_ms dos sinais do perfil</translation>
         </message>
@@ -15644,6 +15720,14 @@
         <message>
             <source>resume, so that the change is over, and hold it again then</source>
             <translation>continue, para que a troca termine, e então segure de novo</translation>
+        </message>
+        <message>
+            <source>retract along X beside the tailstock, or move it away</source>
+            <translation>recue em X ao lado do cabeçote móvel, ou afaste-o</translation>
+        </message>
+        <message>
+            <source>retract before it, or make it a feed</source>
+            <translation>recue antes, ou faça dele um avanço</translation>
         </message>
         <message>
             <source>retract mode set to old_z</source>
@@ -15970,6 +16054,10 @@
             <translation>encurte a linha de partida</translation>
         </message>
         <message>
+            <source>shorten the travel along Z, or let the bar stick out further</source>
+            <translation>encurte o percurso em Z, ou deixe a barra mais para fora</translation>
+        </message>
+        <message>
             <source>simplify it, or divide it</source>
             <translation>simplifique-o, ou divida-o</translation>
         </message>
@@ -16266,6 +16354,10 @@
             <translation>retire-a, ou use uma destas: NAME, {keys}</translation>
         </message>
         <message>
+            <source>take more passes of a lower depth</source>
+            <translation>faça mais passes de menor profundidade</translation>
+        </message>
+        <message>
             <source>take one of them out</source>
             <translation>retire um deles</translation>
         </message>
@@ -16468,6 +16560,10 @@
         <message>
             <source>the bar may turn in the chuck</source>
             <translation>a barra pode girar na placa</translation>
+        </message>
+        <message>
+            <source>the bar sticks out of the chuck too far for its diameter</source>
+            <translation>a barra sai demais da placa para o seu diâmetro</translation>
         </message>
         <message>
             <source>the bars' width</source>
@@ -16838,6 +16934,10 @@
             <translation>o número de cópias está fora dos limites</translation>
         </message>
         <message>
+            <source>the crest of the thread lies below its floor</source>
+            <translation>a crista da rosca fica abaixo do seu fundo</translation>
+        </message>
+        <message>
             <source>the curve has no length</source>
             <translation>a curva não tem comprimento</translation>
         </message>
@@ -16892,6 +16992,10 @@
         <message>
             <source>the cut needs more power than the motor has</source>
             <translation>o corte exige mais potência do que o motor tem</translation>
+        </message>
+        <message>
+            <source>the cut of the {tool} is deeper than it may be</source>
+            <translation>o corte da ferramenta {tool} é mais fundo do que pode ser</translation>
         </message>
         <message>
             <source>the cutting force of {title} in turning is not in the table</source>
@@ -17146,6 +17250,10 @@
             <translation>o avanço pede de {name} mais que a sua velocidade máxima</translation>
         </message>
         <message>
+            <source>the feed does not follow the spindle: choose a machine whose controller has G33</source>
+            <translation>o avanço não segue o fuso: escolha uma máquina cujo controlador tenha G33</translation>
+        </message>
+        <message>
             <source>the feed does not follow the spindle: write thread passes as G01 at F = pitch * rpm / 60, for a lathe that begins each run of G01 at the encoder's index (mini-lathe:thread_start=index)</source>
             <translation>o avanço não acompanha o fuso: escreva os passes de rosca como G01 com F = passo * rpm / 60, para um torno que começa cada sequência de G01 no índice do encoder (mini-lathe:thread_start=index)</translation>
         </message>
@@ -17290,6 +17398,10 @@
             <translation>a largura das abas</translation>
         </message>
         <message>
+            <source>the floor of the thread crosses the axis</source>
+            <translation>o fundo da rosca cruza o eixo</translation>
+        </message>
+        <message>
             <source>the folder belongs to another user</source>
             <translation>a pasta pertence a outro usuário</translation>
         </message>
@@ -17372,6 +17484,10 @@
         <message>
             <source>the holder</source>
             <translation>o porta-ferramenta</translation>
+        </message>
+        <message>
+            <source>the holder of the tool touches the part</source>
+            <translation>o suporte da ferramenta toca a peça</translation>
         </message>
         <message>
             <source>the holder of the {tool} tool goes into stock</source>
@@ -17574,8 +17690,16 @@
             <translation>o torno se move à mão a até {0} mm/min, ou a {1}: fica a menor</translation>
         </message>
         <message>
+            <source>the lathe's timer makes a lead of {lead:.4f} mm, not {wanted:.4f} mm: over the thread {off:.3f} mm; at {rpm:.2f} rpm it is right</source>
+            <translation>o temporizador do torno faz um avanço por volta de {lead:.4f} mm, e não {wanted:.4f} mm: na rosca toda {off:.3f} mm; a {rpm:.2f} rpm fica certo</translation>
+        </message>
+        <message>
             <source>the layer of a profile must hold one chain</source>
             <translation>a camada de um perfil deve conter uma só cadeia</translation>
+        </message>
+        <message>
+            <source>the lead of '{text}' is no whole number of pitches</source>
+            <translation>o avanço por volta de '{text}' não é um número inteiro de passos</translation>
         </message>
         <message>
             <source>the leads fit nowhere in the scrap; the closest obstacle is {name} at X{x:.3f} Y{y:.3f}</source>
@@ -18052,6 +18176,10 @@
         <message>
             <source>the pins of the machine are not known to this reader</source>
             <translation>este leitor não conhece os pinos da máquina</translation>
+        </message>
+        <message>
+            <source>the pitch of '{designation}' is too coarse for its diameter</source>
+            <translation>o passo de '{designation}' é grosso demais para o diâmetro</translation>
         </message>
         <message>
             <source>the place cannot be written: {error}</source>
@@ -18758,6 +18886,22 @@
             <translation>a espessura do material {number}</translation>
         </message>
         <message>
+            <source>the thread '{text}' is not in the table</source>
+            <translation>a rosca '{text}' não está na tabela</translation>
+        </message>
+        <message>
+            <source>the thread is longer than its cylinder of {diameter:.4g} mm</source>
+            <translation>a rosca é mais longa que o seu cilindro de {diameter:.4g} mm</translation>
+        </message>
+        <message>
+            <source>the thread is not longer than its pull-out</source>
+            <translation>a rosca não é mais longa que a sua saída</translation>
+        </message>
+        <message>
+            <source>the thread takes too many passes</source>
+            <translation>a rosca exige passadas demais</translation>
+        </message>
+        <message>
             <source>the timeline</source>
             <translation>a linha do tempo</translation>
         </message>
@@ -18860,6 +19004,10 @@
         <message>
             <source>the tool offset may not be changed</source>
             <translation>a correção da ferramenta não pode ser mudada</translation>
+        </message>
+        <message>
+            <source>the tool runs into the {obstacle}</source>
+            <translation>a ferramenta colide com: {obstacle}</translation>
         </message>
         <message>
             <source>the tool table cannot be read again</source>
@@ -19016,6 +19164,10 @@
         <message>
             <source>the {tool_shape} tool's form is not given, so it is judged as a flat one of its diameter</source>
             <translation>a forma da ferramenta {tool_shape} não foi informada, por isso é avaliada como fresa reta do mesmo diâmetro</translation>
+        </message>
+        <message>
+            <source>the {tool} takes too thick a chip</source>
+            <translation>a ferramenta {tool} tira um cavaco grosso demais</translation>
         </message>
         <message>
             <source>the {tool} tool cuts deeper than its flutes are long</source>
@@ -19454,6 +19606,10 @@
             <translation>limiar {threshold}</translation>
         </message>
         <message>
+            <source>times its diameter</source>
+            <translation>vezes o diâmetro</translation>
+        </message>
+        <message>
             <source>tiny chains</source>
             <translation>cadeias minúsculas</translation>
         </message>
@@ -19522,6 +19678,10 @@
             <translation>a ferramenta {number} continua o corte sem parada para trocar a ferramenta {number2}</translation>
         </message>
         <message>
+            <source>tool {number} has no shape: its moves are not simulated</source>
+            <translation>a ferramenta {number} não tem forma: seus movimentos não são simulados</translation>
+        </message>
+        <message>
             <source>tool {number} is unknown, so that its cuts are not checked</source>
             <translation>a ferramenta {number} não é conhecida, por isso o que ela corta não é verificado</translation>
         </message>
@@ -19572,6 +19732,10 @@
         <message>
             <source>turn the spindle slower</source>
             <translation>gire o spindle mais devagar</translation>
+        </message>
+        <message>
+            <source>turn with at most {most:.4g} rpm</source>
+            <translation>gire no máximo a {most:.4g} rpm</translation>
         </message>
         <message>
             <source>turning (G7, G95, G96) is in force here: no entry is written for a lathe</source>
@@ -20230,6 +20394,14 @@
             <translation>escreva um número decimal depois da letra</translation>
         </message>
         <message>
+            <source>write a finer pitch</source>
+            <translation>escreva um passo mais fino</translation>
+        </message>
+        <message>
+            <source>write a lead that is</source>
+            <translation>escreva um que seja</translation>
+        </message>
+        <message>
             <source>write a letter</source>
             <translation>escreva uma letra</translation>
         </message>
@@ -20366,6 +20538,10 @@
             <translation>escreva o seu endif, endwhile, endrepeat, while ou endsub</translation>
         </message>
         <message>
+            <source>write length_mm = {length:.4g}, or lengthen the cylinder</source>
+            <translation>escreva length_mm = {length:.4g}, ou alongue o cilindro</translation>
+        </message>
+        <message>
             <source>write mm</source>
             <translation>escreva em mm</translation>
         </message>
@@ -20384,6 +20560,10 @@
         <message>
             <source>write one program a tool, or pause at tool changes</source>
             <translation>escreva um programa por ferramenta ou faça uma pausa nas trocas de ferramenta</translation>
+        </message>
+        <message>
+            <source>write one such as M20x2.5, M20, 1/2-13 UNC, 1/4-28 UNF, 3/8-16 BSW, G1/2, Tr20x4 or Tr40x14P7</source>
+            <translation>escreva uma como M20x2.5, M20, 1/2-13 UNC, 1/4-28 UNF, 3/8-16 BSW, G1/2, Tr20x4 ou Tr40x14P7</translation>
         </message>
         <message>
             <source>write one x,y in mm a line</source>
@@ -20768,6 +20948,10 @@
         <message>
             <source>{dialect} has no {what}</source>
             <translation>{dialect} não tem {what}</translation>
+        </message>
+        <message>
+            <source>{dialect} programs are written without '{code}'</source>
+            <translation>programas {dialect} são escritos sem '{code}'</translation>
         </message>
         <message>
             <source>{dialect} programs are written without '{event_kind}'</source>
