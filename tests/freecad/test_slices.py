@@ -68,7 +68,11 @@ def test_a_mesh_is_sliced_too(document: Any, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("values", "code"),
-    [({"thickness_mm": 0}, "thickness_mm"), ({"thickness_mm": 0.001}, "sheets; use thicker"), ({"gap_mm": -1}, "gap_mm")],
+    [
+        ({"thickness_mm": 0}, "thickness_mm"),
+        ({"thickness_mm": 0.001}, "sheets; use thicker"),
+        ({"gap_mm": -1}, "gap_mm"),
+    ],
 )
 def test_what_cannot_be_sliced_is_refused_and_nothing_changes(
     document: Any, block: Any, tmp_path: Path, values: dict[str, float], code: str

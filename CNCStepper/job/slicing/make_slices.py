@@ -16,11 +16,11 @@ from CNCStepper.job.nesting.order_file import Order
 from CNCStepper.job.slicing.sections import Sections, mesh_sections, solid_sections
 from CNCStepper.job.slicing.slice_files import nest_order, write_stack
 from CNCStepper.job.slicing.slice_form import SliceForm
-from CNCStepper.job.slicing.solid_slices import Stack, stack_of
+from CNCStepper.job.slicing.solid_slices import stack_of
 from CNCStepper.nesting.nest import nest
 from CNCStepper.nesting.nesting_model import Budget, Layout
 
-SOLIDS = (".step", ".stp", ".brep", ".brp", ".fcstd")
+SOLIDS = (".step", ".stp", ".brep", ".brp", ".fcstd")  # which OCCT reads, and whose unit is known
 PARTS = ("front", "middle", "back")  # names of the runs of sheets, from the lowest
 
 
@@ -50,10 +50,9 @@ def sections_of(solid: Path, axis: str, thickness_mm: float, scale: float = 1.0)
         )
 
 
-def nest_stack(stack: Stack, form: SliceForm, folder: Path, share: Callable[[float], None]) -> Nested:
-    """Nest the pieces on sheets of material and write the files of that."""
-    order = nest_order(stack, (form.sheet_x_mm, form.sheet_y_mm), form.gap_mm, form.margin_mm)
-    layout = nest(order.items, order.sheets, order.spacing, Budget(form.time_s, progress=share))
+def nest_stack(order: Order, time_s: float, folder: Path, share: Callable[[float], None]) -> Nested:
+    """Nest the order of `nest_order` within a time and write the files of that."""
+    layout = nest(order.items, order.sheets, order.spacing, Budget(time_s, progress=share))
     return Nested(order, layout, tuple(write_nest(order, layout, folder)))
 
 
@@ -65,7 +64,8 @@ def answer_of(asked: dict[str, Any], share: Callable[[float], None] = lambda sha
     form, folder = SliceForm.model_validate(asked["form"]), Path(asked["folder"])
     stack = stack_of(sections_of(Path(asked["solid"]), form.axis, form.thickness_mm), PARTS, form.hole_mm)
     write_stack(stack, folder, asked["title"])
-    nested = nest_stack(stack, form, folder, share)
+    order = nest_order(stack, (form.sheet_x_mm, form.sheet_y_mm), form.gap_mm, form.margin_mm)
+    nested = nest_stack(order, form.time_s, folder, share)
     return {
         "sheets": [str(path) for path in nested.files if path.name.startswith("sheet-")],
         "slices": len(stack.slices),
