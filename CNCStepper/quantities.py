@@ -55,6 +55,7 @@ QUANTITIES: dict[str, Quantity] = {
     "factor": Quantity("", 0.000001, 1_000_000, "beyond a million nothing of the shape is left"),
     "count": Quantity("", 1, 1_000_000, "more than a million of anything is a slip"),
     "number": Quantity("", 0, 1_000_000, "a number that names something is short"),
+    "pin": Quantity("", -25, 25, "a parallel port has 25 pins, and one below zero is active low"),
     "steps_per_mm": Quantity("steps/mm", 0.01, 1_000_000, "a step is between a nanometre and 100 mm"),
     "steps_per_turn": Quantity("", 1, 100_000_000, "no encoder counts more in a turn"),
     "steps_acceleration": Quantity("steps/s²", 0.0001, 1e12, "beyond these a step lasts over a minute or no time"),
@@ -66,6 +67,11 @@ QUANTITIES: dict[str, Quantity] = {
     "voltage": Quantity("V", 0.001, 10_000, "no arc or wire stands at more than 10 kV"),
     "pressure": Quantity("bar", 0.001, 10_000, "no jet is driven by more than 10 kbar"),
     "money": Quantity("", 0.0001, 1_000_000_000, "a rate is more than nothing and less than a thousand million"),
+    "power": Quantity("W", 0.1, 1_000_000, "no spindle of a lathe or mill has more than 1 MW"),
+    "specific_force": Quantity(
+        "N/mm²", 1, 100_000, "no material needs more than 100 kN on a square millimetre of chip"
+    ),
+    "elasticity": Quantity("N/mm²", 1, 1_000_000, "no material is stiffer than diamond"),
     "force": Quantity("N", 0.0001, 1_000_000, "no axis pushes with more than 100 t"),
 }
 

@@ -265,7 +265,7 @@ class Job(BaseModel):
     def load(cls, path: str | Path) -> Job:
         """Return the job of a TOML or JSON file, its machine as `Machine.load` takes it; raises as `load_job` does."""
         job, _ = load_job(Path(path))
-        return job.model_copy(update={"machine": _machine_name(job.machine, Path(path).parent)})
+        return job.model_copy(update={"machine": machine_path(job.machine, Path(path).parent)})
 
     @property
     def tools(self) -> dict[int, Tool]:
@@ -396,7 +396,7 @@ def load_job(path: Path, share: Share = lambda share: None) -> tuple[Job, Machin
         what, advice = "the job has no operation", "write the cuts as [[operation]]"
         raise JobError("operation-missing", what, advice=advice, place=Place(str(path)))
     with placed(Place(str(path))):
-        return job, load_machine(_machine_name(job.machine, path.parent))
+        return job, load_machine(machine_path(job.machine, path.parent))
 
 
 def read_job(path: Path, share: Share = lambda share: None) -> Job:
@@ -435,7 +435,7 @@ def _take_heights(content: dict[str, Any], folder: Path) -> None:
     """Give a job that names no heights those of a machine without Z, which has none."""
     missing = [key for key in ("clearance_mm", "retract_mm") if key not in content]
     name = content.get("machine")
-    if missing and isinstance(name, str) and not _has_z(_machine_name(name, folder)):
+    if missing and isinstance(name, str) and not _has_z(machine_path(name, folder)):
         content.update(dict.fromkeys(missing, NO_HEIGHT_MM))
 
 
@@ -503,5 +503,6 @@ def file_in_job_folder(folder: Path, name: Any, key: str, file: str) -> Path:
     return folder / name
 
 
-def _machine_name(name: str, folder: Path) -> str:
+def machine_path(name: str, folder: Path) -> str:
+    """Return what `load_machine` takes for the key machine of a job file in that folder."""
     return name if name in profile_names() else str(folder / name)

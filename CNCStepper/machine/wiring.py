@@ -72,7 +72,7 @@ class Signals(BaseModel, extra="forbid", frozen=True):
     direction_setup_us: Annotated[float, Bounds("pulse", most=1000.0, zero=True)] = 10.0
     enable_lead_us: Annotated[float, Bounds("pulse", zero=True)] = 1000.0
     motors: tuple[Turning, ...] = Field(default=("x", "y", "z"), min_length=1, max_length=MOST_MOTORS)
-    pins: dict[str, Annotated[int, Bounds("coordinate", -25, 25)]] = {}
+    pins: dict[str, Annotated[int, Bounds("pin")]] = {}
     base: Annotated[int, Bounds("number", most=0xFFFF)] = 0x378
     null_motor: Annotated[StrictInt, Field(ge=0, lt=BOARD_MOTORS)] | Literal["unused"] = "unused"
     interval_ms: Annotated[float, Bounds("wait", most=1000.0)] | None = None

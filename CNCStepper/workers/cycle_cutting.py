@@ -24,97 +24,56 @@ When standard input is closed the process ends.
 from __future__ import annotations
 
 import sys
-import time
-import traceback
 from contextlib import nullcontext
 from pathlib import Path
-from queue import Empty
 from typing import Any
 
 from CNCStepper.cancellation import interruptible
-from CNCStepper.errors import CNCStepperError, Text
-from CNCStepper.workers.json_lines import Questions, serve, tell
+from CNCStepper.workers.json_lines import NewestQuestion, Outdated, Questions, Work, serve, tell
 
-LOOK_EVERY_S = 0.02  # whether a newer question has come
+CUTTING = Work("cut", "the cut", "use larger steps or a smaller depth")
 MOST_CUTS = 16  # kept: a program is asked for after its operations
-
-
-class Outdated(Exception):
-    """Raised where a newer question has come."""
 
 
 def main() -> int:
     """Answer what standard input asks; return the exit status."""
-    return serve(lambda questions: Answers(questions).run(), "cut-fault", "the cut")
+    return serve(lambda questions: Answers(questions).run(), "cut-fault", CUTTING.doing)
 
 
 class Answers:
     """The newest question and the cuts that were made last."""
 
     def __init__(self, questions: Questions):
-        self._questions = questions
-        self._newer: dict[str, Any] | None = None
-        self._looked_s = 0.0
+        self._newest = NewestQuestion(questions)
         self._cuts: list[Any] = []
 
     def run(self) -> None:
         """Answer for ever."""
         while True:
-            question = self._newest()
+            question = self._newest.wait()
             try:
                 self._answer(question)
             except Outdated:
                 continue
 
-    def _newest(self) -> dict[str, Any]:
-        """Return the newest question; wait where there is none."""
-        question, self._newer = self._newer or self._questions.get(), None
-        try:
-            while True:
-                question = self._questions.get_nowait()
-        except Empty:
-            return question
-
-    def _look(self) -> None:
-        """Raise Outdated where a newer question has come."""
-        now_s = time.monotonic()
-        if now_s < self._looked_s + LOOK_EVERY_S:
-            return
-        self._looked_s = now_s
-        try:
-            self._newer = self._questions.get_nowait()
-        except Empty:
-            return
-        raise Outdated
-
     def _answer(self, question: dict[str, Any]) -> None:
         from CNCStepper.kernels import uncompiled
 
         tell({"begun": question["mark"]})
-        slowly = nullcontext() if question["compiled"] else uncompiled(self._look)
-        with interruptible(self._look), slowly:
+        slowly = nullcontext() if question["compiled"] else uncompiled(self._newest.look)
+        with interruptible(self._newest.look), slowly:
             for key, part in question["parts"].items():
                 tell({"key": key, "answer": self._part(part)})
         tell({"done": question["mark"]})
 
     def _part(self, part: dict[str, Any]) -> dict[str, Any]:
-        from CNCStepper.control.session.status import error_to_json
-
         try:
             work = {"fit": self._fits, "cut": self._cut, "text": self._text, "program": self._programs}
             return next(work[key] for key in work if key in part)(part)
-        except CNCStepperError as refusal:
-            error = refusal
-        except MemoryError:
-            what = "the cut takes more memory than there is"
-            error = CNCStepperError("cut-memory", what, advice="use larger steps or a smaller depth")
         except Outdated:
             raise
-        except Exception as fault:  # a fault of ours still has to reach the person who waits
-            traceback.print_exc()
-            what = Text("the cut failed by a fault of its own: {kind}: {fault}", kind=type(fault).__name__, fault=fault)
-            error = CNCStepperError("cut-fault", what, advice="please report it, with the program")
-        return {"error": error_to_json(error)}
+        except Exception as error:  # a fault of ours still has to reach the person who waits
+            return {"error": CUTTING.refused(error)}
 
     def _fits(self, part: dict[str, Any]) -> dict[str, Any]:
         from CNCStepper.job.curve_fit_cache import answer_to

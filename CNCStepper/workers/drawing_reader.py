@@ -17,81 +17,57 @@ from __future__ import annotations
 
 import sys
 import time
-import traceback
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 from CNCStepper.cancellation import interruptible
-from CNCStepper.errors import CNCStepperError, Text
-from CNCStepper.workers.json_lines import Questions, serve, tell
+from CNCStepper.workers.json_lines import NewestQuestion, Outdated, Questions, Work, serve, tell
 
 SHARE_EVERY_S = 0.2
-
-
-class Outdated(Exception):
-    """Raised where a newer question has come."""
+READING = Work("drawing", "the reading of the drawing", "simplify it, or divide it")
 
 
 def main() -> int:
     """Answer what standard input asks; return the exit status."""
-    return serve(lambda questions: Answers(questions).run(), "drawing-fault", "the reading of the drawing")
+    return serve(lambda questions: Answers(questions).run(), "drawing-fault", READING.doing)
 
 
 class Answers:
     """The newest question."""
 
     def __init__(self, questions: Questions):
-        self._questions = questions
+        self._newest = NewestQuestion(questions)
         self._told_s = 0.0
         self._mark = 0
 
     def run(self) -> None:
         """Answer for ever."""
         while True:
-            question = self._questions.get()
-            if not self._questions.empty():
-                continue
+            question = self._newest.wait()
             self._mark = question["mark"]
             try:
-                with interruptible(self._look):
+                with interruptible(self._newest.look):
                     told = self._answer(question)
             except Outdated:
                 continue
             tell({"mark": self._mark, **told})
 
-    def _look(self) -> None:
-        """Raise Outdated where a newer question has come."""
-        if not self._questions.empty():
-            raise Outdated
-
     def _share(self, share: float) -> None:
-        self._look()
+        self._newest.look()
         now_s = time.monotonic()
         if now_s >= self._told_s + SHARE_EVERY_S:
             self._told_s = now_s
             tell({"mark": self._mark, "share": share})
 
     def _answer(self, question: dict[str, Any]) -> dict[str, Any]:
-        from CNCStepper.control.session.status import error_to_json
-
         key = next(key for key in WORK if key in question)
         try:
             return {"answer": WORK[key](question, self._share)}
-        except CNCStepperError as refusal:
-            error = refusal
-        except MemoryError:
-            what = "the drawing takes more memory than there is"
-            error = CNCStepperError("drawing-memory", what, advice="simplify it, or divide it")
         except Outdated:
             raise
-        except Exception as fault:  # a fault of ours still has to reach the person who waits
-            traceback.print_exc()
-            what = Text(
-                "the drawing failed by a fault of ours: {kind}: {fault}", kind=type(fault).__name__, fault=fault
-            )
-            error = CNCStepperError("drawing-fault", what, advice="please report it, with the drawing")
-        return {"refused": error_to_json(error)}
+        except Exception as error:  # a fault of ours still has to reach the person who waits
+            return {"refused": READING.refused(error)}
 
 
 def _drawing(question: dict[str, Any], share: Callable[[float], None]) -> dict[str, Any]:

@@ -6,15 +6,73 @@ from __future__ import annotations
 import json
 import os
 import threading
+import time
 import traceback
 from collections.abc import Callable
-from queue import SimpleQueue
+from dataclasses import dataclass
+from queue import Empty, SimpleQueue
 from typing import Any
 
 from CNCStepper import text_json
 from CNCStepper.errors import CNCStepperError, Text
 
 Questions = SimpleQueue[dict[str, Any]]
+LOOK_EVERY_S = 0.02  # whether a newer question has come
+
+
+class Outdated(Exception):
+    """Raised where a newer question has come."""
+
+
+class NewestQuestion:
+    """The newest of a worker's questions: who works on one looks now and then whether there is a newer one."""
+
+    def __init__(self, questions: Questions):
+        self._questions = questions
+        self._newer: dict[str, Any] | None = None
+        self._looked_s = 0.0
+
+    def wait(self) -> dict[str, Any]:
+        """Return the newest question; wait where there is none."""
+        question, self._newer = self._newer or self._questions.get(), None
+        try:
+            while True:
+                question = self._questions.get_nowait()
+        except Empty:
+            return question
+
+    def look(self) -> None:
+        """Raise Outdated where a newer question has come."""
+        now_s = time.monotonic()
+        if now_s < self._looked_s + LOOK_EVERY_S:
+            return
+        self._looked_s = now_s
+        try:
+            self._newer = self._questions.get_nowait()
+        except Empty:
+            return
+        raise Outdated
+
+
+@dataclass(frozen=True)
+class Work:
+    """How a worker's errors name what it does: "cut", "the cut", and how it takes less memory."""
+
+    code: str
+    doing: str
+    less_memory: str
+
+    def refused(self, error: Exception) -> dict[str, Any]:
+        """Return an error for the person who waits, as JSON; call it where `error` is caught."""
+        from CNCStepper.control.session.status import error_to_json
+
+        if isinstance(error, CNCStepperError):
+            return error_to_json(error)
+        if isinstance(error, MemoryError):
+            what = Text("{doing} takes more memory than there is", doing=self.doing)
+            return error_to_json(CNCStepperError(f"{self.code}-memory", what, advice=self.less_memory))
+        traceback.print_exc()
+        return error_to_json(_fault(error, f"{self.code}-fault", self.doing))
 
 
 def serve(answer: Callable[[Questions], None], code: str, doing: str) -> int:
@@ -31,10 +89,7 @@ def serve(answer: Callable[[Questions], None], code: str, doing: str) -> int:
         _refuse(error, failed)
     except Exception as error:  # a fault of ours still has to reach the person who waits
         traceback.print_exc()
-        what = Text(
-            "{doing} failed by a fault of its own: {kind}: {error}", doing=doing, kind=type(error).__name__, error=error
-        )
-        _refuse(CNCStepperError(code, what, advice="please report it, with the program"), failed)
+        _refuse(_fault(error, code, doing), failed)
     return 1
 
 
@@ -52,6 +107,13 @@ def _listen(put: Callable[[dict[str, Any]], None], failed: threading.Event) -> N
         for line in questions:
             put(json.loads(line))
     os._exit(int(failed.is_set()))
+
+
+def _fault(error: Exception, code: str, doing: str) -> CNCStepperError:
+    what = Text(
+        "{doing} failed by a fault of its own: {kind}: {error}", doing=doing, kind=type(error).__name__, error=error
+    )
+    return CNCStepperError(code, what, advice="please report it, with the program")
 
 
 def _refuse(error: CNCStepperError, failed: threading.Event) -> None:

@@ -5507,6 +5507,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Motor's power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Motor's steps</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9462,6 +9466,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{code}' is no insert of ISO 1832</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{drawing}' holds no lines that can be followed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9483,6 +9491,10 @@
         </message>
         <message>
             <source>'{inner}' and '{outer}' cross, so that it is not clear what lies inside</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{insert}' is no insert of a {kind} tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9582,7 +9594,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>0.005 mm apart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>0.87 times the width</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>00 to 99, in tenths of a mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10462,6 +10482,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>X goes past the centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>[ is missing after {keyword}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10499,6 +10523,10 @@
         </message>
         <message>
             <source>a `%` is neither at the begin nor at the end of the file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a bar of {diameter:g} x {length:g} mm holds no material</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10547,6 +10575,10 @@
         </message>
         <message>
             <source>a coordinate is not a length in mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a corner has a chamfer_mm or a fillet_mm, not both</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10691,6 +10723,10 @@
         </message>
         <message>
             <source>a jog needs a way and a feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a lathe has no cycle '{name}'</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10882,6 +10918,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a parallel port has 25 pins, and one below zero is active low</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a parameter could not be set</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10911,6 +10951,10 @@
         </message>
         <message>
             <source>a picture and no line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a piece {length:.3f} mm long comes off the bar here</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10947,6 +10991,14 @@
         </message>
         <message>
             <source>a process of ours has a machine's port, but its file {path} cannot be read: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a profile needs points or dxf, one of them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a profile's ends have no corner to cut and its begin no arc</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11170,6 +11222,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a turning tool needs insert, for example "CNMG 120408", or front_deg and back_deg</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a value in the expression does not fit its operation</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11223,6 +11279,14 @@
         </message>
         <message>
             <source>a word is twice in one line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a {kind} tool has no insert of ISO 1832</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a {kind} tool {verb} {key}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11306,6 +11370,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>add the missing pass, or state the stock to leave</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>add the other</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11371,6 +11439,14 @@
         </message>
         <message>
             <source>an arc needs a known start point</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>an arc needs arc = "cw" or "ccw", and radius_mm or centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>an arc needs radius_mm or centre, not both</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11518,6 +11594,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>at least {0} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>at least {chord:.4f} mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11582,6 +11662,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>at z {0} mm, radius {1} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>attach to it again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11643,6 +11727,10 @@
         </message>
         <message>
             <source>backlash_mm must be below the travel of the axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>bar_mm must be below smallest_bore_mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11730,6 +11818,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>bore_mm belongs to a stock of the form 'tube', and to no other</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>bore_mm must be below diameter_mm, {limit}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>both radii must be positive</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11754,7 +11850,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>catch it, and stop the spindle after it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>chains have fewer lines and arcs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>chamfers and fillets lie between two lines</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11963,6 +12067,10 @@
         </message>
         <message>
             <source>choose a tool of at most {widest:.3f} mm diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose a tool that reaches further, or cut this part with another one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12186,6 +12294,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>correct centre or to</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>correct it; paths are relative to the order</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12290,6 +12406,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>correct the insert's code</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>correct the jog command</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12307,6 +12427,10 @@
         </message>
         <message>
             <source>correct the path or the file's permissions</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct the path, or the tool's shape and nose radius</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12426,6 +12550,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>cut {depth:.3g} mm deep at most</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>cuts {overlap_mm:.3g} mm before the place again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12486,6 +12614,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>draw it joined up</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>draw it larger, or leave it out</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12514,6 +12646,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>draw them as points</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>draw them {kerf_mm:g} mm apart</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12531,6 +12667,10 @@
         </message>
         <message>
             <source>drawings with the suffix '{suffix}' cannot be written</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>drill {0} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12558,6 +12698,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>end it at the axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>end it in .gif, or install ffmpeg</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12575,6 +12719,10 @@
         </message>
         <message>
             <source>end that session as {user}, or remove the file as {user} where none runs any more</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>end the move at the axis, at most a nose radius beyond it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12674,6 +12822,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>feed_min_mm_rev must not exceed feed_max_mm_rev</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>feeds a turn became feeds a minute, at the speed that S asks for</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12758,6 +12910,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>from z {0} mm by {1} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>from {begin} at line {first_line}, to {end} at line {last_line}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12819,6 +12975,10 @@
         </message>
         <message>
             <source>give a device name or socket://host:port</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give a diameter above the bore and a length above 0</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13094,6 +13254,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>grip with {force:.4g} N, or cut {depth:.3g} mm deep</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>half a notch</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13111,6 +13275,10 @@
         </message>
         <message>
             <source>half the difference of the diameters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>has no</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13854,6 +14022,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>let it stick out {length:g} mm at most, or support its end</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>let z never rise along it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>lift the head higher, or go round the piece</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14194,6 +14370,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>material is left on profile '{name}' where its tools reach</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>material is left where it should be removed{islands}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14394,11 +14574,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>name a profile with both</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>name a script with the suffix .py</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>name a shape of one curve</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>name an axis that it has</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14415,6 +14603,10 @@
         </message>
         <message>
             <source>name it once</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>name its insert, or its angles and nose radius</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14554,6 +14746,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no material is stiffer than diamond</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no material needs more than 100 kN on a square millimetre of chip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no memory card is mounted</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14630,6 +14830,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no spindle of a lathe or mill has more than 1 MW</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no spindle turns faster than a million a minute</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14683,6 +14887,14 @@
         </message>
         <message>
             <source>none of the selected drawings can be followed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>nose radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>nose {0} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14998,11 +15210,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>operation must be a list of tables</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>operation {number} ({cycle}) will take long: about {length_mm:.0f} m of cut in {levels} levels</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>operation {number} has another {key} than its file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>operation {number} turns the profile '{profile}', which the job does not have: it has {names}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>operation {number} uses tool {tool}, which the job does not have: it has {tools}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15051,6 +15275,14 @@
         </message>
         <message>
             <source>part {number} goes beyond the sheet at X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>parting blade {0} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>peck_mm must not exceed depth_mm, {limit:g} mm; write 0 to drill in one go</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15238,6 +15470,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>radius 0 mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>radius {0} mm at z {1} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>raise F, or turn the spindle slower</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15327,6 +15567,10 @@
         </message>
         <message>
             <source>real time</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>redraw it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15447,6 +15691,14 @@
         </message>
         <message>
             <source>resume, so that the change is over, and hold it again then</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>retract along X beside the tailstock, or move it away</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>retract before it, or make it a feed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15774,6 +16026,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>shorten the travel along Z, or let the bar stick out further</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>simplify it, or divide it</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15990,6 +16246,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>switch the lathe off and on, connect again and set its zero; unlock an alarm with $X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>switch the lathe off and on, set its zero by hand, and send the whole program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16063,6 +16323,10 @@
         </message>
         <message>
             <source>take it out, or use one of: NAME, {keys}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take more passes of a lower depth</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16226,6 +16490,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the arc's centre is not as far from both its ends</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the arc's end does not lie on its circle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16238,6 +16506,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the arc's radius is too small for its ends</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the arranged program has {count} cuts, not {wanted}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16247,6 +16519,22 @@
         </message>
         <message>
             <source>the axes are X (radial) and Z (axial)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the bar bends away from the tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the bar is slender: it bends and chatters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the bar may turn in the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the bar sticks out of the chuck too far for its diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16498,6 +16786,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the controller of this machine has been started; it counts from the present position</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the controller of {machine} ended at its start</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16598,6 +16890,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the corner is too large for its lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the corners of a clamp enclose nothing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16642,10 +16938,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the cut failed by a fault of its own: {kind}: {fault}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>the cut goes into the part of another contour at X{x:.3f} Y{y:.3f}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16666,7 +16958,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the cut takes more memory than there is</source>
+            <source>the cut needs more power than the motor has</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the cut of the {tool} is deeper than it may be</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the cutting force of {title} in turning is not in the table</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16782,10 +17082,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the drawing failed by a fault of ours: {kind}: {fault}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>the drawing has no closed outline</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16819,10 +17115,6 @@
         </message>
         <message>
             <source>the drawing reaches beyond the stock</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the drawing takes more memory than there is</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17154,6 +17446,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the holder of the tool touches the part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the holder of the {tool} tool goes into stock</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17163,6 +17459,14 @@
         </message>
         <message>
             <source>the inner one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the insert '{code}' has no {name} of ISO 1832</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the insert must fill 1 to 179 degrees from back_deg to front_deg: it fills {angle:g}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17338,7 +17642,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the lathe is in automatic mode, or locked by an alarm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the lathe jogs at up to {0} mm/min, or at {1}: it takes the slower one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the layer of a profile must hold one chain</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17503,6 +17815,10 @@
         </message>
         <message>
             <source>the machine finds its own zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine has no axes X and Z</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17919,6 +18235,18 @@
         </message>
         <message>
             <source>the profile cannot be reached from where the cycle begins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the profile crosses itself</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the profile goes over the centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the profile has an undercut: it runs back towards the end face</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18406,6 +18734,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the start is in the stock: its z must be at least {face:g} mm, or its x outside {diameter:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the state of the machine's position cannot be stored: {error}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18606,6 +18938,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the tool runs into the {obstacle}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the tool table cannot be read again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18759,6 +19095,10 @@
         </message>
         <message>
             <source>the {tool_shape} tool's form is not given, so it is judged as a flat one of its diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the {tool} takes too thick a chip</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19106,6 +19446,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this machine has no Y axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine has no Z axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this machine has no Z axis: arcs are in XY</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19190,6 +19538,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>times its diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>tiny chains</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19255,6 +19607,10 @@
         </message>
         <message>
             <source>tool {number} cuts on without a stop to change tool {number2}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>tool {number} has no shape: its moves are not simulated</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19386,6 +19742,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>two {of_what} have the same {key}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>undo that, choose another drawing, or choose none</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19511,6 +19871,14 @@
         </message>
         <message>
             <source>use a speed between $31 and $30</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use a steady rest, or at most {length:.4g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use a tailstock, or at most {length:.4g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19938,6 +20306,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write [[operation]]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write a G0 or G1 before</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20039,6 +20411,10 @@
         </message>
         <message>
             <source>write for grbl or linuxcnc</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write four letters and six digits, for example CNMG 120408</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20290,6 +20666,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} mm long</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} mm/min</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20446,6 +20826,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{depth:.3g} mm deep, or {rpm:.4g} rpm, would do</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{dialect} answers {answer}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20483,6 +20867,10 @@
         </message>
         <message>
             <source>{doing} failed by a fault of its own: {kind}: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{doing} takes more memory than there is</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

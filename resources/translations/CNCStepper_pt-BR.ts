@@ -5507,6 +5507,10 @@
             <translation>Passos dos motores: {0}</translation>
         </message>
         <message>
+            <source>Motor's power</source>
+            <translation>Potência do motor</translation>
+        </message>
+        <message>
             <source>Motor's steps</source>
             <translation>Passos do motor</translation>
         </message>
@@ -9462,6 +9466,10 @@
             <translation>'{axes}' não indica eixos</translation>
         </message>
         <message>
+            <source>'{code}' is no insert of ISO 1832</source>
+            <translation>'{code}' não é uma pastilha da ISO 1832</translation>
+        </message>
+        <message>
             <source>'{drawing}' holds no lines that can be followed</source>
             <translation>'{drawing}' não contém linhas que possam ser seguidas</translation>
         </message>
@@ -9484,6 +9492,10 @@
         <message>
             <source>'{inner}' and '{outer}' cross, so that it is not clear what lies inside</source>
             <translation>'{inner}' e '{outer}' se cruzam, de modo que não está claro o que fica dentro</translation>
+        </message>
+        <message>
+            <source>'{insert}' is no insert of a {kind} tool</source>
+            <translation>'{insert}' não é pastilha de uma ferramenta {kind}</translation>
         </message>
         <message>
             <source>'{key}' cannot be {value!r}</source>
@@ -9582,8 +9594,16 @@
             <translation>0 sem fenda de entrada</translation>
         </message>
         <message>
+            <source>0.005 mm apart</source>
+            <translation>0.005 mm de diferença</translation>
+        </message>
+        <message>
             <source>0.87 times the width</source>
             <translation>0,87 vezes a largura</translation>
+        </message>
+        <message>
+            <source>00 to 99, in tenths of a mm</source>
+            <translation>00 a 99, em décimos de mm</translation>
         </message>
         <message>
             <source>= is missing after the parameter</source>
@@ -10462,6 +10482,10 @@
             <translation>Largura do rasgo</translation>
         </message>
         <message>
+            <source>X goes past the centre</source>
+            <translation>X passa do centro</translation>
+        </message>
+        <message>
             <source>[ is missing after {keyword}</source>
             <translation>falta [ depois de {keyword}</translation>
         </message>
@@ -10500,6 +10524,10 @@
         <message>
             <source>a `%` is neither at the begin nor at the end of the file</source>
             <translation>há um `%` onde nenhum arquivo começa nem termina</translation>
+        </message>
+        <message>
+            <source>a bar of {diameter:g} x {length:g} mm holds no material</source>
+            <translation>uma barra de {diameter:g} x {length:g} mm não contém material</translation>
         </message>
         <message>
             <source>a bulge is not that of an arc in mm</source>
@@ -10548,6 +10576,10 @@
         <message>
             <source>a coordinate is not a length in mm</source>
             <translation>uma coordenada não é um comprimento em mm</translation>
+        </message>
+        <message>
+            <source>a corner has a chamfer_mm or a fillet_mm, not both</source>
+            <translation>um canto tem chamfer_mm ou fillet_mm, não ambos</translation>
         </message>
         <message>
             <source>a corner is either rounded (A) or broken (C)</source>
@@ -10692,6 +10724,10 @@
         <message>
             <source>a jog needs a way and a feed</source>
             <translation>um movimento manual precisa de distância e avanço</translation>
+        </message>
+        <message>
+            <source>a lathe has no cycle '{name}'</source>
+            <translation>um torno não tem o ciclo '{name}'</translation>
         </message>
         <message>
             <source>a lathe tool is compensated in the plane ZX</source>
@@ -10882,6 +10918,10 @@
             <translation>um número sem letra antes dele</translation>
         </message>
         <message>
+            <source>a parallel port has 25 pins, and one below zero is active low</source>
+            <translation>uma porta paralela tem 25 pinos, e um abaixo de zero é ativo em nível baixo</translation>
+        </message>
+        <message>
             <source>a parameter could not be set</source>
             <translation>um parâmetro não pôde ser definido</translation>
         </message>
@@ -10912,6 +10952,10 @@
         <message>
             <source>a picture and no line</source>
             <translation>uma imagem, e não uma linha</translation>
+        </message>
+        <message>
+            <source>a piece {length:.3f} mm long comes off the bar here</source>
+            <translation>aqui uma peça de {length:.3f} mm de comprimento se separa da barra</translation>
         </message>
         <message>
             <source>a pin in the configuration is wrong</source>
@@ -10948,6 +10992,14 @@
         <message>
             <source>a process of ours has a machine's port, but its file {path} cannot be read: {error}</source>
             <translation>um processo nosso tem a porta de uma máquina, mas seu arquivo {path} não pode ser lido: {error}</translation>
+        </message>
+        <message>
+            <source>a profile needs points or dxf, one of them</source>
+            <translation>um perfil precisa de points ou dxf, um dos dois</translation>
+        </message>
+        <message>
+            <source>a profile's ends have no corner to cut and its begin no arc</source>
+            <translation>as pontas de um perfil não têm canto a cortar, e o início não tem arco</translation>
         </message>
         <message>
             <source>a program for {language} cannot be restarted in its middle</source>
@@ -11170,6 +11222,10 @@
             <translation>uma transformação não pode achatar a curva</translation>
         </message>
         <message>
+            <source>a turning tool needs insert, for example "CNMG 120408", or front_deg and back_deg</source>
+            <translation>uma ferramenta de tornear precisa de insert, por exemplo "CNMG 120408", ou de front_deg e back_deg</translation>
+        </message>
+        <message>
             <source>a value in the expression does not fit its operation</source>
             <translation>um valor da expressão não serve para a operação</translation>
         </message>
@@ -11224,6 +11280,14 @@
         <message>
             <source>a word is twice in one line</source>
             <translation>uma palavra aparece duas vezes na linha</translation>
+        </message>
+        <message>
+            <source>a {kind} tool has no insert of ISO 1832</source>
+            <translation>uma ferramenta {kind} não tem pastilha da ISO 1832</translation>
+        </message>
+        <message>
+            <source>a {kind} tool {verb} {key}</source>
+            <translation>uma ferramenta {kind} {verb} {key}</translation>
         </message>
         <message>
             <source>a {shape} does not cut from the edge</source>
@@ -11306,6 +11370,10 @@
             <translation>acrescente o passe que falta, ou diminua a penetração de trabalho ou a profundidade de corte</translation>
         </message>
         <message>
+            <source>add the missing pass, or state the stock to leave</source>
+            <translation>acrescente o passe que falta, ou informe o sobremetal</translation>
+        </message>
+        <message>
             <source>add the other</source>
             <translation>acrescente a outra</translation>
         </message>
@@ -11372,6 +11440,14 @@
         <message>
             <source>an arc needs a known start point</source>
             <translation>um arco precisa de um ponto inicial conhecido</translation>
+        </message>
+        <message>
+            <source>an arc needs arc = "cw" or "ccw", and radius_mm or centre</source>
+            <translation>um arco precisa de arc = "cw" ou "ccw", e de radius_mm ou centre</translation>
+        </message>
+        <message>
+            <source>an arc needs radius_mm or centre, not both</source>
+            <translation>um arco precisa de radius_mm ou centre, não de ambos</translation>
         </message>
         <message>
             <source>an arc of another plane than XY</source>
@@ -11518,6 +11594,10 @@
             <translation>no mínimo a largura do corte de {kerf_mm:g} mm</translation>
         </message>
         <message>
+            <source>at least {0} mm</source>
+            <translation>no mínimo {0} mm</translation>
+        </message>
+        <message>
             <source>at least {chord:.4f} mm</source>
             <translation>ao menos {chord:.4f} mm</translation>
         </message>
@@ -11582,6 +11662,10 @@
             <translation>no intervalo do perfil as letras são rápidas demais para {axis}</translation>
         </message>
         <message>
+            <source>at z {0} mm, radius {1} mm</source>
+            <translation>em z {0} mm, raio {1} mm</translation>
+        </message>
+        <message>
             <source>attach to it again</source>
             <translation>ligue-se a ela de novo</translation>
         </message>
@@ -11644,6 +11728,10 @@
         <message>
             <source>backlash_mm must be below the travel of the axis</source>
             <translation>backlash_mm deve ser menor que o curso do eixo</translation>
+        </message>
+        <message>
+            <source>bar_mm must be below smallest_bore_mm</source>
+            <translation>bar_mm deve ser menor que smallest_bore_mm</translation>
         </message>
         <message>
             <source>batch journal</source>
@@ -11730,6 +11818,14 @@
             <translation>desfoque a imagem, reduza-a ou escolha outro limiar</translation>
         </message>
         <message>
+            <source>bore_mm belongs to a stock of the form 'tube', and to no other</source>
+            <translation>bore_mm pertence a um material da forma 'tube', e a nenhum outro</translation>
+        </message>
+        <message>
+            <source>bore_mm must be below diameter_mm, {limit}</source>
+            <translation>bore_mm deve ser menor que diameter_mm, {limit}</translation>
+        </message>
+        <message>
             <source>both radii must be positive</source>
             <translation>os dois semieixos devem ser positivos</translation>
         </message>
@@ -11754,8 +11850,16 @@
             <translation>ciclos fixos não podem ser usados</translation>
         </message>
         <message>
+            <source>catch it, and stop the spindle after it</source>
+            <translation>apare a peça, e pare o fuso depois</translation>
+        </message>
+        <message>
             <source>chains have fewer lines and arcs</source>
             <translation>cadeias têm menos linhas e arcos</translation>
+        </message>
+        <message>
+            <source>chamfers and fillets lie between two lines</source>
+            <translation>chanfros e arredondamentos ficam entre duas retas</translation>
         </message>
         <message>
             <source>change F in the program</source>
@@ -11964,6 +12068,10 @@
         <message>
             <source>choose a tool of at most {widest:.3f} mm diameter</source>
             <translation>escolha uma ferramenta de no máximo {widest:.3f} mm de diâmetro</translation>
+        </message>
+        <message>
+            <source>choose a tool that reaches further, or cut this part with another one</source>
+            <translation>escolha uma ferramenta de maior alcance, ou corte esta parte com outra</translation>
         </message>
         <message>
             <source>choose an earlier line</source>
@@ -12186,6 +12294,14 @@
             <translation>corrija R ou {normal}</translation>
         </message>
         <message>
+            <source>correct centre or to</source>
+            <translation>corrija centre ou to</translation>
+        </message>
+        <message>
+            <source>correct it</source>
+            <translation>corrija-o</translation>
+        </message>
+        <message>
             <source>correct it; paths are relative to the order</source>
             <translation>corrija; os caminhos são relativos ao pedido</translation>
         </message>
@@ -12290,6 +12406,10 @@
             <translation>corrija as configurações de referenciamento ($22 a $27, $44 a $46)</translation>
         </message>
         <message>
+            <source>correct the insert's code</source>
+            <translation>corrija o código da pastilha</translation>
+        </message>
+        <message>
             <source>correct the jog command</source>
             <translation>corrija o comando de jog</translation>
         </message>
@@ -12308,6 +12428,10 @@
         <message>
             <source>correct the path or the file's permissions</source>
             <translation>corrija o caminho ou as permissões do arquivo</translation>
+        </message>
+        <message>
+            <source>correct the path, or the tool's shape and nose radius</source>
+            <translation>corrija o percurso, ou a forma e o raio de ponta da ferramenta</translation>
         </message>
         <message>
             <source>correct the path, the lead-in or the kerf</source>
@@ -12426,6 +12550,10 @@
             <translation>corte com uma largura de corte de no máximo {room_mm:.3f} mm, desenhe o furo mais largo que o corte, ou ponha spot_below_mm acima de {diameter_mm:.3f} para marcá-lo para furação</translation>
         </message>
         <message>
+            <source>cut {depth:.3g} mm deep at most</source>
+            <translation>corte no máximo {depth:.3g} mm de profundidade</translation>
+        </message>
+        <message>
             <source>cuts {overlap_mm:.3g} mm before the place again</source>
             <translation>corta de novo {overlap_mm:.3g} mm antes do ponto</translation>
         </message>
@@ -12486,6 +12614,10 @@
             <translation>desenhe-a em uma tabela [[shape]]</translation>
         </message>
         <message>
+            <source>draw it joined up</source>
+            <translation>desenhe-o emendado</translation>
+        </message>
+        <message>
             <source>draw it larger, or leave it out</source>
             <translation>desenhe-o maior ou deixe-o de fora</translation>
         </message>
@@ -12514,6 +12646,10 @@
             <translation>desenhe algo nele, ou escolha outro desenho</translation>
         </message>
         <message>
+            <source>draw them as points</source>
+            <translation>desenhe-os como pontos</translation>
+        </message>
+        <message>
             <source>draw them {kerf_mm:g} mm apart</source>
             <translation>desenhe-as a {kerf_mm:g} mm uma da outra</translation>
         </message>
@@ -12532,6 +12668,10 @@
         <message>
             <source>drawings with the suffix '{suffix}' cannot be written</source>
             <translation>desenhos com o sufixo '{suffix}' não podem ser escritos</translation>
+        </message>
+        <message>
+            <source>drill {0} mm</source>
+            <translation>broca de {0} mm</translation>
         </message>
         <message>
             <source>drive a laser by a controller with grbl's laser mode</source>
@@ -12558,6 +12698,10 @@
             <translation>habilite o referenciamento ($22=1) ou desligue os limites de software ($20=0)</translation>
         </message>
         <message>
+            <source>end it at the axis</source>
+            <translation>termine-o no eixo</translation>
+        </message>
+        <message>
             <source>end it in .gif, or install ffmpeg</source>
             <translation>use a extensão .gif, ou instale o ffmpeg</translation>
         </message>
@@ -12576,6 +12720,10 @@
         <message>
             <source>end that session as {user}, or remove the file as {user} where none runs any more</source>
             <translation>encerre essa sessão como {user}, ou remova o arquivo como {user} se nenhuma estiver mais em execução</translation>
+        </message>
+        <message>
+            <source>end the move at the axis, at most a nose radius beyond it</source>
+            <translation>termine o movimento no eixo, no máximo um raio de ponta além dele</translation>
         </message>
         <message>
             <source>end the name in .json</source>
@@ -12674,6 +12822,10 @@
             <translation>modo de avanço: unidades por rotação</translation>
         </message>
         <message>
+            <source>feed_min_mm_rev must not exceed feed_max_mm_rev</source>
+            <translation>feed_min_mm_rev não deve exceder feed_max_mm_rev</translation>
+        </message>
+        <message>
             <source>feeds a turn became feeds a minute, at the speed that S asks for</source>
             <translation>avanços por rotação viraram avanços por minuto, na rotação que S pede</translation>
         </message>
@@ -12758,6 +12910,10 @@
             <translation>daqui em diante os achados deste tipo não são listados</translation>
         </message>
         <message>
+            <source>from z {0} mm by {1} mm</source>
+            <translation>a partir de z {0} mm, por {1} mm</translation>
+        </message>
+        <message>
             <source>from {begin} at line {first_line}, to {end} at line {last_line}</source>
             <translation>de {begin} na linha {first_line} a {end} na linha {last_line}</translation>
         </message>
@@ -12820,6 +12976,10 @@
         <message>
             <source>give a device name or socket://host:port</source>
             <translation>dê um nome de dispositivo ou socket://host:porta</translation>
+        </message>
+        <message>
+            <source>give a diameter above the bore and a length above 0</source>
+            <translation>informe um diâmetro maior que o furo e um comprimento acima de 0</translation>
         </message>
         <message>
             <source>give a file that ends in {endings}</source>
@@ -13094,6 +13254,10 @@
             <translation>o grblHAL só aceita centros de arco a partir do ponto inicial (G91.1)</translation>
         </message>
         <message>
+            <source>grip with {force:.4g} N, or cut {depth:.3g} mm deep</source>
+            <translation>prenda com {force:.4g} N, ou corte {depth:.3g} mm de profundidade</translation>
+        </message>
+        <message>
             <source>half a notch</source>
             <translation>meio entalhe</translation>
         </message>
@@ -13112,6 +13276,10 @@
         <message>
             <source>half the difference of the diameters</source>
             <translation>a metade da diferença dos diâmetros</translation>
+        </message>
+        <message>
+            <source>has no</source>
+            <translation>não tem</translation>
         </message>
         <message>
             <source>heights belong to a stock of the form 'height_field', and to no other</source>
@@ -13854,6 +14022,14 @@
             <translation>faça-a mergulhar no início do contorno</translation>
         </message>
         <message>
+            <source>let it stick out {length:g} mm at most, or support its end</source>
+            <translation>deixe no máximo {length:g} mm para fora, ou apoie a ponta</translation>
+        </message>
+        <message>
+            <source>let z never rise along it</source>
+            <translation>não deixe z subir ao longo dele</translation>
+        </message>
+        <message>
             <source>lift the head higher, or go round the piece</source>
             <translation>levante mais o cabeçote, ou contorne a peça</translation>
         </message>
@@ -14194,6 +14370,10 @@
             <translation>marks_for nomeia '{title}', que não é uma regra com sheet_cut</translation>
         </message>
         <message>
+            <source>material is left on profile '{name}' where its tools reach</source>
+            <translation>sobra material no perfil '{name}' onde as ferramentas alcançam</translation>
+        </message>
+        <message>
             <source>material is left where it should be removed{islands}</source>
             <translation>sobra material onde deveria ser removido{islands}</translation>
         </message>
@@ -14394,12 +14574,20 @@
             <translation>indique uma porta paralela, um dispositivo serial, socket://host:porta ou record:ARQUIVO</translation>
         </message>
         <message>
+            <source>name a profile with both</source>
+            <translation>escolha um perfil com ambos</translation>
+        </message>
+        <message>
             <source>name a script with the suffix .py</source>
             <translation>indique um script com o sufixo .py</translation>
         </message>
         <message>
             <source>name a shape of one curve</source>
             <translation>indique uma forma de uma só curva</translation>
+        </message>
+        <message>
+            <source>name an axis that it has</source>
+            <translation>indique um eixo que ela tenha</translation>
         </message>
         <message>
             <source>name another machine</source>
@@ -14416,6 +14604,10 @@
         <message>
             <source>name it once</source>
             <translation>nomeie-a uma só vez</translation>
+        </message>
+        <message>
+            <source>name its insert, or its angles and nose radius</source>
+            <translation>informe a pastilha, ou os ângulos e o raio de ponta</translation>
         </message>
         <message>
             <source>name one</source>
@@ -14554,6 +14746,14 @@
             <translation>nenhuma máquina mantém um décimo de mícron, e acima de 10 mm nada é mantido</translation>
         </message>
         <message>
+            <source>no material is stiffer than diamond</source>
+            <translation>nenhum material é mais rígido que o diamante</translation>
+        </message>
+        <message>
+            <source>no material needs more than 100 kN on a square millimetre of chip</source>
+            <translation>nenhum material exige mais de 100 kN por milímetro quadrado de cavaco</translation>
+        </message>
+        <message>
             <source>no memory card is mounted</source>
             <translation>nenhum cartão de memória está montado</translation>
         </message>
@@ -14630,6 +14830,10 @@
             <translation>nenhum fuso com rotor tem mais</translation>
         </message>
         <message>
+            <source>no spindle of a lathe or mill has more than 1 MW</source>
+            <translation>nenhum fuso de torno ou fresadora tem mais de 1 MW</translation>
+        </message>
+        <message>
             <source>no spindle turns faster than a million a minute</source>
             <translation>nenhum fuso gira mais que um milhão de voltas por minuto</translation>
         </message>
@@ -14684,6 +14888,14 @@
         <message>
             <source>none of the selected drawings can be followed</source>
             <translation>nenhum dos desenhos selecionados pode ser seguido</translation>
+        </message>
+        <message>
+            <source>nose radius</source>
+            <translation>raio de ponta</translation>
+        </message>
+        <message>
+            <source>nose {0} mm</source>
+            <translation>ponta de {0} mm</translation>
         </message>
         <message>
             <source>not a DXF file: {why}</source>
@@ -14998,12 +15210,24 @@
             <translation>a operação '{cycle}' usa a ferramenta {tool}, que o trabalho não tem</translation>
         </message>
         <message>
+            <source>operation must be a list of tables</source>
+            <translation>operation deve ser uma lista de tabelas</translation>
+        </message>
+        <message>
             <source>operation {number} ({cycle}) will take long: about {length_mm:.0f} m of cut in {levels} levels</source>
             <translation>a operação {number} ({cycle}) vai demorar: cerca de {length_mm:.0f} m de corte em {levels} níveis</translation>
         </message>
         <message>
             <source>operation {number} has another {key} than its file</source>
             <translation>a operação {number} tem outro {key} do que no arquivo</translation>
+        </message>
+        <message>
+            <source>operation {number} turns the profile '{profile}', which the job does not have: it has {names}</source>
+            <translation>a operação {number} torneia o perfil '{profile}', que o trabalho não tem: ele tem {names}</translation>
+        </message>
+        <message>
+            <source>operation {number} uses tool {tool}, which the job does not have: it has {tools}</source>
+            <translation>a operação {number} usa a ferramenta {tool}, que o trabalho não tem: ele tem {tools}</translation>
         </message>
         <message>
             <source>order table</source>
@@ -15052,6 +15276,14 @@
         <message>
             <source>part {number} goes beyond the sheet at X{x:.3f} Y{y:.3f}</source>
             <translation>a peça {number} passa da chapa em X{x:.3f} Y{y:.3f}</translation>
+        </message>
+        <message>
+            <source>parting blade {0} mm</source>
+            <translation>bedame de {0} mm</translation>
+        </message>
+        <message>
+            <source>peck_mm must not exceed depth_mm, {limit:g} mm; write 0 to drill in one go</source>
+            <translation>peck_mm não deve exceder depth_mm, {limit:g} mm; escreva 0 para furar de uma vez</translation>
         </message>
         <message>
             <source>peck_mm {peck_mm:g} mm</source>
@@ -15238,6 +15470,14 @@
             <translation>os semieixos e a resolução devem ser positivos</translation>
         </message>
         <message>
+            <source>radius 0 mm</source>
+            <translation>raio 0 mm</translation>
+        </message>
+        <message>
+            <source>radius {0} mm at z {1} mm</source>
+            <translation>raio {0} mm em z {1} mm</translation>
+        </message>
+        <message>
             <source>raise F, or turn the spindle slower</source>
             <translation>aumente F, ou diminua a rotação do spindle</translation>
         </message>
@@ -15328,6 +15568,10 @@
         <message>
             <source>real time</source>
             <translation>tempo real</translation>
+        </message>
+        <message>
+            <source>redraw it</source>
+            <translation>redesenhe-o</translation>
         </message>
         <message>
             <source>relay: {twice} is there twice</source>
@@ -15448,6 +15692,14 @@
         <message>
             <source>resume, so that the change is over, and hold it again then</source>
             <translation>continue, para que a troca termine, e então segure de novo</translation>
+        </message>
+        <message>
+            <source>retract along X beside the tailstock, or move it away</source>
+            <translation>recue em X ao lado do cabeçote móvel, ou afaste-o</translation>
+        </message>
+        <message>
+            <source>retract before it, or make it a feed</source>
+            <translation>recue antes, ou faça dele um avanço</translation>
         </message>
         <message>
             <source>retract mode set to old_z</source>
@@ -15774,6 +16026,10 @@
             <translation>encurte a linha de partida</translation>
         </message>
         <message>
+            <source>shorten the travel along Z, or let the bar stick out further</source>
+            <translation>encurte o percurso em Z, ou deixe a barra mais para fora</translation>
+        </message>
+        <message>
             <source>simplify it, or divide it</source>
             <translation>simplifique-o, ou divida-o</translation>
         </message>
@@ -15990,6 +16246,10 @@
             <translation>desligue e ligue o torno, conecte de novo e defina o zero</translation>
         </message>
         <message>
+            <source>switch the lathe off and on, connect again and set its zero; unlock an alarm with $X</source>
+            <translation>desligue e ligue o torno, conecte de novo e ajuste o zero; destrave um alarme com $X</translation>
+        </message>
+        <message>
             <source>switch the lathe off and on, set its zero by hand, and send the whole program</source>
             <translation>desligue e ligue o torno, ajuste o zero à mão e envie o programa inteiro</translation>
         </message>
@@ -16064,6 +16324,10 @@
         <message>
             <source>take it out, or use one of: NAME, {keys}</source>
             <translation>retire-a, ou use uma destas: NAME, {keys}</translation>
+        </message>
+        <message>
+            <source>take more passes of a lower depth</source>
+            <translation>faça mais passes de menor profundidade</translation>
         </message>
         <message>
             <source>take one of them out</source>
@@ -16226,6 +16490,10 @@
             <translation>o arco percorreria outro ângulo</translation>
         </message>
         <message>
+            <source>the arc's centre is not as far from both its ends</source>
+            <translation>o centro do arco não está à mesma distância das duas pontas</translation>
+        </message>
+        <message>
             <source>the arc's end does not lie on its circle</source>
             <translation>o fim do arco não está na sua circunferência</translation>
         </message>
@@ -16238,6 +16506,10 @@
             <translation>o raio do arco não é maior que o da ferramenta</translation>
         </message>
         <message>
+            <source>the arc's radius is too small for its ends</source>
+            <translation>o raio do arco é pequeno demais para as suas pontas</translation>
+        </message>
+        <message>
             <source>the arranged program has {count} cuts, not {wanted}</source>
             <translation>o programa disposto tem {count} cortes, e não {wanted}</translation>
         </message>
@@ -16248,6 +16520,22 @@
         <message>
             <source>the axes are X (radial) and Z (axial)</source>
             <translation>os eixos são X (radial) e Z (axial)</translation>
+        </message>
+        <message>
+            <source>the bar bends away from the tool</source>
+            <translation>a barra se flexiona para longe da ferramenta</translation>
+        </message>
+        <message>
+            <source>the bar is slender: it bends and chatters</source>
+            <translation>a barra é esbelta: flexiona e vibra</translation>
+        </message>
+        <message>
+            <source>the bar may turn in the chuck</source>
+            <translation>a barra pode girar na placa</translation>
+        </message>
+        <message>
+            <source>the bar sticks out of the chuck too far for its diameter</source>
+            <translation>a barra sai demais da placa para o seu diâmetro</translation>
         </message>
         <message>
             <source>the bars' width</source>
@@ -16498,6 +16786,10 @@
             <translation>o controlador está iniciando</translation>
         </message>
         <message>
+            <source>the controller of this machine has been started; it counts from the present position</source>
+            <translation>o controlador desta máquina foi iniciado; ele conta a partir da posição atual</translation>
+        </message>
+        <message>
             <source>the controller of {machine} ended at its start</source>
             <translation>o controlador de {machine} terminou ao iniciar</translation>
         </message>
@@ -16598,6 +16890,10 @@
             <translation>o sistema de coordenadas em vigor não pode ser mudado</translation>
         </message>
         <message>
+            <source>the corner is too large for its lines</source>
+            <translation>o canto é grande demais para as suas retas</translation>
+        </message>
+        <message>
             <source>the corners of a clamp enclose nothing</source>
             <translation>os cantos de um grampo não delimitam nenhuma área</translation>
         </message>
@@ -16642,10 +16938,6 @@
             <translation>o corte começa sem esperar o spindle</translation>
         </message>
         <message>
-            <source>the cut failed by a fault of its own: {kind}: {fault}</source>
-            <translation>o corte falhou por um defeito próprio: {kind}: {fault}</translation>
-        </message>
-        <message>
             <source>the cut goes into the part of another contour at X{x:.3f} Y{y:.3f}</source>
             <translation>o corte entra na peça de outro contorno em X{x:.3f} Y{y:.3f}</translation>
         </message>
@@ -16666,8 +16958,16 @@
             <translation>o corte passa pela borda de uma peça que um contorno deixa em pé, {where}</translation>
         </message>
         <message>
-            <source>the cut takes more memory than there is</source>
-            <translation>o corte precisa de mais memória do que há</translation>
+            <source>the cut needs more power than the motor has</source>
+            <translation>o corte exige mais potência do que o motor tem</translation>
+        </message>
+        <message>
+            <source>the cut of the {tool} is deeper than it may be</source>
+            <translation>o corte da ferramenta {tool} é mais fundo do que pode ser</translation>
+        </message>
+        <message>
+            <source>the cutting force of {title} in turning is not in the table</source>
+            <translation>a força de corte de {title} no torneamento não está na tabela</translation>
         </message>
         <message>
             <source>the cycle '{cycle}' takes no shapes of a drawing</source>
@@ -16782,10 +17082,6 @@
             <translation>o desenho declara entidades que representam mais do que um texto curto</translation>
         </message>
         <message>
-            <source>the drawing failed by a fault of ours: {kind}: {fault}</source>
-            <translation>o desenho falhou por uma falha nossa: {kind}: {fault}</translation>
-        </message>
-        <message>
             <source>the drawing has no closed outline</source>
             <translation>o desenho não tem nenhum contorno fechado</translation>
         </message>
@@ -16820,10 +17116,6 @@
         <message>
             <source>the drawing reaches beyond the stock</source>
             <translation>o desenho passa do material</translation>
-        </message>
-        <message>
-            <source>the drawing takes more memory than there is</source>
-            <translation>o desenho precisa de mais memória do que há</translation>
         </message>
         <message>
             <source>the drawing would become too many objects</source>
@@ -17154,6 +17446,10 @@
             <translation>o porta-ferramenta</translation>
         </message>
         <message>
+            <source>the holder of the tool touches the part</source>
+            <translation>o suporte da ferramenta toca a peça</translation>
+        </message>
+        <message>
             <source>the holder of the {tool} tool goes into stock</source>
             <translation>o porta-ferramenta da ferramenta {tool} entra no material</translation>
         </message>
@@ -17164,6 +17460,14 @@
         <message>
             <source>the inner one</source>
             <translation>o interno</translation>
+        </message>
+        <message>
+            <source>the insert '{code}' has no {name} of ISO 1832</source>
+            <translation>a pastilha '{code}' não tem {name} da ISO 1832</translation>
+        </message>
+        <message>
+            <source>the insert must fill 1 to 179 degrees from back_deg to front_deg: it fills {angle:g}</source>
+            <translation>a pastilha deve ocupar de 1 a 179 graus entre back_deg e front_deg: ocupa {angle:g}</translation>
         </message>
         <message>
             <source>the job cannot be read: {error}</source>
@@ -17338,8 +17642,16 @@
             <translation>o torno está em modo automático e não pode ser movido à mão: {0}</translation>
         </message>
         <message>
+            <source>the lathe is in automatic mode, or locked by an alarm</source>
+            <translation>o torno está no modo automático, ou travado por um alarme</translation>
+        </message>
+        <message>
             <source>the lathe jogs at up to {0} mm/min, or at {1}: it takes the slower one</source>
             <translation>o torno se move à mão a até {0} mm/min, ou a {1}: fica a menor</translation>
+        </message>
+        <message>
+            <source>the layer of a profile must hold one chain</source>
+            <translation>a camada de um perfil deve conter uma só cadeia</translation>
         </message>
         <message>
             <source>the leads fit nowhere in the scrap; the closest obstacle is {name} at X{x:.3f} Y{y:.3f}</source>
@@ -17504,6 +17816,10 @@
         <message>
             <source>the machine finds its own zero</source>
             <translation>a máquina procura o seu próprio zero</translation>
+        </message>
+        <message>
+            <source>the machine has no axes X and Z</source>
+            <translation>a máquina não tem os eixos X e Z</translation>
         </message>
         <message>
             <source>the machine has no such spindle</source>
@@ -17920,6 +18236,18 @@
         <message>
             <source>the profile cannot be reached from where the cycle begins</source>
             <translation>o perfil não pode ser alcançado de onde o ciclo começa</translation>
+        </message>
+        <message>
+            <source>the profile crosses itself</source>
+            <translation>o perfil cruza a si mesmo</translation>
+        </message>
+        <message>
+            <source>the profile goes over the centre</source>
+            <translation>o perfil passa do centro</translation>
+        </message>
+        <message>
+            <source>the profile has an undercut: it runs back towards the end face</source>
+            <translation>o perfil tem um rebaixo: ele volta em direção à face</translation>
         </message>
         <message>
             <source>the profile has no end</source>
@@ -18406,6 +18734,10 @@
             <translation>o interpretador autônomo só move X Y Z A B C</translation>
         </message>
         <message>
+            <source>the start is in the stock: its z must be at least {face:g} mm, or its x outside {diameter:g} mm</source>
+            <translation>o ponto inicial está dentro do material: seu z deve ser no mínimo {face:g} mm, ou seu x ficar fora de {diameter:g} mm</translation>
+        </message>
+        <message>
             <source>the state of the machine's position cannot be stored: {error}</source>
             <translation>o que se sabe da posição da máquina não pode ser guardado: {error}</translation>
         </message>
@@ -18606,6 +18938,10 @@
             <translation>a correção da ferramenta não pode ser mudada</translation>
         </message>
         <message>
+            <source>the tool runs into the {obstacle}</source>
+            <translation>a ferramenta colide com: {obstacle}</translation>
+        </message>
+        <message>
             <source>the tool table cannot be read again</source>
             <translation>a tabela de ferramentas não pode ser lida de novo</translation>
         </message>
@@ -18760,6 +19096,10 @@
         <message>
             <source>the {tool_shape} tool's form is not given, so it is judged as a flat one of its diameter</source>
             <translation>a forma da ferramenta {tool_shape} não foi informada, por isso é avaliada como fresa reta do mesmo diâmetro</translation>
+        </message>
+        <message>
+            <source>the {tool} takes too thick a chip</source>
+            <translation>a ferramenta {tool} tira um cavaco grosso demais</translation>
         </message>
         <message>
             <source>the {tool} tool cuts deeper than its flutes are long</source>
@@ -19106,6 +19446,14 @@
             <translation>esta máquina não informa sua posição: ela é contada pelo que foi enviado</translation>
         </message>
         <message>
+            <source>this machine has no Y axis</source>
+            <translation>esta máquina não tem eixo Y</translation>
+        </message>
+        <message>
+            <source>this machine has no Z axis</source>
+            <translation>esta máquina não tem eixo Z</translation>
+        </message>
+        <message>
             <source>this machine has no Z axis: arcs are in XY</source>
             <translation>esta máquina não tem eixo Z: os arcos ficam em XY</translation>
         </message>
@@ -19190,6 +19538,10 @@
             <translation>limiar {threshold}</translation>
         </message>
         <message>
+            <source>times its diameter</source>
+            <translation>vezes o diâmetro</translation>
+        </message>
+        <message>
             <source>tiny chains</source>
             <translation>cadeias minúsculas</translation>
         </message>
@@ -19256,6 +19608,10 @@
         <message>
             <source>tool {number} cuts on without a stop to change tool {number2}</source>
             <translation>a ferramenta {number} continua o corte sem parada para trocar a ferramenta {number2}</translation>
+        </message>
+        <message>
+            <source>tool {number} has no shape: its moves are not simulated</source>
+            <translation>a ferramenta {number} não tem forma: seus movimentos não são simulados</translation>
         </message>
         <message>
             <source>tool {number} is unknown, so that its cuts are not checked</source>
@@ -19386,6 +19742,10 @@
             <translation>duas palavras da linha se contradizem</translation>
         </message>
         <message>
+            <source>two {of_what} have the same {key}</source>
+            <translation>dois de {of_what} têm o mesmo {key}</translation>
+        </message>
+        <message>
             <source>undo that, choose another drawing, or choose none</source>
             <translation>desfaça isso, escolha outro desenho, ou nenhum</translation>
         </message>
@@ -19512,6 +19872,14 @@
         <message>
             <source>use a speed between $31 and $30</source>
             <translation>use uma rotação entre $31 e $30</translation>
+        </message>
+        <message>
+            <source>use a steady rest, or at most {length:.4g} mm</source>
+            <translation>use uma luneta, ou no máximo {length:.4g} mm</translation>
+        </message>
+        <message>
+            <source>use a tailstock, or at most {length:.4g} mm</source>
+            <translation>use um contraponto, ou no máximo {length:.4g} mm</translation>
         </message>
         <message>
             <source>use a thread mill with one tooth, given as an engraver with a large tip_diameter_mm or as flat</source>
@@ -19938,6 +20306,10 @@
             <translation>escreva [MATERIAL_NUMBER_n] e abaixo linhas como: CUT_SPEED = 3850</translation>
         </message>
         <message>
+            <source>write [[operation]]</source>
+            <translation>escreva [[operation]]</translation>
+        </message>
+        <message>
             <source>write a G0 or G1 before</source>
             <translation>escreva antes um G0 ou G1</translation>
         </message>
@@ -20040,6 +20412,10 @@
         <message>
             <source>write for grbl or linuxcnc</source>
             <translation>escreva para grbl ou linuxcnc</translation>
+        </message>
+        <message>
+            <source>write four letters and six digits, for example CNMG 120408</source>
+            <translation>escreva quatro letras e seis algarismos, por exemplo CNMG 120408</translation>
         </message>
         <message>
             <source>write how many parts are wanted</source>
@@ -20290,6 +20666,10 @@
             <translation>{0} mm cada, com os eixos em esquadro</translation>
         </message>
         <message>
+            <source>{0} mm long</source>
+            <translation>{0} mm de comprimento</translation>
+        </message>
+        <message>
             <source>{0} mm/min</source>
             <translation>{0} mm/min</translation>
         </message>
@@ -20446,6 +20826,10 @@
             <translation>{deep_mm:.3f} mm de profundidade</translation>
         </message>
         <message>
+            <source>{depth:.3g} mm deep, or {rpm:.4g} rpm, would do</source>
+            <translation>{depth:.3g} mm de profundidade, ou {rpm:.4g} rpm, serviriam</translation>
+        </message>
+        <message>
             <source>{dialect} answers {answer}</source>
             <translation>{dialect} responde {answer}</translation>
         </message>
@@ -20484,6 +20868,10 @@
         <message>
             <source>{doing} failed by a fault of its own: {kind}: {error}</source>
             <translation>{doing} falhou por um defeito próprio: {kind}: {error}</translation>
+        </message>
+        <message>
+            <source>{doing} takes more memory than there is</source>
+            <translation>{doing} precisa de mais memória do que há</translation>
         </message>
         <message>
             <source>{doubles} boundaries of hatches are drawn as lines too; they are read once</source>

@@ -207,7 +207,9 @@ def opener_of(machine: str) -> Opener:
 
 
 def restart_text(link: Link) -> str:
-    """Return what to say of a controller that restarted when its port was opened."""
+    """Return what to say of a controller that restarted, or of ours that started, when its port was opened."""
+    if link.machine:
+        return "the controller of this machine has been started; it counts from the present position"
     if getattr(link, "spares_board", False):
         return Text(
             "the controller restarted when its port was opened; it counts from its present position. Until it is "

@@ -91,7 +91,7 @@ def test_a_newer_question_ends_the_work_on_the_one_before(told: list[dict[str, A
     with pytest.raises(cycle_cutting.Outdated):
         answers._answer({"mark": 1, "compiled": True, "parts": {"a": part}})
     assert {"done": 1} not in told
-    assert answers._newest()["mark"] == 2
+    assert answers._newest.wait()["mark"] == 2
 
 
 def test_what_takes_long_in_a_window_is_ended_and_left_to_the_process(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -114,17 +114,22 @@ def _without_homing(code: Code, advice: str) -> Code:
 
 
 NO_HOMING = Code("this machine cannot find its own zero", "move the tool to the work zero and set it there")
-ZERO_AGAIN = "find the cause, then move the tool to the work zero and set it there: its position is lost"
+FIND_CAUSE_THEN_ZERO = "find the cause, then move the tool to the work zero and set it there: its position is lost"
 SWITCH_ON_AGAIN = "find the cause, switch the lathe off and on, and set its zero by hand: its position is lost"
+SWITCH_ON_OR_UNLOCK = "switch the lathe off and on, connect again and set its zero; unlock an alarm with $X"
 UNLOCK = Code(GRBL_ERRORS[9].meaning, "unlock it with $X")
 OWN_ERRORS = {**GRBL_ERRORS, 5: NO_HOMING, 9: UNLOCK, 90: TOO_FAST}
-OWN_ALARMS = {number: _without_homing(code, ZERO_AGAIN) for number, code in GRBL_ALARMS.items()}
+OWN_ALARMS = {number: _without_homing(code, FIND_CAUSE_THEN_ZERO) for number, code in GRBL_ALARMS.items()}
 PARPORT = Firmware("parport", "the parallel port's controller", OWN_ERRORS, OWN_ALARMS, ("grbl",), settings=PINS)
 BOARD = Firmware("board", "the USB board's controller", OWN_ERRORS, OWN_ALARMS, ("grbl",), settings=PINS)
 LATHE = Firmware(
     "lathe",
     "the mini-lathe's controller",
-    {**OWN_ERRORS, 20: Code(GRBL_ERRORS[20].meaning, "write the program for the dialect mini-lathe")},
+    {
+        **OWN_ERRORS,
+        9: Code("the lathe is in automatic mode, or locked by an alarm", SWITCH_ON_OR_UNLOCK),
+        20: Code(GRBL_ERRORS[20].meaning, "write the program for the dialect mini-lathe"),
+    },
     {number: _without_homing(code, SWITCH_ON_AGAIN) for number, code in GRBL_ALARMS.items()},
     ("mini-lathe",),
     line_characters=1000,  # many records

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from CNCStepper.control.protocol.grbl.capabilities import missing, reason
+from CNCStepper.control.protocol.grbl.capabilities import axis_word, missing, reason
 from CNCStepper.control.session.job_phase import CONNECTED, JOB_RUNS, Phase
 from CNCStepper.control.session.job_phase import WAITING as STANDING
 from CNCStepper.workbench.services.translation import later
@@ -208,6 +208,12 @@ def why_not(control: str, moment: ControllerSnapshot) -> str:
     rule = RULES[control]
     stands = moment.machine_state in AT_A_STAND.get(moment.phase, {}).get(control, ())
     return "" if stands or moment.phase in rule.phases else rule.why_not
+
+
+def why_not_axis(axis: str, moment: ControllerSnapshot) -> str:
+    """Return why an axis cannot be jogged though others can, "" when it can."""
+    word = axis_word(axis)
+    return reason(word) if word in moment.cannot else ""
 
 
 def does(control: str, moment: ControllerSnapshot) -> str:

@@ -15,7 +15,7 @@ from PySide import QtCore, QtGui
 
 from CNCStepper.control.service.connection_client import JOG_RENEW_S
 from CNCStepper.workbench.dock.model import settings
-from CNCStepper.workbench.dock.model.button_states import RULES, ControllerSnapshot, why_not
+from CNCStepper.workbench.dock.model.button_states import RULES, ControllerSnapshot, why_not, why_not_axis
 from CNCStepper.workbench.dock.views import widgets
 from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.services.number_format import Lengths
@@ -63,8 +63,8 @@ class JogView(QtGui.QWidget):
         why = why_not("jog", moment)
         if why and self._held:
             self._release()
-        for arrow in self.arrows.values():
-            widgets.lock(arrow, why, RULES["jog"].does)
+        for name, axis, *_ in PAD:
+            widgets.lock(self.arrows[name], why or why_not_axis(axis, moment), RULES["jog"].does)
 
     def _arrow(self, name: str, axis: str, sign: int) -> Any:
         arrow = widgets.button(f"Jog{name}", f"{axis.upper()}{'+' if sign > 0 else '−'}", icon=f"Jog{name}")

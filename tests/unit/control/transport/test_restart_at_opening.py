@@ -62,6 +62,16 @@ def test_first_opening_clears_the_flag_and_says_so_once(terminal):
     assert opened(name)[0]
 
 
+def test_a_controller_of_ours_has_been_started_not_restarted(terminal):
+    _, name = terminal
+    link = open_link(name)
+    try:
+        link.machine = "thesis-table"
+        assert "has been started" in restart_text(link) and "restarted" not in restart_text(link)
+    finally:
+        link.close()
+
+
 def test_a_port_that_refuses_it_is_opened_all_the_same(terminal, monkeypatch):
     slave, name = terminal
     before = termios.tcgetattr(slave)

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from CNCStepper.control.protocol.grbl.capabilities import reason
-from CNCStepper.workbench.dock.model.button_states import RULES, ControllerSnapshot, does, why_not
+from CNCStepper.workbench.dock.model.button_states import RULES, ControllerSnapshot, does, why_not, why_not_axis
 from CNCStepper.workbench.dock.model.relay_keys import Lines, sound_between
 from CNCStepper.workbench.services.sounds import ALARM, FOLDER, NAMES, PAUSE
 
@@ -52,6 +52,14 @@ def test_what_a_machine_cannot_do_is_said_whatever_it_does(word: str, controls: 
         free = ControllerSnapshot(phase, "Idle", job=phase == "running")
         assert {control for control in RULES if why_not(control, moment) == reason(word)} == controls
         assert {control for control in RULES if why_not(control, moment) != why_not(control, free)} == controls
+
+
+@pytest.mark.parametrize("axis", ["y", "z"])
+def test_an_axis_that_a_machine_lacks_is_named_at_its_arrows(axis: str) -> None:
+    moment = ControllerSnapshot("idle", "Idle", cannot=(f"axis-{axis}",))
+    assert why_not("jog", moment) == ""
+    assert axis.upper() in why_not_axis(axis, moment)
+    assert [other for other in "xyz" if why_not_axis(other, moment)] == [axis]
 
 
 def test_a_stop_that_does_not_reach_the_machine_can_be_pressed_and_says_so() -> None:

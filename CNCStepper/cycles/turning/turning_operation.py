@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The parameters of the turning cycles as a job file names them; lengths in the part's own coordinates.
+
+z = 0 is the finished end face, z < 0 lies towards the chuck. Radial depths are on the radius; a key with `diameter`
+is a diameter whatever the job's x_is says.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import BaseModel, ConfigDict, model_validator
+
+from CNCStepper.errors import JobError, Text
+from CNCStepper.quantities import Bounds, ChipLoadOr0, Coordinate, SpeedOr0, TimeOr0, ToolReference, Width, WidthOr0
+
+SurfaceSpeedOr0 = Annotated[float, Bounds("surface_speed", zero=True)]
+
+
+class TurningOperation(BaseModel):
+    """Of every cycle: feeds and speeds, 0 takes those of the tool; clearance_mm: before material a rapid ends."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    cycle: str
+    tool: ToolReference
+    feed_mm_rev: ChipLoadOr0 = 0.0
+    spindle_rpm: SpeedOr0 = 0.0
+    surface_speed_m_min: SurfaceSpeedOr0 = 0.0
+    max_rpm: SpeedOr0 = 0.0
+    clearance_mm: Width = 1.0
+
+
+class TurnFace(TurningOperation):
+    """Turn the end face down to to_z_mm, from outside to to_diameter_mm; 0 is over the axis."""
+
+    cycle: Literal["turn_face"]
+    to_z_mm: Coordinate = 0.0
+    to_diameter_mm: WidthOr0 = 0.0
+    ap_mm: Width = 1.0
+    stock_to_leave_mm: WidthOr0 = 0.0
+
+
+class TurnRough(TurningOperation):
+    """Rough a profile out of the stock; along: passes along Z (as G71), along X (as G72) or along the profile (G73).
+
+    The stock to leave is measured normal to the profile. Outside or in a bore, as the tool does.
+    """
+
+    cycle: Literal["turn_rough", "turn_bore"]
+    profile: str
+    along: Literal["z", "x", "profile"] = "z"
+    ap_mm: Width
+    stock_to_leave_mm: WidthOr0 = 0.0
+
+
+class TurnFinish(TurningOperation):
+    """Follow a profile in one pass; compensation of the nose in the program, or G41 and G42 of the controller."""
+
+    cycle: Literal["turn_finish"]
+    profile: str
+    stock_to_leave_mm: WidthOr0 = 0.0
+    compensation: Literal["expanded", "controller"] = "expanded"
+
+
+class TurnGroove(TurningOperation):
+    """Cut a groove with parallel walls: from z_mm, its wall towards the chuck, width_mm towards the end face.
+
+    diameter_mm: of its floor. top_diameter_mm: of the surface into which it is cut. peck_mm: 0 plunges in one go.
+    """
+
+    cycle: Literal["turn_groove"]
+    z_mm: Coordinate
+    width_mm: Width
+    diameter_mm: Width
+    top_diameter_mm: Width
+    peck_mm: WidthOr0 = 0.0
+    dwell_s: TimeOr0 = 0.0
+
+
+class TurnPart(TurningOperation):
+    """Part off at z_mm, the length that the part keeps; to_diameter_mm: 0 is over the axis, a tube's bore is enough."""
+
+    cycle: Literal["turn_part"]
+    z_mm: Coordinate
+    to_diameter_mm: WidthOr0 = 0.0
+    peck_mm: WidthOr0 = 0.0
+
+
+class TurnDrill(TurningOperation):
+    """Drill on the axis; depth_mm: of the tip below z = 0. A centre drill is one of a small depth.
+
+    peck_mm: 0 drills in one go; retract: out of the hole for each peck, or by clearance_mm to break the chip.
+    """
+
+    cycle: Literal["turn_drill"]
+    depth_mm: Width
+    peck_mm: WidthOr0 = 0.0
+    retract: Literal["full", "chip"] = "full"
+    dwell_s: TimeOr0 = 0.0
+
+    @model_validator(mode="after")
+    def _pecks_are_not_deeper(self) -> TurnDrill:
+        if self.peck_mm > self.depth_mm:
+            what = "peck_mm must not exceed depth_mm, {limit:g} mm; write 0 to drill in one go"
+            raise ValueError(Text(what, limit=self.depth_mm))
+        return self
+
+
+TURNING_OPERATIONS: dict[str, type[TurningOperation]] = {
+    "turn_bore": TurnRough,
+    "turn_drill": TurnDrill,
+    "turn_face": TurnFace,
+    "turn_finish": TurnFinish,
+    "turn_groove": TurnGroove,
+    "turn_part": TurnPart,
+    "turn_rough": TurnRough,
+}
+
+
+def turning_operation_class(name: object) -> type[TurningOperation]:
+    """Return the parameters of a cycle of the lathe; raises JobError for a name that is none."""
+    if not isinstance(name, str) or name not in TURNING_OPERATIONS:
+        what = Text("a lathe has no cycle '{name}'", name=str(name)[:60])
+        advice = Text("use one of: {cycles}", cycles=", ".join(sorted(TURNING_OPERATIONS)))
+        raise JobError("cycle-unknown", what, advice=advice)
+    return TURNING_OPERATIONS[name]
