@@ -10,6 +10,7 @@ collect_ignore_glob = [] if INSIDE else ["test_*.py", "*/test_*.py"]
 
 if INSIDE:
     from collections.abc import Iterator
+    from pathlib import Path
     from typing import Any
 
     import FreeCAD
@@ -40,6 +41,7 @@ if INSIDE:
         hand.settle()
         ours = [line.text for line in hand.report() if line.bad and "CNCStepper" in line.text]
         assert not ours, f"FreeCAD's start has put into the report view: {ours}"
+        Path(os.environ["CNCSTEPPER_WINDOW_STATUS"]).with_name(window_kinds.READY).touch()
         return hand
 
     @pytest.fixture

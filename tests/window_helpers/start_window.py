@@ -26,7 +26,8 @@ sys.path.append(str(HERE.parent))
 from window_helpers import window_kinds  # noqa: E402
 
 MARK = "CNCSTEPPER_WINDOW_RUN"
-LIMIT_S = float(os.environ.get("CNCSTEPPER_WINDOW_LIMIT_S", "2700"))  # a run that hangs; a slow one takes 1500
+READY_S = 600.0  # so long may FreeCAD take to open our workbench and to compile the kernels
+LIMIT_S = float(os.environ.get("CNCSTEPPER_WINDOW_LIMIT_S", "2700"))  # then, a run that hangs; a slow one takes 1500
 LEAVE_S = float(
     os.environ.get("CNCSTEPPER_WINDOW_LEAVE_S", "15")
 )  # so long may our own processes take to end after FreeCAD did
@@ -204,9 +205,8 @@ def run(version: str, kind: str, arguments: Sequence[str], environment: Mapping[
 
 def judged(freecad: subprocess.Popen[bytes], status_file: Path, mark: str) -> int:
     """Wait for FreeCAD and return the tests' status, or 1 with a sentence when FreeCAD itself did wrong."""
-    try:
-        ended = freecad.wait(LIMIT_S)
-    except subprocess.TimeoutExpired:
+    ended = wait_until_ended(freecad, status_file.with_name(window_kinds.READY))
+    if ended is None:
         return fault(f"FreeCAD still runs after {LIMIT_S:.0f} s" + (" though the tests ended" * status_file.exists()))
     left = wait_until_gone(mark, LEAVE_S)
     if not status_file.exists():
@@ -216,6 +216,16 @@ def judged(freecad: subprocess.Popen[bytes], status_file: Path, mark: str) -> in
     if ended:
         return fault(f"FreeCAD ended with exit status {ended}")
     return int(status_file.read_text("ascii"))
+
+
+def wait_until_ended(freecad: subprocess.Popen[bytes], ready_file: Path) -> int | None:
+    """Return FreeCAD's exit status, None when it still runs LIMIT_S after its window was ready for the first test."""
+    is_ready, until_s = False, time.monotonic() + READY_S
+    while (ended := freecad.poll()) is None and time.monotonic() < until_s:
+        if not is_ready and ready_file.exists():
+            is_ready, until_s = True, time.monotonic() + LIMIT_S
+        time.sleep(0.1)
+    return ended
 
 
 def print_times(begun_s: float) -> None:
