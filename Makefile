@@ -35,9 +35,11 @@ define pytest
 		.venv/bin/python -m pytest --last-failed --last-failed-no-failures none $(1); }
 endef
 
+# The other tests are not even imported then.
+FREECAD_TESTS = $$(grep -rlF --include='test_*.py' --exclude-dir=freecad --exclude-dir=window mark.freecad tests)
 test: setup lint
 	$(call pytest,--timeout 600 --dist loadfile --no-loadscope-reorder -m "not freecad")
-	$(call pytest,--timeout 1800 --dist worksteal -m "freecad$(if $(filter matrix,$(MAKECMDGOALS)), and not matrix)")
+	$(call pytest,--timeout 1800 --dist worksteal -m "freecad$(if $(filter matrix,$(MAKECMDGOALS)), and not matrix)" $(FREECAD_TESTS))
 
 # `make test matrix` runs in the system's FreeCAD once what both have (marked "matrix").
 matrix:
