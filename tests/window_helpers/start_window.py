@@ -31,10 +31,10 @@ LIMIT_S = float(os.environ.get("CNCSTEPPER_WINDOW_LIMIT_S", "2700"))  # then, a 
 LEAVE_S = float(
     os.environ.get("CNCSTEPPER_WINDOW_LEAVE_S", "15")
 )  # so long may our own processes take to end after FreeCAD did
-# For pictures of docs/: a larger screen, and FreeCAD's own cube, axes and background in its 3D view. The processor
-# paints all of that in every frame, half of what a run costs.
+# For pictures of docs/: FreeCAD's own cube, axes and background in its 3D view. The processor paints them in every
+# frame, and frames are half of what a run costs.
 AS_A_PERSON = "CNCSTEPPER_WINDOW_AS_A_PERSON" in os.environ
-SCREEN = (1600, 1000) if AS_A_PERSON else (1280, 800)  # in Qt's pixels: QT_SCALE_FACTOR=2 has twice as many
+SCREEN = (1600, 1000)  # in Qt's pixels: with QT_SCALE_FACTOR=2 the screen has twice as many
 XDG_FOLDERS = ("CONFIG_HOME", "DATA_HOME", "STATE_HOME", "RUNTIME_DIR")  # not the cache: compiled kernels stay there
 USER_CFG = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
 <FCParameters><FCParamGroup Name="Root"><FCParamGroup Name="BaseApp">
