@@ -46,7 +46,7 @@ def test_an_open_mesh_is_refused_with_its_file(tmp_path: Path) -> None:
     "process", ["laser", pytest.param("mill", marks=pytest.mark.slow), pytest.param("wire", marks=pytest.mark.slow)]
 )
 def test_each_nested_sheet_gets_a_program_that_is_proven(tmp_path: Path, process: str) -> None:
-    write_stl(tmp_path / "ball.stl", sphere(15.0, rings=12))
+    write_stl(tmp_path / "ball.stl", sphere(15.0, rings=40))
     out, template = tmp_path / "out", TEMPLATES / f"slices-{process}.toml"
     thickness_mm = {"laser": 6, "mill": 10, "wire": 20}[process]
     words = ("--thickness", thickness_mm, "--sheet", "110,50", "--gap", 12, "--margin", 8, "--hole", 4, "--time", 0.3)

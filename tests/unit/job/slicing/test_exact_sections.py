@@ -36,9 +36,9 @@ cq.exporters.export(wall.faces(), "open.step")
 apart = [cq.Workplane().box(10, 10, 10).translate((x, 0, 0)).val() for x in (0, 4)]
 cq.exporters.export(cq.Workplane(cq.Compound.makeCompound(apart)), "overlap.step")
 areas = {}
-for name, solid, low in (("hull", hull, -24), ("loft", loft, 1)):
+for name, solid, heights in (("hull", hull, range(-24, 24, 6)), ("loft", loft, range(1, 31, 4))):
     level = lambda z: cq.Face.makePlane(100, 100, (0, 0, z), (0, 0, 1))
-    areas[name] = [[z, level(z).intersect(solid.val()).Area()] for z in range(low, low + 30, 4)]
+    areas[name] = [[z, level(z).intersect(solid.val()).Area()] for z in heights]
 with open("areas.json", "w") as file:
     json.dump(areas, file)
 """
