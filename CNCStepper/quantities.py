@@ -67,6 +67,11 @@ QUANTITIES: dict[str, Quantity] = {
     "voltage": Quantity("V", 0.001, 10_000, "no arc or wire stands at more than 10 kV"),
     "pressure": Quantity("bar", 0.001, 10_000, "no jet is driven by more than 10 kbar"),
     "money": Quantity("", 0.0001, 1_000_000_000, "a rate is more than nothing and less than a thousand million"),
+    "power": Quantity("W", 0.1, 1_000_000, "no spindle of a lathe or mill has more than 1 MW"),
+    "specific_force": Quantity(
+        "N/mm²", 1, 100_000, "no material needs more than 100 kN on a square millimetre of chip"
+    ),
+    "elasticity": Quantity("N/mm²", 1, 1_000_000, "no material is stiffer than diamond"),
     "force": Quantity("N", 0.0001, 1_000_000, "no axis pushes with more than 100 t"),
 }
 

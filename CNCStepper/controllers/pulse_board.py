@@ -198,7 +198,7 @@ class PulseBoard(Grbl):
 def firmware_of(machine: Machine, relays: Relays) -> Firmware:
     """Return the firmware of a CNCStepper board, as reported by `$I`."""
     blocks = most_moves(machine.planner.look_ahead_blocks)
-    lacks = tuple(f"jog-{axis}" for axis in AXIS_NAMES if axis not in machine.own_axes)
+    lacks = tuple(f"axis-{axis}" for axis in AXIS_NAMES if axis not in machine.own_axes)
     own = (f"[FIRMWARE:CNCStepper {family_of(machine)}]", *(f"[CANNOT:{what}]" for what in (*CANNOT, *lacks)))
     return replace(
         GRBL,

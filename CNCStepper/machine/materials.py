@@ -46,6 +46,14 @@ class Cutting(_Checked):
         return self
 
 
+class Turning(_Checked):
+    """What a lathe needs to know: K_s = force_n_mm2 / f^exponent (f in mm a turn), and the modulus of elasticity."""
+
+    force_n_mm2: Annotated[float, Bounds("specific_force")]
+    exponent: Annotated[float, Bounds("share", most=0.99)]
+    elasticity_n_mm2: Annotated[float, Bounds("elasticity")]
+
+
 class Material(_Checked):
     """A material; stepdown and stepover are shares of the tool's diameter, plunge_factor one of the feed."""
 
@@ -57,6 +65,7 @@ class Material(_Checked):
     stepover: Annotated[float, Bounds("share")]
     carbide: Cutting
     hss: Cutting | None = None
+    turning: Turning | None = None
 
     def speed_m_min(self, cutter: CutterOf) -> Range:
         """Return the least and the most surface speed; raises JobError where such a cutter is of no use."""
@@ -67,6 +76,17 @@ class Material(_Checked):
         rows = np.array(self._cutting(cutter).chip_load_mm or self.carbide.chip_load_mm)
         least, most = (float(np.interp(diameter_mm, [0.0, *rows[:, 0]], [0.0, *rows[:, column]])) for column in (1, 2))
         return least, most
+
+    def turning_data(self) -> Turning:
+        """Return what a lathe needs to know; raises JobError where the table does not have it."""
+        if self.turning is None:
+            known = ", ".join(name for name in material_names() if _materials()[name].turning)
+            raise JobError(
+                "material-not-turned",
+                Text("the cutting force of {title} in turning is not in the table", title=self.title),
+                advice=Text("use one of: {known}", known=known),
+            )
+        return self.turning
 
     def _cutting(self, cutter: CutterOf) -> Cutting:
         if cutter == "hss" and self.hss is None:

@@ -174,19 +174,21 @@ class Planner(_Checked):
 class Spindle(_Checked):
     """Speeds and the time to reach them; `laser` means M4 with power ($32=1).
 
-    preset_rpm: the speeds that a gear or a switch has, rising; empty where any speed can be set.
+    preset_rpm: the speeds that a gear or a switch has, rising; empty where any speed can be set. power_w: of the motor,
+    0 where it is not known.
     """
 
     min_rpm: SpeedOr0
     max_rpm: Speed
     preset_rpm: tuple[Speed, ...] = Field(default=(), max_length=MOST_ITEMS["speeds"])
     spin_up_s: Annotated[float, Bounds("time", most=3600.0, zero=True)] = 0.0
+    power_w: Annotated[float, Bounds("power", zero=True)] = 0.0
     laser: StrictBool = False
 
     @model_serializer(mode="wrap")
-    def _without_no_presets(self, as_dict: Any) -> dict[str, Any]:
-        """Leave an empty list out, so that certificates stay what they were."""
-        return {key: value for key, value in as_dict(self).items() if key != "preset_rpm" or value}
+    def _without_empty(self, as_dict: Any) -> dict[str, Any]:
+        """Leave no presets and no power out, so that certificates stay what they were."""
+        return {key: value for key, value in as_dict(self).items() if value or key not in ("preset_rpm", "power_w")}
 
 
 class Outputs(_Checked):

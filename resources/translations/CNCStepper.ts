@@ -5507,6 +5507,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Motor's power</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Motor's steps</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12518,6 +12522,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>cut {depth:.3g} mm deep at most</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>cuts {overlap_mm:.3g} mm before the place again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13210,6 +13218,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>grip with {force:.4g} N, or cut {depth:.3g} mm deep</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>half a notch</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13779,10 +13791,6 @@
         </message>
         <message>
             <source>jog again if it is still wanted</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>jog another axis</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14534,6 +14542,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>name an axis that it has</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>name another machine</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14686,6 +14698,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no material is stiffer than diamond</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no material needs more than 100 kN on a square millimetre of chip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no memory card is mounted</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14759,6 +14779,10 @@
         </message>
         <message>
             <source>no screw and rotor has more</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no spindle of a lathe or mill has more than 1 MW</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16162,6 +16186,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>switch the lathe off and on, connect again and set its zero; unlock an alarm with $X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>switch the lathe off and on, set its zero by hand, and send the whole program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16427,6 +16455,18 @@
         </message>
         <message>
             <source>the axes are X (radial) and Z (axial)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the bar bends away from the tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the bar is slender: it bends and chatters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the bar may turn in the chuck</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16847,6 +16887,14 @@
         </message>
         <message>
             <source>the cut leads through the edge of a part that a contour leaves standing, {where}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the cut needs more power than the motor has</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the cutting force of {title} in turning is not in the table</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17515,6 +17563,10 @@
         </message>
         <message>
             <source>the lathe is in automatic mode and cannot be jogged: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the lathe is in automatic mode, or locked by an alarm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19730,6 +19782,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use a steady rest, or at most {length:.4g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use a tailstock, or at most {length:.4g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use a thread mill with one tooth, given as an engraver with a large tip_diameter_mm or as flat</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20671,6 +20731,10 @@
         </message>
         <message>
             <source>{deep_mm:.3f} mm deep</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{depth:.3g} mm deep, or {rpm:.4g} rpm, would do</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -5507,6 +5507,10 @@
             <translation>Passos dos motores: {0}</translation>
         </message>
         <message>
+            <source>Motor's power</source>
+            <translation>Potência do motor</translation>
+        </message>
+        <message>
             <source>Motor's steps</source>
             <translation>Passos do motor</translation>
         </message>
@@ -12518,6 +12522,10 @@
             <translation>corte com uma largura de corte de no máximo {room_mm:.3f} mm, desenhe o furo mais largo que o corte, ou ponha spot_below_mm acima de {diameter_mm:.3f} para marcá-lo para furação</translation>
         </message>
         <message>
+            <source>cut {depth:.3g} mm deep at most</source>
+            <translation>corte no máximo {depth:.3g} mm de profundidade</translation>
+        </message>
+        <message>
             <source>cuts {overlap_mm:.3g} mm before the place again</source>
             <translation>corta de novo {overlap_mm:.3g} mm antes do ponto</translation>
         </message>
@@ -13210,6 +13218,10 @@
             <translation>o grblHAL só aceita centros de arco a partir do ponto inicial (G91.1)</translation>
         </message>
         <message>
+            <source>grip with {force:.4g} N, or cut {depth:.3g} mm deep</source>
+            <translation>prenda com {force:.4g} N, ou corte {depth:.3g} mm de profundidade</translation>
+        </message>
+        <message>
             <source>half a notch</source>
             <translation>meio entalhe</translation>
         </message>
@@ -13780,10 +13792,6 @@
         <message>
             <source>jog again if it is still wanted</source>
             <translation>mova de novo se ainda for preciso</translation>
-        </message>
-        <message>
-            <source>jog another axis</source>
-            <translation>mova outro eixo</translation>
         </message>
         <message>
             <source>jog it down to that height where the way below is free, or restart with the height {here_mm:.1f} (--height), at which it moves over the place directly</source>
@@ -14534,6 +14542,10 @@
             <translation>indique uma forma de uma só curva</translation>
         </message>
         <message>
+            <source>name an axis that it has</source>
+            <translation>indique um eixo que ela tenha</translation>
+        </message>
+        <message>
             <source>name another machine</source>
             <translation>indique outra máquina</translation>
         </message>
@@ -14686,6 +14698,14 @@
             <translation>nenhuma máquina mantém um décimo de mícron, e acima de 10 mm nada é mantido</translation>
         </message>
         <message>
+            <source>no material is stiffer than diamond</source>
+            <translation>nenhum material é mais rígido que o diamante</translation>
+        </message>
+        <message>
+            <source>no material needs more than 100 kN on a square millimetre of chip</source>
+            <translation>nenhum material exige mais de 100 kN por milímetro quadrado de cavaco</translation>
+        </message>
+        <message>
             <source>no memory card is mounted</source>
             <translation>nenhum cartão de memória está montado</translation>
         </message>
@@ -14760,6 +14780,10 @@
         <message>
             <source>no screw and rotor has more</source>
             <translation>nenhum fuso com rotor tem mais</translation>
+        </message>
+        <message>
+            <source>no spindle of a lathe or mill has more than 1 MW</source>
+            <translation>nenhum fuso de torno ou fresadora tem mais de 1 MW</translation>
         </message>
         <message>
             <source>no spindle turns faster than a million a minute</source>
@@ -16162,6 +16186,10 @@
             <translation>desligue e ligue o torno, conecte de novo e defina o zero</translation>
         </message>
         <message>
+            <source>switch the lathe off and on, connect again and set its zero; unlock an alarm with $X</source>
+            <translation>desligue e ligue o torno, conecte de novo e ajuste o zero; destrave um alarme com $X</translation>
+        </message>
+        <message>
             <source>switch the lathe off and on, set its zero by hand, and send the whole program</source>
             <translation>desligue e ligue o torno, ajuste o zero à mão e envie o programa inteiro</translation>
         </message>
@@ -16428,6 +16456,18 @@
         <message>
             <source>the axes are X (radial) and Z (axial)</source>
             <translation>os eixos são X (radial) e Z (axial)</translation>
+        </message>
+        <message>
+            <source>the bar bends away from the tool</source>
+            <translation>a barra se flexiona para longe da ferramenta</translation>
+        </message>
+        <message>
+            <source>the bar is slender: it bends and chatters</source>
+            <translation>a barra é esbelta: flexiona e vibra</translation>
+        </message>
+        <message>
+            <source>the bar may turn in the chuck</source>
+            <translation>a barra pode girar na placa</translation>
         </message>
         <message>
             <source>the bars' width</source>
@@ -16848,6 +16888,14 @@
         <message>
             <source>the cut leads through the edge of a part that a contour leaves standing, {where}</source>
             <translation>o corte passa pela borda de uma peça que um contorno deixa em pé, {where}</translation>
+        </message>
+        <message>
+            <source>the cut needs more power than the motor has</source>
+            <translation>o corte exige mais potência do que o motor tem</translation>
+        </message>
+        <message>
+            <source>the cutting force of {title} in turning is not in the table</source>
+            <translation>a força de corte de {title} no torneamento não está na tabela</translation>
         </message>
         <message>
             <source>the cycle '{cycle}' takes no shapes of a drawing</source>
@@ -17516,6 +17564,10 @@
         <message>
             <source>the lathe is in automatic mode and cannot be jogged: {0}</source>
             <translation>o torno está em modo automático e não pode ser movido à mão: {0}</translation>
+        </message>
+        <message>
+            <source>the lathe is in automatic mode, or locked by an alarm</source>
+            <translation>o torno está no modo automático, ou travado por um alarme</translation>
         </message>
         <message>
             <source>the lathe jogs at up to {0} mm/min, or at {1}: it takes the slower one</source>
@@ -19730,6 +19782,14 @@
             <translation>use uma rotação entre $31 e $30</translation>
         </message>
         <message>
+            <source>use a steady rest, or at most {length:.4g} mm</source>
+            <translation>use uma luneta, ou no máximo {length:.4g} mm</translation>
+        </message>
+        <message>
+            <source>use a tailstock, or at most {length:.4g} mm</source>
+            <translation>use um contraponto, ou no máximo {length:.4g} mm</translation>
+        </message>
+        <message>
             <source>use a thread mill with one tooth, given as an engraver with a large tip_diameter_mm or as flat</source>
             <translation>use uma fresa de rosca de um dente, indicada como engraver com tip_diameter_mm grande ou como flat</translation>
         </message>
@@ -20672,6 +20732,10 @@
         <message>
             <source>{deep_mm:.3f} mm deep</source>
             <translation>{deep_mm:.3f} mm de profundidade</translation>
+        </message>
+        <message>
+            <source>{depth:.3g} mm deep, or {rpm:.4g} rpm, would do</source>
+            <translation>{depth:.3g} mm de profundidade, ou {rpm:.4g} rpm, serviriam</translation>
         </message>
         <message>
             <source>{dialect} answers {answer}</source>

@@ -17,6 +17,7 @@ from dataclasses import dataclass
 from math import hypot, inf
 from typing import Protocol
 
+from CNCStepper.control.protocol.grbl.capabilities import check_axes
 from CNCStepper.control.protocol.grbl.driver import JOG_CANCEL, Answered, Grbl
 from CNCStepper.control.protocol.grbl.settings import ACCELERATION, MAX_RATE
 from CNCStepper.control.session.command import Command
@@ -25,6 +26,7 @@ from CNCStepper.errors import MachineRefusal, Text
 LAPSE_S = 0.3  # a held jog that nobody renews for so long is cancelled
 AHEAD_S = 0.2  # how much longer than its braking the planned way lasts
 PIECES = 8  # of the planned way; grbl plans 15
+LEAST_MM = 0.00005  # that a jog's four decimals can hold
 SHORTEST_MM = 0.1  # of a piece: a few steps
 SLOWEST_MM_MIN = 30.0  # of a held jog; grbl makes 30 steps/s at least, and runs away from slower pacing
 STEPS_LIMIT = 5  # steps that wait for the controller
@@ -52,6 +54,12 @@ class JogMove:
         """Its length."""
         return hypot(self.x_mm, self.y_mm, self.z_mm)
 
+    @property
+    def axes(self) -> str:
+        """The axes that move."""
+        ways = zip("XYZ", (self.x_mm, self.y_mm, self.z_mm), strict=True)
+        return "".join(axis for axis, way_mm in ways if abs(way_mm) >= LEAST_MM)
+
     def scaled(self, length_mm: float, feed_mm_min: float) -> JogMove:
         """Return a way in the same direction."""
         factor = length_mm / self.length_mm
@@ -59,8 +67,8 @@ class JogMove:
 
     def line(self) -> str:
         """Return the jog command of grbl 1.1."""
-        words = zip("XYZ", (self.x_mm, self.y_mm, self.z_mm), strict=True)
-        moves = "".join(f"{axis}{value:.4f}" for axis, value in words if abs(value) >= 0.00005)
+        ways_mm = {"X": self.x_mm, "Y": self.y_mm, "Z": self.z_mm}
+        moves = "".join(f"{axis}{ways_mm[axis]:.4f}" for axis in self.axes)
         return f"$J=G91G21{moves}F{self.feed_mm_min:.1f}"
 
 
@@ -199,7 +207,8 @@ class Jogger:
                 value=status.name if status else "",
                 advice="wait until it is idle; after an alarm home it or unlock it",
             )
-        if not (0 < way.feed_mm_min < inf and 0.00005 <= way.length_mm < 1e5):
+        check_axes(way.axes, self._driver.cannot)
+        if not (0 < way.feed_mm_min < inf and LEAST_MM <= way.length_mm < 1e5):
             raise MachineRefusal(
                 "jog-way",
                 "a jog needs a way and a feed",

@@ -3,6 +3,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
+from CNCStepper.control.protocol.grbl.capabilities import check_axes, own_axes
 from CNCStepper.control.protocol.grbl.connect import ask, has_greeting, read_modes, read_offsets
 from CNCStepper.control.protocol.grbl.driver import Grbl
 from CNCStepper.control.protocol.grbl.firmware import TOOL
@@ -22,7 +25,7 @@ def set_zero(driver: Grbl, axes: str, timing: Timing) -> str:
     Raises MachineRefusal when the machine is neither idle nor waits for a new tool, or reads back another zero than the
     one set.
     """
-    wanted = _axes(axes)
+    wanted = axes_to_zero(axes, driver.cannot)
     if (status := fresh_status(driver, timing)).state != TOOL:
         check_state(status, driver.cannot)
     system = _system_in_force(driver, timing)
@@ -72,12 +75,19 @@ def _silent(what: str) -> LinkError:
     return LinkError("answer-missing", what, advice="check its supply and cable")
 
 
-def _axes(axes: str) -> str:
+def axes_to_zero(axes: str, cannot: Iterable[str]) -> str:
+    """Return the axes that are meant: of all, those that the machine has.
+
+    Raises MachineRefusal for letters that are no axes, and for an axis that the machine lacks.
+    """
     wanted = axes.upper()
     if not wanted or set(wanted) - set(AXES) or len(set(wanted)) < len(wanted):
         raise MachineRefusal(
             "axes", Text("'{axes}' names no axes", axes=axes[:20]), advice="write for example XYZ, or Z alone"
         )
+    if wanted == AXES:
+        return own_axes(cannot)
+    check_axes(wanted, cannot)
     return wanted
 
 

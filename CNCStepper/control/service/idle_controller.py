@@ -8,11 +8,11 @@ from dataclasses import replace
 
 from CNCStepper.control.operator import zero_and_unlock
 from CNCStepper.control.operator.console import HOME as HOME_LINE
-from CNCStepper.control.operator.console import MOVING_KINDS, UNLOCK, Console, kind_of
+from CNCStepper.control.operator.console import JOG, MOVING_KINDS, UNLOCK, Console, kind_of
 from CNCStepper.control.operator.homing import HOME, check_took
 from CNCStepper.control.operator.jog import Jogger, JogMove, check_in_time
 from CNCStepper.control.protocol.grbl import connect
-from CNCStepper.control.protocol.grbl.capabilities import check_can
+from CNCStepper.control.protocol.grbl.capabilities import check_axes, check_can, own_axes
 from CNCStepper.control.protocol.grbl.driver import HOLD, RESUME, Answered, Grbl, Received
 from CNCStepper.control.protocol.grbl.firmware import TOOL_CHANGED
 from CNCStepper.control.protocol.grbl.readiness import check_state
@@ -233,9 +233,10 @@ class IdleController:
 
     def _set_zero(self, axes: str) -> None:
         self.check_at_rest()
+        axes = zero_and_unlock.axes_to_zero(axes, self._driver.cannot)
         system = zero_and_unlock.set_zero(self._driver, axes, self._timing)
-        self.trust = trust_at_zero(self.trust, axes, zero_and_unlock.AXES)
-        self._tell("message", Text("zero of {axes} set in {system}", axes=axes.upper(), system=system))
+        self.trust = trust_at_zero(self.trust, axes, own_axes(self._driver.cannot))
+        self._tell("message", Text("zero of {axes} set in {system}", axes=axes, system=system))
 
     def _unlock(self) -> None:
         self.check_at_rest()
@@ -254,6 +255,8 @@ class IdleController:
             self._unlock()
             self._tell("answer", "ok")
         else:
+            if kind == JOG:
+                check_axes((axis for axis in zero_and_unlock.AXES if axis in text.upper()), self._driver.cannot)
             if kind in MOVING_KINDS:
                 check_state(self._driver.status, self._driver.cannot)
             self._console.send(text, kind)

@@ -16,7 +16,7 @@ from CNCStepper.virtual.grbl.gcode.words import read_words
 from CNCStepper.virtual.grbl.report import coordinates, fixed, rate
 from CNCStepper.virtual.grbl.settings import Settings
 
-CANNOT = ("hold", "stop", "resume", "override", "back", "home", "position", "jog-y")
+CANNOT = ("hold", "stop", "resume", "override", "back", "home", "position", "axis-y")
 RECEIVE_BYTES = 1024
 FIRMWARE = Firmware(
     "lathe",

@@ -60,6 +60,7 @@ LABELS = {  # by key, or by table and key where the same key is two things
     "max_rpm": later("Highest spindle speed"),
     "preset_rpm": later("Preset speeds"),
     "spin_up_s": later("Spin-up time"),
+    "power_w": later("Motor's power"),
     "spindle.laser": later("Laser (M4 with power)"),
     "coolant": later("Coolant"),
     "pulse_us": later("Pulse width"),

@@ -46,7 +46,7 @@ def test_it_says_what_it_is_and_cannot_do(talk: Talk) -> None:
     assert talk.greeting == ["Grbl 1.1h ['$' for help]"]
     said = talk.say("$I\n")
     assert said[0] == "[VER:1.1h.20190830:]"
-    cannot = [f"[CANNOT:{what}]" for what in ("home", "probe", "jog-z")]
+    cannot = [f"[CANNOT:{what}]" for what in ("home", "probe", "axis-z")]
     assert said[2:] == ["[FIRMWARE:CNCStepper parport]", *cannot, "ok"]
 
 

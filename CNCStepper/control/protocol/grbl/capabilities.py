@@ -12,7 +12,7 @@ from CNCStepper.errors import MachineRefusal, Text
 
 CANNOT_CODE = "cannot"
 SWITCH = "press the machine's own switch, or let it run to its end"
-JOG_ANOTHER = "jog another axis"
+ANOTHER_AXIS = "name an axis that it has"
 REASONS: dict[str, tuple[str, str]] = {  # of each word of [CANNOT:...]: why not, and what to do
     "hold": ("this machine cannot be held while its program runs: its link has no such command", SWITCH),
     "resume": ("this machine cannot be resumed over its link", "use the machine's own buttons"),
@@ -23,8 +23,8 @@ REASONS: dict[str, tuple[str, str]] = {  # of each word of [CANNOT:...]: why not
     "override": ("this machine's speeds cannot be changed while its program runs", "change F in the program"),
     "jog": ("this machine cannot be jogged from here", "use the machine's own buttons"),
     "jog-hold": ("this machine cannot be jogged while a program is held", "stop the program, then jog"),
-    "jog-y": ("this machine has no Y axis", JOG_ANOTHER),
-    "jog-z": ("this machine has no Z axis", JOG_ANOTHER),
+    "axis-y": ("this machine has no Y axis", ANOTHER_AXIS),
+    "axis-z": ("this machine has no Z axis", ANOTHER_AXIS),
     "back": ("this machine cannot go back along its cut", "restart the program at a line before it"),
     "home": ("this machine cannot find its own zero", "move the tool to the work zero and set it there"),
     "probe": ("this machine has no probe", "set the zero by hand"),
@@ -33,7 +33,7 @@ REASONS: dict[str, tuple[str, str]] = {  # of each word of [CANNOT:...]: why not
         "look at the machine",
     ),
 }
-OF_PROGRAMS = frozenset(REASONS) - {"home", "probe", "jog", "jog-y", "jog-z"}  # that matter while a program runs
+OF_PROGRAMS = frozenset(REASONS) - {"home", "probe", "jog", "axis-y", "axis-z"}  # that matter while a program runs
 NEEDS: dict[str, tuple[str, ...]] = {  # the ability that each command needs
     "hold": ("hold",),
     "resume": ("resume",),
@@ -62,6 +62,23 @@ def missing(command: str, cannot: Iterable[str]) -> str:
 def check_can(command: str, cannot: Iterable[str]) -> None:
     """Raise MachineRefusal for a command of which the machine cannot do what it needs."""
     if word := missing(command, cannot):
+        why, what_to_do = _reason(word)
+        raise MachineRefusal(CANNOT_CODE, why, value=word, advice=what_to_do)
+
+
+def own_axes(cannot: Iterable[str]) -> str:
+    """Return the axes that the machine has: "XYZ", or "XZ" of a lathe."""
+    return "".join(axis for axis in "XYZ" if axis_word(axis) not in cannot)
+
+
+def axis_word(axis: str) -> str:
+    """Return the word of [CANNOT:...] for an axis that a machine lacks."""
+    return f"axis-{axis.lower()}"
+
+
+def check_axes(axes: Iterable[str], cannot: Iterable[str]) -> None:
+    """Raise MachineRefusal that names the first of `axes` that the machine lacks."""
+    if word := next((axis_word(axis) for axis in axes if axis_word(axis) in cannot), ""):
         why, what_to_do = _reason(word)
         raise MachineRefusal(CANNOT_CODE, why, value=word, advice=what_to_do)
 

@@ -116,6 +116,7 @@ def _without_homing(code: Code, advice: str) -> Code:
 NO_HOMING = Code("this machine cannot find its own zero", "move the tool to the work zero and set it there")
 FIND_CAUSE_THEN_ZERO = "find the cause, then move the tool to the work zero and set it there: its position is lost"
 SWITCH_ON_AGAIN = "find the cause, switch the lathe off and on, and set its zero by hand: its position is lost"
+SWITCH_ON_OR_UNLOCK = "switch the lathe off and on, connect again and set its zero; unlock an alarm with $X"
 UNLOCK = Code(GRBL_ERRORS[9].meaning, "unlock it with $X")
 OWN_ERRORS = {**GRBL_ERRORS, 5: NO_HOMING, 9: UNLOCK, 90: TOO_FAST}
 OWN_ALARMS = {number: _without_homing(code, FIND_CAUSE_THEN_ZERO) for number, code in GRBL_ALARMS.items()}
@@ -124,7 +125,11 @@ BOARD = Firmware("board", "the USB board's controller", OWN_ERRORS, OWN_ALARMS, 
 LATHE = Firmware(
     "lathe",
     "the mini-lathe's controller",
-    {**OWN_ERRORS, 20: Code(GRBL_ERRORS[20].meaning, "write the program for the dialect mini-lathe")},
+    {
+        **OWN_ERRORS,
+        9: Code("the lathe is in automatic mode, or locked by an alarm", SWITCH_ON_OR_UNLOCK),
+        20: Code(GRBL_ERRORS[20].meaning, "write the program for the dialect mini-lathe"),
+    },
     {number: _without_homing(code, SWITCH_ON_AGAIN) for number, code in GRBL_ALARMS.items()},
     ("mini-lathe",),
     line_characters=1000,  # many records

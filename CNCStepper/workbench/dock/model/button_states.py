@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from CNCStepper.control.protocol.grbl.capabilities import missing, reason
+from CNCStepper.control.protocol.grbl.capabilities import axis_word, missing, reason
 from CNCStepper.control.session.job_phase import CONNECTED, JOB_RUNS, Phase
 from CNCStepper.control.session.job_phase import WAITING as STANDING
 from CNCStepper.workbench.services.translation import later
@@ -212,7 +212,7 @@ def why_not(control: str, moment: ControllerSnapshot) -> str:
 
 def why_not_axis(axis: str, moment: ControllerSnapshot) -> str:
     """Return why an axis cannot be jogged though others can, "" when it can."""
-    word = f"jog-{axis}"
+    word = axis_word(axis)
     return reason(word) if word in moment.cannot else ""
 
 

@@ -56,7 +56,7 @@ def test_what_a_machine_cannot_do_is_said_whatever_it_does(word: str, controls: 
 
 @pytest.mark.parametrize("axis", ["y", "z"])
 def test_an_axis_that_a_machine_lacks_is_named_at_its_arrows(axis: str) -> None:
-    moment = ControllerSnapshot("idle", "Idle", cannot=(f"jog-{axis}",))
+    moment = ControllerSnapshot("idle", "Idle", cannot=(f"axis-{axis}",))
     assert why_not("jog", moment) == ""
     assert axis.upper() in why_not_axis(axis, moment)
     assert [other for other in "xyz" if why_not_axis(other, moment)] == [axis]
