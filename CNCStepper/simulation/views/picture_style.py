@@ -50,6 +50,13 @@ TEXTS = {
     "moves": "{count} moves",
     "stock": "stock {x:g} × {y:g} × {z:g} mm",
     "volume": "removed {volume:.4g} cm³",
+    "bar": "stock ø{diameter:g} × {length:g} mm",
+    "raw": "raw stock",
+    "part": "part as cut",
+    "wanted": "wanted profile",
+    "chuck": "chuck",
+    "diameter": "X as diameter (mm)",
+    "radius": "X as radius (mm)",
 }
 DPI = 100
 FINER = 2  # drawn that many times larger, then averaged: the surface's quads are not antialiased
@@ -66,6 +73,10 @@ COLOURS = {
     "limits": "#b03030",
     "workpiece": STOCK_COLOUR,
     "fallen": "#cfd6dc",
+    "raw": "#fbf6e9",
+    "part": "#eddcb5",
+    "wanted": "#1668b8",
+    "chuck": "#aab4bd",
 }
 STYLES: dict[str, dict[str, Any]] = {
     "rapids": {"ls": "--"},
@@ -77,6 +88,10 @@ STYLES: dict[str, dict[str, Any]] = {
     "limits": {"ls": (0, (6, 3))},
     "workpiece": {"ls": "", "marker": "s", "mec": INK},
     "fallen": {"ls": "", "marker": "s", "mec": INK},
+    "raw": {"ls": "", "marker": "s", "mec": GREY},
+    "part": {"ls": "", "marker": "s", "mec": INK},
+    "wanted": {"ls": "-"},
+    "chuck": {"ls": "", "marker": "s", "mec": INK},
 }
 
 
