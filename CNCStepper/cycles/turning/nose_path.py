@@ -78,7 +78,7 @@ def _steepest(profile: Curve) -> tuple[float, float]:
     for begin, end, length_mm in ends:
         if length_mm <= SAME_MM:
             continue
-        for way in (complex(begin), complex(end)):
+        for way in (complex(*begin), complex(*end)):
             angle = math.degrees(math.atan2(way.imag, way.real)) % 360.0  # 90 up, 180 left, 270 down
             if angle <= 180.0 + SAME_ANGLE_DEG:
                 rising = min(rising, angle)
@@ -98,7 +98,7 @@ def _require_nose(profile: Curve, setup: TurningSetup) -> None:
 def sharp_hollows(profile: Curve) -> int:
     """Return how many inner corners a framed profile has, in which the nose leaves a fillet."""
     ends, begins = profile.end_directions[:-1], profile.begin_directions[1:]
-    turns = np.imag(np.conj(ends) * begins)
+    turns = ends[:, 0] * begins[:, 1] - ends[:, 1] * begins[:, 0]
     return int(np.count_nonzero(turns < -math.sin(math.radians(1.0))))
 
 

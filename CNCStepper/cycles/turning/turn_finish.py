@@ -17,5 +17,5 @@ def finish(operation: TurnFinish, setup: TurningSetup, moves: TurningMoves) -> d
     require_reach(profile, setup, moves.side)
     shared = operation.model_dump(exclude={"cycle", "compensation"})
     as_rough = TurnRough(cycle="turn_rough", ap_mm=1.0, **shared)
-    RoughedProfile(as_rough, setup, moves, profile).contour()
+    RoughedProfile(as_rough, setup, moves, profile).along_path()
     return {"length_mm": round(profile.length_mm, 6), "corners_with_fillet": float(sharp_hollows(profile))}

@@ -72,7 +72,7 @@ class RoughedProfile:
         self.moves.approach_front(self.front_mm, self.safe_mm)
         if len(levels) > 1:
             self._cut_below((0.0, self.path.length_mm), 1, levels)
-        self.contour(self.path)
+        self._contour(self.path)
         deep_mm = levels[0] - levels[1] if len(levels) > 1 else self.top_mm - float(self.path.xy[:, 1].min())
         return {"passes": float(len(levels)), "ap_mm": round(deep_mm, 6)}
 
@@ -139,7 +139,13 @@ class RoughedProfile:
             run_mm = rise_mm / math.tan(math.radians(self.leave_deg))
             self.moves.rapid(self.moves.z_mm + run_mm, height_mm)
 
-    def contour(self, path: Curve) -> None:
+    def along_path(self) -> None:
+        """Follow the path once, from before the stock."""
+        self._require_front()
+        self.moves.approach_front(self.front_mm, self.safe_mm)
+        self._contour(self.path)
+
+    def _contour(self, path: Curve) -> None:
         """Follow the path from the front, and leave beside the stock."""
         moves, (z, r) = self.moves, path.xy[0].tolist()
         self._leave(self.safe_mm)
@@ -172,7 +178,7 @@ class RoughedProfile:
                 moves.rapid(z, self.safe_mm)
                 moves.feed(z, bottom)
                 self._back_up(z, bottom)
-        self.contour(self.path)
+        self._contour(self.path)
         return {"passes": float(count), "ap_mm": round(step_mm, 6)}
 
     def _back_up(self, z_mm: float, bottom_mm: float) -> None:
