@@ -10482,6 +10482,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>X goes past the centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>[ is missing after {keyword}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10519,6 +10523,10 @@
         </message>
         <message>
             <source>a `%` is neither at the begin nor at the end of the file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a bar of {diameter:g} x {length:g} mm holds no material</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10946,6 +10954,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a piece {length:.3f} mm long comes off the bar here</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a pin in the configuration is wrong</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11355,6 +11367,10 @@
         </message>
         <message>
             <source>add the missing pass, or lower the stepover or the stepdown</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>add the missing pass, or state the stock to leave</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11834,6 +11850,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>catch it, and stop the spindle after it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>chains have fewer lines and arcs</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12047,6 +12067,10 @@
         </message>
         <message>
             <source>choose a tool of at most {widest:.3f} mm diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose a tool that reaches further, or cut this part with another one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12406,6 +12430,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>correct the path, or the tool's shape and nose radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>correct the path, the lead-in or the kerf</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12694,6 +12722,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>end the move at the axis, at most a nose radius beyond it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>end the name in .json</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12943,6 +12975,10 @@
         </message>
         <message>
             <source>give a device name or socket://host:port</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give a diameter above the bore and a length above 0</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13986,6 +14022,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>let it stick out {length:g} mm at most, or support its end</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>let z never rise along it</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14330,6 +14370,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>material is left on profile '{name}' where its tools reach</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>material is left where it should be removed{islands}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14559,6 +14603,10 @@
         </message>
         <message>
             <source>name it once</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>name its insert, or its angles and nose radius</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15646,6 +15694,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>retract along X beside the tailstock, or move it away</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>retract before it, or make it a feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>retract mode set to old_z</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15970,6 +16026,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>shorten the travel along Z, or let the bar stick out further</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>simplify it, or divide it</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16266,6 +16326,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>take more passes of a lower depth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>take one of them out</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16467,6 +16531,10 @@
         </message>
         <message>
             <source>the bar may turn in the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the bar sticks out of the chuck too far for its diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16891,6 +16959,10 @@
         </message>
         <message>
             <source>the cut needs more power than the motor has</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the cut of the {tool} is deeper than it may be</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17371,6 +17443,10 @@
         </message>
         <message>
             <source>the holder</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the holder of the tool touches the part</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18862,6 +18938,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the tool runs into the {obstacle}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the tool table cannot be read again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19015,6 +19095,10 @@
         </message>
         <message>
             <source>the {tool_shape} tool's form is not given, so it is judged as a flat one of its diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the {tool} takes too thick a chip</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19454,6 +19538,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>times its diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>tiny chains</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19519,6 +19607,10 @@
         </message>
         <message>
             <source>tool {number} cuts on without a stop to change tool {number2}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>tool {number} has no shape: its moves are not simulated</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

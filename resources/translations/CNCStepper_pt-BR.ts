@@ -10482,6 +10482,10 @@
             <translation>Largura do rasgo</translation>
         </message>
         <message>
+            <source>X goes past the centre</source>
+            <translation>X passa do centro</translation>
+        </message>
+        <message>
             <source>[ is missing after {keyword}</source>
             <translation>falta [ depois de {keyword}</translation>
         </message>
@@ -10520,6 +10524,10 @@
         <message>
             <source>a `%` is neither at the begin nor at the end of the file</source>
             <translation>há um `%` onde nenhum arquivo começa nem termina</translation>
+        </message>
+        <message>
+            <source>a bar of {diameter:g} x {length:g} mm holds no material</source>
+            <translation>uma barra de {diameter:g} x {length:g} mm não contém material</translation>
         </message>
         <message>
             <source>a bulge is not that of an arc in mm</source>
@@ -10946,6 +10954,10 @@
             <translation>uma imagem, e não uma linha</translation>
         </message>
         <message>
+            <source>a piece {length:.3f} mm long comes off the bar here</source>
+            <translation>aqui uma peça de {length:.3f} mm de comprimento se separa da barra</translation>
+        </message>
+        <message>
             <source>a pin in the configuration is wrong</source>
             <translation>um pino da configuração está errado</translation>
         </message>
@@ -11356,6 +11368,10 @@
         <message>
             <source>add the missing pass, or lower the stepover or the stepdown</source>
             <translation>acrescente o passe que falta, ou diminua a penetração de trabalho ou a profundidade de corte</translation>
+        </message>
+        <message>
+            <source>add the missing pass, or state the stock to leave</source>
+            <translation>acrescente o passe que falta, ou informe o sobremetal</translation>
         </message>
         <message>
             <source>add the other</source>
@@ -11834,6 +11850,10 @@
             <translation>ciclos fixos não podem ser usados</translation>
         </message>
         <message>
+            <source>catch it, and stop the spindle after it</source>
+            <translation>apare a peça, e pare o fuso depois</translation>
+        </message>
+        <message>
             <source>chains have fewer lines and arcs</source>
             <translation>cadeias têm menos linhas e arcos</translation>
         </message>
@@ -12048,6 +12068,10 @@
         <message>
             <source>choose a tool of at most {widest:.3f} mm diameter</source>
             <translation>escolha uma ferramenta de no máximo {widest:.3f} mm de diâmetro</translation>
+        </message>
+        <message>
+            <source>choose a tool that reaches further, or cut this part with another one</source>
+            <translation>escolha uma ferramenta de maior alcance, ou corte esta parte com outra</translation>
         </message>
         <message>
             <source>choose an earlier line</source>
@@ -12406,6 +12430,10 @@
             <translation>corrija o caminho ou as permissões do arquivo</translation>
         </message>
         <message>
+            <source>correct the path, or the tool's shape and nose radius</source>
+            <translation>corrija o percurso, ou a forma e o raio de ponta da ferramenta</translation>
+        </message>
+        <message>
             <source>correct the path, the lead-in or the kerf</source>
             <translation>corrija o percurso, a entrada ou a largura do corte</translation>
         </message>
@@ -12694,6 +12722,10 @@
             <translation>encerre essa sessão como {user}, ou remova o arquivo como {user} se nenhuma estiver mais em execução</translation>
         </message>
         <message>
+            <source>end the move at the axis, at most a nose radius beyond it</source>
+            <translation>termine o movimento no eixo, no máximo um raio de ponta além dele</translation>
+        </message>
+        <message>
             <source>end the name in .json</source>
             <translation>termine o nome em .json</translation>
         </message>
@@ -12944,6 +12976,10 @@
         <message>
             <source>give a device name or socket://host:port</source>
             <translation>dê um nome de dispositivo ou socket://host:porta</translation>
+        </message>
+        <message>
+            <source>give a diameter above the bore and a length above 0</source>
+            <translation>informe um diâmetro maior que o furo e um comprimento acima de 0</translation>
         </message>
         <message>
             <source>give a file that ends in {endings}</source>
@@ -13986,6 +14022,10 @@
             <translation>faça-a mergulhar no início do contorno</translation>
         </message>
         <message>
+            <source>let it stick out {length:g} mm at most, or support its end</source>
+            <translation>deixe no máximo {length:g} mm para fora, ou apoie a ponta</translation>
+        </message>
+        <message>
             <source>let z never rise along it</source>
             <translation>não deixe z subir ao longo dele</translation>
         </message>
@@ -14330,6 +14370,10 @@
             <translation>marks_for nomeia '{title}', que não é uma regra com sheet_cut</translation>
         </message>
         <message>
+            <source>material is left on profile '{name}' where its tools reach</source>
+            <translation>sobra material no perfil '{name}' onde as ferramentas alcançam</translation>
+        </message>
+        <message>
             <source>material is left where it should be removed{islands}</source>
             <translation>sobra material onde deveria ser removido{islands}</translation>
         </message>
@@ -14560,6 +14604,10 @@
         <message>
             <source>name it once</source>
             <translation>nomeie-a uma só vez</translation>
+        </message>
+        <message>
+            <source>name its insert, or its angles and nose radius</source>
+            <translation>informe a pastilha, ou os ângulos e o raio de ponta</translation>
         </message>
         <message>
             <source>name one</source>
@@ -15646,6 +15694,14 @@
             <translation>continue, para que a troca termine, e então segure de novo</translation>
         </message>
         <message>
+            <source>retract along X beside the tailstock, or move it away</source>
+            <translation>recue em X ao lado do cabeçote móvel, ou afaste-o</translation>
+        </message>
+        <message>
+            <source>retract before it, or make it a feed</source>
+            <translation>recue antes, ou faça dele um avanço</translation>
+        </message>
+        <message>
             <source>retract mode set to old_z</source>
             <translation>modo de recuo: Z anterior</translation>
         </message>
@@ -15970,6 +16026,10 @@
             <translation>encurte a linha de partida</translation>
         </message>
         <message>
+            <source>shorten the travel along Z, or let the bar stick out further</source>
+            <translation>encurte o percurso em Z, ou deixe a barra mais para fora</translation>
+        </message>
+        <message>
             <source>simplify it, or divide it</source>
             <translation>simplifique-o, ou divida-o</translation>
         </message>
@@ -16266,6 +16326,10 @@
             <translation>retire-a, ou use uma destas: NAME, {keys}</translation>
         </message>
         <message>
+            <source>take more passes of a lower depth</source>
+            <translation>faça mais passes de menor profundidade</translation>
+        </message>
+        <message>
             <source>take one of them out</source>
             <translation>retire um deles</translation>
         </message>
@@ -16468,6 +16532,10 @@
         <message>
             <source>the bar may turn in the chuck</source>
             <translation>a barra pode girar na placa</translation>
+        </message>
+        <message>
+            <source>the bar sticks out of the chuck too far for its diameter</source>
+            <translation>a barra sai demais da placa para o seu diâmetro</translation>
         </message>
         <message>
             <source>the bars' width</source>
@@ -16892,6 +16960,10 @@
         <message>
             <source>the cut needs more power than the motor has</source>
             <translation>o corte exige mais potência do que o motor tem</translation>
+        </message>
+        <message>
+            <source>the cut of the {tool} is deeper than it may be</source>
+            <translation>o corte da ferramenta {tool} é mais fundo do que pode ser</translation>
         </message>
         <message>
             <source>the cutting force of {title} in turning is not in the table</source>
@@ -17372,6 +17444,10 @@
         <message>
             <source>the holder</source>
             <translation>o porta-ferramenta</translation>
+        </message>
+        <message>
+            <source>the holder of the tool touches the part</source>
+            <translation>o suporte da ferramenta toca a peça</translation>
         </message>
         <message>
             <source>the holder of the {tool} tool goes into stock</source>
@@ -18862,6 +18938,10 @@
             <translation>a correção da ferramenta não pode ser mudada</translation>
         </message>
         <message>
+            <source>the tool runs into the {obstacle}</source>
+            <translation>a ferramenta colide com: {obstacle}</translation>
+        </message>
+        <message>
             <source>the tool table cannot be read again</source>
             <translation>a tabela de ferramentas não pode ser lida de novo</translation>
         </message>
@@ -19016,6 +19096,10 @@
         <message>
             <source>the {tool_shape} tool's form is not given, so it is judged as a flat one of its diameter</source>
             <translation>a forma da ferramenta {tool_shape} não foi informada, por isso é avaliada como fresa reta do mesmo diâmetro</translation>
+        </message>
+        <message>
+            <source>the {tool} takes too thick a chip</source>
+            <translation>a ferramenta {tool} tira um cavaco grosso demais</translation>
         </message>
         <message>
             <source>the {tool} tool cuts deeper than its flutes are long</source>
@@ -19454,6 +19538,10 @@
             <translation>limiar {threshold}</translation>
         </message>
         <message>
+            <source>times its diameter</source>
+            <translation>vezes o diâmetro</translation>
+        </message>
+        <message>
             <source>tiny chains</source>
             <translation>cadeias minúsculas</translation>
         </message>
@@ -19520,6 +19608,10 @@
         <message>
             <source>tool {number} cuts on without a stop to change tool {number2}</source>
             <translation>a ferramenta {number} continua o corte sem parada para trocar a ferramenta {number2}</translation>
+        </message>
+        <message>
+            <source>tool {number} has no shape: its moves are not simulated</source>
+            <translation>a ferramenta {number} não tem forma: seus movimentos não são simulados</translation>
         </message>
         <message>
             <source>tool {number} is unknown, so that its cuts are not checked</source>

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What is known of a turned part once its program is read back: findings, profile, dimensions, and the picture.
 
-    TurningJob ─► setup_of ──┐
-    program read back ─► moves_of ─► judge ─► TurnedVerdict: findings · report() · dimension_at() · draw()
+TurningJob ─► setup_of ──┐
+program read back ─► moves_of ─► judge ─► TurnedVerdict: findings · report() · dimension_at() · draw()
 """
 
 from __future__ import annotations
@@ -77,7 +77,8 @@ class TurnedVerdict:
         shown = moves[:count]
         tool = setup.tools[int(shown.tool[-1])] if count and row is not None else None
         tip = tuple(shown.end[-1].tolist()) if count else None
-        chains = [profile.points for profile in setup.wanted]
+        radius_mm = self.part.stock.region.bounds[3]
+        chains = [np.minimum(profile.points, (np.inf, radius_mm)) for profile in setup.wanted]
         scene = TurnedScene(self.part.stock, section, shown, chains, setup.obstacles, tool, tip, setup.x_factor)
         words = ", ".join(setup.tools[number].words for number in np.unique(moves.tool).tolist())
         facts = turned_facts(section, self.part.stock, words, time, len(np.unique(shown.row)))

@@ -21,6 +21,7 @@ from shapely.geometry.base import BaseGeometry
 from CNCStepper.errors import JobError, Text
 from CNCStepper.tolerances import NO_AREA_MM2, NO_MATERIAL_MM
 
+UPRIGHT_DECIMALS = 8  # of z, mm: an edge whose ends agree in these is upright
 Profile = list[tuple[float, float]]
 
 
@@ -72,6 +73,7 @@ class HalfSection:
         """Both ends of all edges that are not upright, the left one first, float64[n, 2, 2]."""
         rings = shapely.get_rings(shapely.get_parts(self.region))
         points, ring = shapely.get_coordinates(rings, return_index=True)
+        points[:, 0] = np.round(points[:, 0], UPRIGHT_DECIMALS)
         edges = np.stack([points[:-1], points[1:]], axis=1)[ring[:-1] == ring[1:]]
         backwards = edges[:, 0, 0] > edges[:, 1, 0]
         edges[backwards] = edges[backwards][:, ::-1]

@@ -39,7 +39,7 @@ from CNCStepper.simulation.views.picture_style import (
 
 WIDTH_INCH = 16.0
 HEAD_INCH, FOOT_INCH, LEFT_INCH, RIGHT_INCH = 1.2, 1.25, 1.0, 0.5
-MOST_INCH, LEAST_INCH = 9.0, 2.4  # height of the view itself
+MOST_INCH, LEAST_INCH = 7.5, 2.4  # height of the view itself
 MARGIN = 0.04  # about everything, in shares of its longest side
 HATCH_COLOUR = "#c9b78c"
 PATH_SHARE = 0.6  # how far from the stock the path is shown, in shares of the bar's radius
