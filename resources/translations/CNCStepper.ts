@@ -9470,6 +9470,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{designation}' is no designation of a thread</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{drawing}' holds no lines that can be followed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11338,6 +11342,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>above {0} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>above {highest_cut:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12298,6 +12306,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>correct diameter_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>correct it</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12731,6 +12743,10 @@
         </message>
         <message>
             <source>end the name in one of {known}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>end the profile at the X where the cycle begins, or make I larger</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13906,6 +13922,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>lead times speed is more than axis {axis} can: {lead:.4g} mm at {rpm:.4g} rpm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>leads had to be made smaller to stay in the scrap, down to {smallest:.0%} of their size</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14003,6 +14023,10 @@
         </message>
         <message>
             <source>left out: {letter}, which never moves; that axis stands at 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lengthen the thread</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14206,6 +14230,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>lower taper_deg or its length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>lower the feed here, or the axis' rate and acceleration in controller and profile</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14231,10 +14259,6 @@
         </message>
         <message>
             <source>make D smaller</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>make I larger</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15479,6 +15503,10 @@
         </message>
         <message>
             <source>raise F, or turn the spindle slower</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>raise first_depth_mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16906,6 +16934,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the crest of the thread lies below its floor</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the curve has no length</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17218,6 +17250,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the feed does not follow the spindle: choose a machine whose controller has G33</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the feed does not follow the spindle: write thread passes as G01 at F = pitch * rpm / 60, for a lathe that begins each run of G01 at the encoder's index (mini-lathe:thread_start=index)</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17359,6 +17395,10 @@
         </message>
         <message>
             <source>the flanges' width</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the floor of the thread crosses the axis</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17650,7 +17690,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the lathe's timer makes a lead of {lead:.4f} mm, not {wanted:.4f} mm: over the thread {off:.3f} mm; at {rpm:.2f} rpm it is right</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the layer of a profile must hold one chain</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the lead of '{text}' is no whole number of pitches</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18127,6 +18175,10 @@
         </message>
         <message>
             <source>the pins of the machine are not known to this reader</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the pitch of '{designation}' is too coarse for its diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18831,6 +18883,22 @@
         </message>
         <message>
             <source>the thickness of material {number}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the thread '{text}' is not in the table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the thread is longer than its cylinder of {diameter:.4g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the thread is not longer than its pull-out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the thread takes too many passes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19666,6 +19734,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>turn with at most {most:.4g} rpm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>turning (G7, G95, G96) is in force here: no entry is written for a lathe</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20322,6 +20394,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write a finer pitch</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write a lead that is</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write a letter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20458,6 +20538,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write length_mm = {length:.4g}, or lengthen the cylinder</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20475,6 +20559,10 @@
         </message>
         <message>
             <source>write one program a tool, or pause at tool changes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write one such as M20x2.5, M20, 1/2-13 UNC, 1/4-28 UNF, 3/8-16 BSW, G1/2, Tr20x4 or Tr40x14P7</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20859,6 +20947,10 @@
         </message>
         <message>
             <source>{dialect} has no {what}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{dialect} programs are written without '{code}'</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

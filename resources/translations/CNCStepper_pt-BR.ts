@@ -9470,6 +9470,10 @@
             <translation>'{code}' não é uma pastilha da ISO 1832</translation>
         </message>
         <message>
+            <source>'{designation}' is no designation of a thread</source>
+            <translation>'{designation}' não é a designação de uma rosca</translation>
+        </message>
+        <message>
             <source>'{drawing}' holds no lines that can be followed</source>
             <translation>'{drawing}' não contém linhas que possam ser seguidas</translation>
         </message>
@@ -11338,6 +11342,10 @@
             <translation>acima de 0, abaixo de {diameter_mm:g} mm</translation>
         </message>
         <message>
+            <source>above {0} mm</source>
+            <translation>acima de {0} mm</translation>
+        </message>
+        <message>
             <source>above {highest_cut:g} mm</source>
             <translation>acima de {highest_cut:g} mm</translation>
         </message>
@@ -12298,6 +12306,10 @@
             <translation>corrija centre ou to</translation>
         </message>
         <message>
+            <source>correct diameter_mm</source>
+            <translation>corrija diameter_mm</translation>
+        </message>
+        <message>
             <source>correct it</source>
             <translation>corrija-o</translation>
         </message>
@@ -12732,6 +12744,10 @@
         <message>
             <source>end the name in one of {known}</source>
             <translation>termine o nome em um de {known}</translation>
+        </message>
+        <message>
+            <source>end the profile at the X where the cycle begins, or make I larger</source>
+            <translation>termine o perfil no X em que o ciclo começa, ou aumente I</translation>
         </message>
         <message>
             <source>end the tool change and resume, or reset it</source>
@@ -13906,6 +13922,10 @@
             <translation>entre e saia pelo retalho</translation>
         </message>
         <message>
+            <source>lead times speed is more than axis {axis} can: {lead:.4g} mm at {rpm:.4g} rpm</source>
+            <translation>avanço por volta vezes rotação é mais do que o eixo {axis} consegue: {lead:.4g} mm a {rpm:.4g} rpm</translation>
+        </message>
+        <message>
             <source>leads had to be made smaller to stay in the scrap, down to {smallest:.0%} of their size</source>
             <translation>entradas e saídas tiveram de ser diminuídas para ficar na sobra, até {smallest:.0%} do seu tamanho</translation>
         </message>
@@ -14004,6 +14024,10 @@
         <message>
             <source>left out: {letter}, which never moves; that axis stands at 0</source>
             <translation>omitido: {letter}, que nunca se move; esse eixo fica em 0</translation>
+        </message>
+        <message>
+            <source>lengthen the thread</source>
+            <translation>alongue a rosca</translation>
         </message>
         <message>
             <source>lengths of tools went into the coordinates</source>
@@ -14206,6 +14230,10 @@
             <translation>diminua os passos/mm ou a velocidade máxima</translation>
         </message>
         <message>
+            <source>lower taper_deg or its length</source>
+            <translation>reduza taper_deg ou o comprimento</translation>
+        </message>
+        <message>
             <source>lower the feed here, or the axis' rate and acceleration in controller and profile</source>
             <translation>diminua o avanço aqui, ou a velocidade e a aceleração do eixo no controlador e no perfil</translation>
         </message>
@@ -14232,10 +14260,6 @@
         <message>
             <source>make D smaller</source>
             <translation>diminua D</translation>
-        </message>
-        <message>
-            <source>make I larger</source>
-            <translation>aumente I</translation>
         </message>
         <message>
             <source>make Q larger</source>
@@ -15480,6 +15504,10 @@
         <message>
             <source>raise F, or turn the spindle slower</source>
             <translation>aumente F, ou diminua a rotação do spindle</translation>
+        </message>
+        <message>
+            <source>raise first_depth_mm</source>
+            <translation>aumente first_depth_mm</translation>
         </message>
         <message>
             <source>raise interval_ms of the profile's signals</source>
@@ -16906,6 +16934,10 @@
             <translation>o número de cópias está fora dos limites</translation>
         </message>
         <message>
+            <source>the crest of the thread lies below its floor</source>
+            <translation>a crista da rosca fica abaixo do seu fundo</translation>
+        </message>
+        <message>
             <source>the curve has no length</source>
             <translation>a curva não tem comprimento</translation>
         </message>
@@ -17218,6 +17250,10 @@
             <translation>o avanço pede de {name} mais que a sua velocidade máxima</translation>
         </message>
         <message>
+            <source>the feed does not follow the spindle: choose a machine whose controller has G33</source>
+            <translation>o avanço não segue o fuso: escolha uma máquina cujo controlador tenha G33</translation>
+        </message>
+        <message>
             <source>the feed does not follow the spindle: write thread passes as G01 at F = pitch * rpm / 60, for a lathe that begins each run of G01 at the encoder's index (mini-lathe:thread_start=index)</source>
             <translation>o avanço não acompanha o fuso: escreva os passes de rosca como G01 com F = passo * rpm / 60, para um torno que começa cada sequência de G01 no índice do encoder (mini-lathe:thread_start=index)</translation>
         </message>
@@ -17360,6 +17396,10 @@
         <message>
             <source>the flanges' width</source>
             <translation>a largura das abas</translation>
+        </message>
+        <message>
+            <source>the floor of the thread crosses the axis</source>
+            <translation>o fundo da rosca cruza o eixo</translation>
         </message>
         <message>
             <source>the folder belongs to another user</source>
@@ -17650,8 +17690,16 @@
             <translation>o torno se move à mão a até {0} mm/min, ou a {1}: fica a menor</translation>
         </message>
         <message>
+            <source>the lathe's timer makes a lead of {lead:.4f} mm, not {wanted:.4f} mm: over the thread {off:.3f} mm; at {rpm:.2f} rpm it is right</source>
+            <translation>o temporizador do torno faz um avanço por volta de {lead:.4f} mm, e não {wanted:.4f} mm: na rosca toda {off:.3f} mm; a {rpm:.2f} rpm fica certo</translation>
+        </message>
+        <message>
             <source>the layer of a profile must hold one chain</source>
             <translation>a camada de um perfil deve conter uma só cadeia</translation>
+        </message>
+        <message>
+            <source>the lead of '{text}' is no whole number of pitches</source>
+            <translation>o avanço por volta de '{text}' não é um número inteiro de passos</translation>
         </message>
         <message>
             <source>the leads fit nowhere in the scrap; the closest obstacle is {name} at X{x:.3f} Y{y:.3f}</source>
@@ -18128,6 +18176,10 @@
         <message>
             <source>the pins of the machine are not known to this reader</source>
             <translation>este leitor não conhece os pinos da máquina</translation>
+        </message>
+        <message>
+            <source>the pitch of '{designation}' is too coarse for its diameter</source>
+            <translation>o passo de '{designation}' é grosso demais para o diâmetro</translation>
         </message>
         <message>
             <source>the place cannot be written: {error}</source>
@@ -18832,6 +18884,22 @@
         <message>
             <source>the thickness of material {number}</source>
             <translation>a espessura do material {number}</translation>
+        </message>
+        <message>
+            <source>the thread '{text}' is not in the table</source>
+            <translation>a rosca '{text}' não está na tabela</translation>
+        </message>
+        <message>
+            <source>the thread is longer than its cylinder of {diameter:.4g} mm</source>
+            <translation>a rosca é mais longa que o seu cilindro de {diameter:.4g} mm</translation>
+        </message>
+        <message>
+            <source>the thread is not longer than its pull-out</source>
+            <translation>a rosca não é mais longa que a sua saída</translation>
+        </message>
+        <message>
+            <source>the thread takes too many passes</source>
+            <translation>a rosca exige passadas demais</translation>
         </message>
         <message>
             <source>the timeline</source>
@@ -19666,6 +19734,10 @@
             <translation>gire o spindle mais devagar</translation>
         </message>
         <message>
+            <source>turn with at most {most:.4g} rpm</source>
+            <translation>gire no máximo a {most:.4g} rpm</translation>
+        </message>
+        <message>
             <source>turning (G7, G95, G96) is in force here: no entry is written for a lathe</source>
             <translation>torneamento (G7, G95, G96) está em vigor aqui: nenhuma entrada é escrita para um torno</translation>
         </message>
@@ -20322,6 +20394,14 @@
             <translation>escreva um número decimal depois da letra</translation>
         </message>
         <message>
+            <source>write a finer pitch</source>
+            <translation>escreva um passo mais fino</translation>
+        </message>
+        <message>
+            <source>write a lead that is</source>
+            <translation>escreva um que seja</translation>
+        </message>
+        <message>
             <source>write a letter</source>
             <translation>escreva uma letra</translation>
         </message>
@@ -20458,6 +20538,10 @@
             <translation>escreva o seu endif, endwhile, endrepeat, while ou endsub</translation>
         </message>
         <message>
+            <source>write length_mm = {length:.4g}, or lengthen the cylinder</source>
+            <translation>escreva length_mm = {length:.4g}, ou alongue o cilindro</translation>
+        </message>
+        <message>
             <source>write mm</source>
             <translation>escreva em mm</translation>
         </message>
@@ -20476,6 +20560,10 @@
         <message>
             <source>write one program a tool, or pause at tool changes</source>
             <translation>escreva um programa por ferramenta ou faça uma pausa nas trocas de ferramenta</translation>
+        </message>
+        <message>
+            <source>write one such as M20x2.5, M20, 1/2-13 UNC, 1/4-28 UNF, 3/8-16 BSW, G1/2, Tr20x4 or Tr40x14P7</source>
+            <translation>escreva uma como M20x2.5, M20, 1/2-13 UNC, 1/4-28 UNF, 3/8-16 BSW, G1/2, Tr20x4 ou Tr40x14P7</translation>
         </message>
         <message>
             <source>write one x,y in mm a line</source>
@@ -20860,6 +20948,10 @@
         <message>
             <source>{dialect} has no {what}</source>
             <translation>{dialect} não tem {what}</translation>
+        </message>
+        <message>
+            <source>{dialect} programs are written without '{code}'</source>
+            <translation>programas {dialect} são escritos sem '{code}'</translation>
         </message>
         <message>
             <source>{dialect} programs are written without '{event_kind}'</source>
