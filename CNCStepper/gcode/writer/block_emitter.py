@@ -165,10 +165,10 @@ class BlockEmitter:
         self._cut_feed_mm_min, self._share = 0.0, "Q0"
         self._distance = "absolute"
         self.distance = "absolute"  # of the moves to come
-        self.lead_mm = 0.0
         self.x_factor = 1  # of X words: 2 where they are diameters
         self.incremental = False  # coordinates are given from where the machine is
         self.turn_rpm = 0.0  # F is in mm a turn at this speed; 0: a minute
+        self.lead_mm = 0.0
 
     @property
     def has_just_started(self) -> bool:

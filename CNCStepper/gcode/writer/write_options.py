@@ -50,9 +50,9 @@ class WriteOptions:
     chord_mm: float = 0.002
     rapid_mm_min: float = 0.0
     cut_data: CutData | None = None
-    turning_cycles: bool = False
     x_is: Literal["", "radius", "diameter"] = ""
     incremental: bool = False
+    turning_cycles: bool = False
 
 
 @dataclass
