@@ -11194,6 +11194,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a thread is cut with a threading tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a tolerance must be above 0</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13971,6 +13975,10 @@
         </message>
         <message>
             <source>kind = "parting"</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>kind = "threading"</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Threading as an operation of a job: its thread by designation, its cylinder from the profile, its rows by `thread.py`."""
+"""Threading as an operation of a job: the thread by its designation, its cylinder or cone from the profile."""
 
 from __future__ import annotations
 

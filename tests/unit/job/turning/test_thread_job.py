@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from CNCStepper.cycles.turning.thread_standards import thread_named
+from CNCStepper.cycles.turning.turn_thread import thread_form
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.job.turning.make_turning import in_part, make_turning, placement_of, turned_moves
 from CNCStepper.job.turning.report import judge_turning, setup_of
@@ -83,10 +84,11 @@ def test_the_virtual_lathe_begins_every_pass_at_the_same_angle_and_comes_back(na
     axial = np.diff(rows[:, 2]) > 0.0
     waits = np.diff(rows[:, 0])
     begins = np.flatnonzero(axial & (waits > 1.5 * np.median(waits[axial])))
-    feeds = rows[begins + 1, 0]
-    assert len(begins) >= 5
-    angles = feeds * 90.0 / 60.0 % 1.0
-    assert np.ptp((angles - np.median(angles) + 0.5) % 1.0) < 0.2
+    turns = (rows[begins + 1, 0] * 90.0 / 60.0 + 0.5) % 1.0 - 0.5
+    at_index = (turns > 0.0) & (turns < 0.02)  # a step after it
+    form = thread_form(job.operation[0])
+    assert at_index.sum() == program.answers[0].figures["passes"] * form.starts
+    assert np.ptp(turns[at_index]) < 1e-6
 
 
 @pytest.mark.parametrize("name", ["cylinder", "two starts"])
