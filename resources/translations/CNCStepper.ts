@@ -10490,6 +10490,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>X is the {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>[ is missing after {keyword}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10675,6 +10679,10 @@
         </message>
         <message>
             <source>a feed of inverse time (G93) cannot stay where the axes are scaled differently</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a feed per revolution needs a speed of the spindle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11602,6 +11610,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>at least {0} deg: a nose angle of {1} deg or less</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>at least {0} mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11643,6 +11655,14 @@
         </message>
         <message>
             <source>at most</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at most {0} deg</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at most {0} deg: an entering angle of {1} deg or more</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11710,6 +11730,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>back edge at {0} deg</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>back to where the program paused: up, over, down</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11755,6 +11779,10 @@
         </message>
         <message>
             <source>begin farther away</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>begin it at the end face</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11831,6 +11859,10 @@
         </message>
         <message>
             <source>bore_mm must be below diameter_mm, {limit}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>boring takes a tool for the inside</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12682,6 +12714,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>drill first, or turn a tube</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>drill wider</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>drill {0} mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12826,6 +12866,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>facing takes a right-hand tool for the outside</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>feed mode set to inverse time</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12931,6 +12975,10 @@
         </message>
         <message>
             <source>from {begin} at line {first_line}, to {end} at line {last_line}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>front edge at {0} deg</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13098,6 +13146,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give it or its tool a feed_mm_rev</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give its centre</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13126,6 +13178,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give spindle_rpm or surface_speed_m_min</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give the arc's centre with I and J</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13147,6 +13203,10 @@
         </message>
         <message>
             <source>give the path of a file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give the stock a greater face_mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13274,6 +13334,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>grooves and parting take a blade</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>half a notch</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13319,6 +13383,10 @@
         </message>
         <message>
             <source>hole {0} of part {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>holes on the axis take a drill</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13494,6 +13562,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it has a face that belongs to no solid</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it has accepted nothing for {limit:g} s</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13519,6 +13591,10 @@
         </message>
         <message>
             <source>it has no outlines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it has no solid</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13890,6 +13966,26 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>kind "turning" or "boring"</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>kind = "boring"</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>kind = "drill"</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>kind = "parting"</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>kind = "turning", hand = "right"</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>large cuts are being prepared, once after an installation</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14226,11 +14322,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>lower ap_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lower spindle_rpm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>lower steps/mm or maximum rate</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>lower taper_deg or its length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lower the feed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14918,6 +15026,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>nose radius {0} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>nose {0} mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15306,6 +15418,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>parting off takes a blade for the outside</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>peck_mm must not exceed depth_mm, {limit:g} mm; write 0 to drill in one go</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15426,6 +15542,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>profiles are turned towards the chuck with a right-hand insert</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>programs are not written in the dialect {dialect}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15519,6 +15639,10 @@
         </message>
         <message>
             <source>raise the R word of the drilling cycle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>raise the feed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15651,6 +15775,10 @@
         </message>
         <message>
             <source>repair the mesh, and export it again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>repair the solid, or use another thickness</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16078,6 +16206,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>solids of the file overlap at sheet {number}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>something else than grbl answers</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16099,6 +16231,10 @@
         </message>
         <message>
             <source>spindle, torch or beam may still be on: look, and switch them off at the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>spindle_rpm = {0}, for example</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16374,11 +16510,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>take out inside = true</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>take out the G4, or switch the power off with M5 before it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>take out the inner (</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take out work_offset</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16550,6 +16694,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the back edge of the insert does not reach the profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the bar bends away from the tool</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16575,6 +16723,14 @@
         </message>
         <message>
             <source>the beam is never on during a cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the blade does not reach so deep</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the blade is wider than the groove</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17022,6 +17178,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the depth of cut is above the tool's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the depth over the key</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17174,6 +17334,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the drill does not reach so deep</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the ears</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17242,6 +17406,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the face lies before the stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the factor must be above 0</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17263,6 +17431,14 @@
         </message>
         <message>
             <source>the feed is not the cut chart's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the feed per revolution is above the tool's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the feed per revolution is below the tool's</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17398,6 +17574,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the floor of the groove lies outside the material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the floor of the thread crosses the axis</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17450,6 +17630,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the front edge of the insert does not reach a flat face</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the front edge of the insert does not reach the profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the grid has too many holes</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17495,6 +17683,10 @@
         </message>
         <message>
             <source>the hole for the head</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the hole is too narrow for the boring bar</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17874,6 +18066,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the machine has no work offsets</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the machine has no {name} coolant</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18022,6 +18218,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the nose is too large for a hollow of the profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the nose leaves a fillet of {nose:g} mm in {count:g} inner corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the number of a subprogram</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18039,6 +18243,10 @@
         </message>
         <message>
             <source>the object of this program is no longer there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the operation has no feed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18283,6 +18491,10 @@
         </message>
         <message>
             <source>the process that reads the program has ended</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the profile begins behind the stock's end</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18630,6 +18842,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the section of sheet {number} is not closed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the sender failed by a fault of its own</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18754,6 +18970,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the spindle does not turn so fast</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the spindle does not turn, but the motion goes by its turns</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18775,6 +18995,10 @@
         </message>
         <message>
             <source>the splines and ellipses of the drawing are too many and too wild for the tolerance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the stack has more than {0} sheets; use thicker ones</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19258,6 +19482,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>there is no hole into which the boring bar gets</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there is no key {key}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19662,6 +19890,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>tool {0}: {1} rpm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>tool {each_number} '{each}' is left out: {notes}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19822,6 +20054,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>unite them to one solid, and export it again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>unknown keys {unknown}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19898,11 +20134,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use a boring bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use a drill or a flat mill</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>use a flat tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use a longer drill</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use a longer one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19914,11 +20162,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use a more pointed insert or a groove</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use a name of your own</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>use a smaller kerf, or widen the web</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use a smaller nose</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19979,6 +20235,22 @@
         </message>
         <message>
             <source>use an engagement_max_deg of {deg} or more with a stepover_mm of {stepover_mm:g} or more, a smaller tool, or another pattern</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use another blade</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use another holder</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use another insert or holder</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use another tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20175,6 +20447,10 @@
         </message>
         <message>
             <source>where the machine is cannot be seen: every report of the controller is damaged</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>where the tool is when a program of {dialect} begins is not known</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20462,6 +20738,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write distance = "absolute"</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write each program so that it can run on its own</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20674,6 +20954,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write x_is = "radius"</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write {0} to {1}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20703,6 +20987,14 @@
         </message>
         <message>
             <source>x y width height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>x_is = diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>z {0} mm at most</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20747,6 +21039,10 @@
         </message>
         <message>
             <source>{0} is refused</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} mm deep</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20935,6 +21231,10 @@
         </message>
         <message>
             <source>{dialect} has no programs in {units}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{dialect} has no word for X as a diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -10490,6 +10490,10 @@
             <translation>X passa do centro</translation>
         </message>
         <message>
+            <source>X is the {0}</source>
+            <translation>X é o {0}</translation>
+        </message>
+        <message>
             <source>[ is missing after {keyword}</source>
             <translation>falta [ depois de {keyword}</translation>
         </message>
@@ -10676,6 +10680,10 @@
         <message>
             <source>a feed of inverse time (G93) cannot stay where the axes are scaled differently</source>
             <translation>um avanço em tempo inverso (G93) não pode ficar onde os eixos têm escalas diferentes</translation>
+        </message>
+        <message>
+            <source>a feed per revolution needs a speed of the spindle</source>
+            <translation>um avanço por volta precisa de uma rotação do fuso</translation>
         </message>
         <message>
             <source>a feed would become 0</source>
@@ -11602,6 +11610,10 @@
             <translation>no mínimo a largura do corte de {kerf_mm:g} mm</translation>
         </message>
         <message>
+            <source>at least {0} deg: a nose angle of {1} deg or less</source>
+            <translation>no mínimo {0} graus: um ângulo de ponta de {1} graus ou menos</translation>
+        </message>
+        <message>
             <source>at least {0} mm</source>
             <translation>no mínimo {0} mm</translation>
         </message>
@@ -11644,6 +11656,14 @@
         <message>
             <source>at most</source>
             <translation>no máximo</translation>
+        </message>
+        <message>
+            <source>at most {0} deg</source>
+            <translation>no máximo {0} graus</translation>
+        </message>
+        <message>
+            <source>at most {0} deg: an entering angle of {1} deg or more</source>
+            <translation>no máximo {0} graus: um ângulo de posição de {1} graus ou mais</translation>
         </message>
         <message>
             <source>at most {largest_tool}</source>
@@ -11710,6 +11730,10 @@
             <translation>volta pelo corte</translation>
         </message>
         <message>
+            <source>back edge at {0} deg</source>
+            <translation>aresta de trás a {0} graus</translation>
+        </message>
+        <message>
             <source>back to where the program paused: up, over, down</source>
             <translation>volta ao ponto em que o programa pausou: sobe, desloca, desce</translation>
         </message>
@@ -11756,6 +11780,10 @@
         <message>
             <source>begin farther away</source>
             <translation>comece mais longe</translation>
+        </message>
+        <message>
+            <source>begin it at the end face</source>
+            <translation>comece-o na face</translation>
         </message>
         <message>
             <source>begin lower or take smaller steps</source>
@@ -11832,6 +11860,10 @@
         <message>
             <source>bore_mm must be below diameter_mm, {limit}</source>
             <translation>bore_mm deve ser menor que diameter_mm, {limit}</translation>
+        </message>
+        <message>
+            <source>boring takes a tool for the inside</source>
+            <translation>o mandrilamento usa uma ferramenta interna</translation>
         </message>
         <message>
             <source>both radii must be positive</source>
@@ -12682,6 +12714,14 @@
             <translation>desenhos com o sufixo '{suffix}' não podem ser escritos</translation>
         </message>
         <message>
+            <source>drill first, or turn a tube</source>
+            <translation>fure antes, ou torneie um tubo</translation>
+        </message>
+        <message>
+            <source>drill wider</source>
+            <translation>fure mais largo</translation>
+        </message>
+        <message>
             <source>drill {0} mm</source>
             <translation>broca de {0} mm</translation>
         </message>
@@ -12826,6 +12866,10 @@
             <translation>expressões entre colchetes não fazem parte deste dialeto</translation>
         </message>
         <message>
+            <source>facing takes a right-hand tool for the outside</source>
+            <translation>o faceamento usa uma ferramenta externa direita</translation>
+        </message>
+        <message>
             <source>feed mode set to inverse time</source>
             <translation>modo de avanço: tempo inverso</translation>
         </message>
@@ -12932,6 +12976,10 @@
         <message>
             <source>from {begin} at line {first_line}, to {end} at line {last_line}</source>
             <translation>de {begin} na linha {first_line} a {end} na linha {last_line}</translation>
+        </message>
+        <message>
+            <source>front edge at {0} deg</source>
+            <translation>aresta da frente a {0} graus</translation>
         </message>
         <message>
             <source>full circles became two arcs</source>
@@ -13098,6 +13146,10 @@
             <translation>dê a ele outro número</translation>
         </message>
         <message>
+            <source>give it or its tool a feed_mm_rev</source>
+            <translation>dê a ela ou à sua ferramenta um feed_mm_rev</translation>
+        </message>
+        <message>
             <source>give its centre</source>
             <translation>dê o seu centro</translation>
         </message>
@@ -13126,6 +13178,10 @@
             <translation>dê peck_mm ou use G81</translation>
         </message>
         <message>
+            <source>give spindle_rpm or surface_speed_m_min</source>
+            <translation>dê spindle_rpm ou surface_speed_m_min</translation>
+        </message>
+        <message>
             <source>give the arc's centre with I and J</source>
             <translation>dê o centro do arco com I e J</translation>
         </message>
@@ -13148,6 +13204,10 @@
         <message>
             <source>give the path of a file</source>
             <translation>dê o caminho de um arquivo</translation>
+        </message>
+        <message>
+            <source>give the stock a greater face_mm</source>
+            <translation>dê ao material um face_mm maior</translation>
         </message>
         <message>
             <source>give the stock and the tools</source>
@@ -13274,6 +13334,10 @@
             <translation>prenda com {force:.4g} N, ou corte {depth:.3g} mm de profundidade</translation>
         </message>
         <message>
+            <source>grooves and parting take a blade</source>
+            <translation>canais e sangramento usam um bedame</translation>
+        </message>
+        <message>
             <source>half a notch</source>
             <translation>meio entalhe</translation>
         </message>
@@ -13320,6 +13384,10 @@
         <message>
             <source>hole {0} of part {1}</source>
             <translation>furo {0} da peça {1}</translation>
+        </message>
+        <message>
+            <source>holes on the axis take a drill</source>
+            <translation>furos no eixo usam uma broca</translation>
         </message>
         <message>
             <source>home all axes with $H</source>
@@ -13494,6 +13562,10 @@
             <translation>termina com {0}: {1}</translation>
         </message>
         <message>
+            <source>it has a face that belongs to no solid</source>
+            <translation>tem uma face que não pertence a nenhum sólido</translation>
+        </message>
+        <message>
             <source>it has accepted nothing for {limit:g} s</source>
             <translation>não aceita nada há {limit:g} s</translation>
         </message>
@@ -13520,6 +13592,10 @@
         <message>
             <source>it has no outlines</source>
             <translation>não tem contornos</translation>
+        </message>
+        <message>
+            <source>it has no solid</source>
+            <translation>não tem nenhum sólido</translation>
         </message>
         <message>
             <source>it has no subroutines</source>
@@ -13890,6 +13966,26 @@
             <translation>kerf_mm não é o que esta ferramenta corta</translation>
         </message>
         <message>
+            <source>kind "turning" or "boring"</source>
+            <translation>kind "turning" ou "boring"</translation>
+        </message>
+        <message>
+            <source>kind = "boring"</source>
+            <translation>kind = "boring"</translation>
+        </message>
+        <message>
+            <source>kind = "drill"</source>
+            <translation>kind = "drill"</translation>
+        </message>
+        <message>
+            <source>kind = "parting"</source>
+            <translation>kind = "parting"</translation>
+        </message>
+        <message>
+            <source>kind = "turning", hand = "right"</source>
+            <translation>kind = "turning", hand = "right"</translation>
+        </message>
+        <message>
             <source>large cuts are being prepared, once after an installation</source>
             <translation>cortes grandes estão sendo preparados, uma vez após a instalação</translation>
         </message>
@@ -14226,12 +14322,24 @@
             <translation>diminua F; a máquina levará mais tempo do que o avanço indica</translation>
         </message>
         <message>
+            <source>lower ap_mm</source>
+            <translation>diminua ap_mm</translation>
+        </message>
+        <message>
+            <source>lower spindle_rpm</source>
+            <translation>diminua spindle_rpm</translation>
+        </message>
+        <message>
             <source>lower steps/mm or maximum rate</source>
             <translation>diminua os passos/mm ou a velocidade máxima</translation>
         </message>
         <message>
             <source>lower taper_deg or its length</source>
             <translation>reduza taper_deg ou o comprimento</translation>
+        </message>
+        <message>
+            <source>lower the feed</source>
+            <translation>diminua o avanço</translation>
         </message>
         <message>
             <source>lower the feed here, or the axis' rate and acceleration in controller and profile</source>
@@ -14918,6 +15026,10 @@
             <translation>raio de ponta</translation>
         </message>
         <message>
+            <source>nose radius {0} mm</source>
+            <translation>raio de ponta {0} mm</translation>
+        </message>
+        <message>
             <source>nose {0} mm</source>
             <translation>ponta de {0} mm</translation>
         </message>
@@ -15306,6 +15418,10 @@
             <translation>bedame de {0} mm</translation>
         </message>
         <message>
+            <source>parting off takes a blade for the outside</source>
+            <translation>o sangramento usa um bedame externo</translation>
+        </message>
+        <message>
             <source>peck_mm must not exceed depth_mm, {limit:g} mm; write 0 to drill in one go</source>
             <translation>peck_mm não deve exceder depth_mm, {limit:g} mm; escreva 0 para furar de uma vez</translation>
         </message>
@@ -15426,6 +15542,10 @@
             <translation>process deve ser um texto</translation>
         </message>
         <message>
+            <source>profiles are turned towards the chuck with a right-hand insert</source>
+            <translation>perfis são torneados em direção à placa com uma pastilha direita</translation>
+        </message>
+        <message>
             <source>programs are not written in the dialect {dialect}</source>
             <translation>não se escrevem programas no dialeto {dialect}</translation>
         </message>
@@ -15520,6 +15640,10 @@
         <message>
             <source>raise the R word of the drilling cycle</source>
             <translation>aumente a palavra R do ciclo de furação</translation>
+        </message>
+        <message>
+            <source>raise the feed</source>
+            <translation>aumente o avanço</translation>
         </message>
         <message>
             <source>raise the feed, or turn the spindle slower</source>
@@ -15652,6 +15776,10 @@
         <message>
             <source>repair the mesh, and export it again</source>
             <translation>repare a malha e exporte-a de novo</translation>
+        </message>
+        <message>
+            <source>repair the solid, or use another thickness</source>
+            <translation>repare o sólido ou use outra espessura</translation>
         </message>
         <message>
             <source>reset it, then home it or set its zero again</source>
@@ -16078,6 +16206,10 @@
             <translation>limites de software exigem referenciamento</translation>
         </message>
         <message>
+            <source>solids of the file overlap at sheet {number}</source>
+            <translation>sólidos do arquivo se sobrepõem na chapa {number}</translation>
+        </message>
+        <message>
             <source>something else than grbl answers</source>
             <translation>quem responde não é um grbl</translation>
         </message>
@@ -16100,6 +16232,10 @@
         <message>
             <source>spindle, torch or beam may still be on: look, and switch them off at the machine</source>
             <translation>spindle, tocha ou feixe podem ainda estar ligados: verifique e desligue-os na máquina</translation>
+        </message>
+        <message>
+            <source>spindle_rpm = {0}, for example</source>
+            <translation>spindle_rpm = {0}, por exemplo</translation>
         </message>
         <message>
             <source>splines lie in the plane XY</source>
@@ -16374,12 +16510,20 @@
             <translation>retire R</translation>
         </message>
         <message>
+            <source>take out inside = true</source>
+            <translation>tire inside = true</translation>
+        </message>
+        <message>
             <source>take out the G4, or switch the power off with M5 before it</source>
             <translation>tire o G4, ou desligue a potência com M5 antes dele</translation>
         </message>
         <message>
             <source>take out the inner (</source>
             <translation>retire o ( interno</translation>
+        </message>
+        <message>
+            <source>take out work_offset</source>
+            <translation>tire work_offset</translation>
         </message>
         <message>
             <source>take out {word}</source>
@@ -16550,6 +16694,10 @@
             <translation>os eixos são X (radial) e Z (axial)</translation>
         </message>
         <message>
+            <source>the back edge of the insert does not reach the profile</source>
+            <translation>a aresta de trás da pastilha não alcança o perfil</translation>
+        </message>
+        <message>
             <source>the bar bends away from the tool</source>
             <translation>a barra se flexiona para longe da ferramenta</translation>
         </message>
@@ -16576,6 +16724,14 @@
         <message>
             <source>the beam is never on during a cut</source>
             <translation>o feixe nunca está ligado onde deveria cortar</translation>
+        </message>
+        <message>
+            <source>the blade does not reach so deep</source>
+            <translation>o bedame não alcança essa profundidade</translation>
+        </message>
+        <message>
+            <source>the blade is wider than the groove</source>
+            <translation>o bedame é mais largo que o canal</translation>
         </message>
         <message>
             <source>the bore</source>
@@ -17022,6 +17178,10 @@
             <translation>a profundidade passa abaixo do bloco</translation>
         </message>
         <message>
+            <source>the depth of cut is above the tool's</source>
+            <translation>a profundidade de corte é maior que a da ferramenta</translation>
+        </message>
+        <message>
             <source>the depth over the key</source>
             <translation>a profundidade sobre a chaveta</translation>
         </message>
@@ -17174,6 +17334,10 @@
             <translation>os desenhos estão em alturas de Z{least_heights:.4g} a Z{most_heights:.4g} mm; todas as profundidades contam a partir do topo do bloco</translation>
         </message>
         <message>
+            <source>the drill does not reach so deep</source>
+            <translation>a broca não alcança essa profundidade</translation>
+        </message>
+        <message>
             <source>the ears</source>
             <translation>as orelhas</translation>
         </message>
@@ -17242,6 +17406,10 @@
             <translation>o resultado da expressão não é um número finito</translation>
         </message>
         <message>
+            <source>the face lies before the stock</source>
+            <translation>a face fica à frente do material</translation>
+        </message>
+        <message>
             <source>the factor must be above 0</source>
             <translation>o fator deve ser maior que 0</translation>
         </message>
@@ -17264,6 +17432,14 @@
         <message>
             <source>the feed is not the cut chart's</source>
             <translation>o avanço não é o da tabela de corte</translation>
+        </message>
+        <message>
+            <source>the feed per revolution is above the tool's</source>
+            <translation>o avanço por volta é maior que o da ferramenta</translation>
+        </message>
+        <message>
+            <source>the feed per revolution is below the tool's</source>
+            <translation>o avanço por volta é menor que o da ferramenta</translation>
         </message>
         <message>
             <source>the feed would be another</source>
@@ -17398,6 +17574,10 @@
             <translation>a largura das abas</translation>
         </message>
         <message>
+            <source>the floor of the groove lies outside the material</source>
+            <translation>o fundo do canal fica fora do material</translation>
+        </message>
+        <message>
             <source>the floor of the thread crosses the axis</source>
             <translation>o fundo da rosca cruza o eixo</translation>
         </message>
@@ -17450,6 +17630,14 @@
             <translation>faltam letras nas fontes de {count} textos, que são omitidas: {names}</translation>
         </message>
         <message>
+            <source>the front edge of the insert does not reach a flat face</source>
+            <translation>a aresta da frente da pastilha não alcança uma face plana</translation>
+        </message>
+        <message>
+            <source>the front edge of the insert does not reach the profile</source>
+            <translation>a aresta da frente da pastilha não alcança o perfil</translation>
+        </message>
+        <message>
             <source>the grid has too many holes</source>
             <translation>a grade tem furos demais</translation>
         </message>
@@ -17496,6 +17684,10 @@
         <message>
             <source>the hole for the head</source>
             <translation>o furo para a cabeça</translation>
+        </message>
+        <message>
+            <source>the hole is too narrow for the boring bar</source>
+            <translation>o furo é estreito demais para a barra de mandrilar</translation>
         </message>
         <message>
             <source>the inner one</source>
@@ -17874,6 +18066,10 @@
             <translation>a máquina não tem esse fuso</translation>
         </message>
         <message>
+            <source>the machine has no work offsets</source>
+            <translation>a máquina não tem sistemas de coordenadas de trabalho</translation>
+        </message>
+        <message>
             <source>the machine has no {name} coolant</source>
             <translation>a máquina não tem refrigeração {name}</translation>
         </message>
@@ -18022,6 +18218,14 @@
             <translation>o nome de um parâmetro contém um comentário</translation>
         </message>
         <message>
+            <source>the nose is too large for a hollow of the profile</source>
+            <translation>a ponta é grande demais para uma concavidade do perfil</translation>
+        </message>
+        <message>
+            <source>the nose leaves a fillet of {nose:g} mm in {count:g} inner corners</source>
+            <translation>a ponta deixa um arredondamento de {nose:g} mm em {count:g} cantos internos</translation>
+        </message>
+        <message>
             <source>the number of a subprogram</source>
             <translation>o número de um subprograma</translation>
         </message>
@@ -18040,6 +18244,10 @@
         <message>
             <source>the object of this program is no longer there</source>
             <translation>o objeto deste programa não existe mais</translation>
+        </message>
+        <message>
+            <source>the operation has no feed</source>
+            <translation>a operação não tem avanço</translation>
         </message>
         <message>
             <source>the operation is too long for one program</source>
@@ -18284,6 +18492,10 @@
         <message>
             <source>the process that reads the program has ended</source>
             <translation>o processo que lê o programa terminou</translation>
+        </message>
+        <message>
+            <source>the profile begins behind the stock's end</source>
+            <translation>o perfil começa atrás da ponta do material</translation>
         </message>
         <message>
             <source>the profile cannot be reached from where the cycle begins</source>
@@ -18630,6 +18842,10 @@
             <translation>o segundo fim de curso de um eixo com autoesquadro não foi encontrado</translation>
         </message>
         <message>
+            <source>the section of sheet {number} is not closed</source>
+            <translation>a seção da chapa {number} não é fechada</translation>
+        </message>
+        <message>
             <source>the sender failed by a fault of its own</source>
             <translation>o envio falhou por um defeito próprio</translation>
         </message>
@@ -18754,6 +18970,10 @@
             <translation>o spindle não atinge a rotação</translation>
         </message>
         <message>
+            <source>the spindle does not turn so fast</source>
+            <translation>o fuso não gira tão rápido</translation>
+        </message>
+        <message>
             <source>the spindle does not turn, but the motion goes by its turns</source>
             <translation>o spindle não gira, mas o movimento depende das voltas dele</translation>
         </message>
@@ -18776,6 +18996,10 @@
         <message>
             <source>the splines and ellipses of the drawing are too many and too wild for the tolerance</source>
             <translation>as splines e elipses do desenho são muitas e sinuosas demais para a tolerância</translation>
+        </message>
+        <message>
+            <source>the stack has more than {0} sheets; use thicker ones</source>
+            <translation>a pilha tem mais de {0} chapas; use chapas mais grossas</translation>
         </message>
         <message>
             <source>the stack has too many sheets</source>
@@ -19258,6 +19482,10 @@
             <translation>não há função {name}</translation>
         </message>
         <message>
+            <source>there is no hole into which the boring bar gets</source>
+            <translation>não há furo em que a barra de mandrilar entre</translation>
+        </message>
+        <message>
             <source>there is no key {key}</source>
             <translation>não há chave {key}</translation>
         </message>
@@ -19662,6 +19890,10 @@
             <translation>tool tem de ser uma lista de tabelas com um número</translation>
         </message>
         <message>
+            <source>tool {0}: {1} rpm</source>
+            <translation>ferramenta {0}: {1} rpm</translation>
+        </message>
+        <message>
             <source>tool {each_number} '{each}' is left out: {notes}</source>
             <translation>a ferramenta {each_number} '{each}' fica de fora: {notes}</translation>
         </message>
@@ -19822,6 +20054,10 @@
             <translation>desfaça isso, escolha outro desenho, ou nenhum</translation>
         </message>
         <message>
+            <source>unite them to one solid, and export it again</source>
+            <translation>una-os em um só sólido e exporte-o de novo</translation>
+        </message>
+        <message>
             <source>unknown keys {unknown}</source>
             <translation>chaves desconhecidas {unknown}</translation>
         </message>
@@ -19898,12 +20134,24 @@
             <translation>use X ou Y</translation>
         </message>
         <message>
+            <source>use a boring bar</source>
+            <translation>use uma barra de mandrilar</translation>
+        </message>
+        <message>
             <source>use a drill or a flat mill</source>
             <translation>use uma broca ou uma fresa de topo</translation>
         </message>
         <message>
             <source>use a flat tool</source>
             <translation>use uma fresa de topo reto</translation>
+        </message>
+        <message>
+            <source>use a longer drill</source>
+            <translation>use uma broca mais longa</translation>
+        </message>
+        <message>
+            <source>use a longer one</source>
+            <translation>use um mais longo</translation>
         </message>
         <message>
             <source>use a mill, an engraver, a jet or a wire</source>
@@ -19914,12 +20162,20 @@
             <translation>use uma fresa, ou levante a broca antes disso</translation>
         </message>
         <message>
+            <source>use a more pointed insert or a groove</source>
+            <translation>use uma pastilha mais aguda ou um canal</translation>
+        </message>
+        <message>
             <source>use a name of your own</source>
             <translation>use um nome próprio</translation>
         </message>
         <message>
             <source>use a smaller kerf, or widen the web</source>
             <translation>use um corte mais estreito, ou alargue a parede</translation>
+        </message>
+        <message>
+            <source>use a smaller nose</source>
+            <translation>use uma ponta menor</translation>
         </message>
         <message>
             <source>use a smaller tool</source>
@@ -19980,6 +20236,22 @@
         <message>
             <source>use an engagement_max_deg of {deg} or more with a stepover_mm of {stepover_mm:g} or more, a smaller tool, or another pattern</source>
             <translation>use um engagement_max_deg de {deg} ou mais com um stepover_mm de {stepover_mm:g} ou mais, uma ferramenta menor ou outro padrão</translation>
+        </message>
+        <message>
+            <source>use another blade</source>
+            <translation>use outro bedame</translation>
+        </message>
+        <message>
+            <source>use another holder</source>
+            <translation>use outro suporte</translation>
+        </message>
+        <message>
+            <source>use another insert or holder</source>
+            <translation>use outra pastilha ou outro suporte</translation>
+        </message>
+        <message>
+            <source>use another tool</source>
+            <translation>use outra ferramenta</translation>
         </message>
         <message>
             <source>use entry "helix" or "ramp"</source>
@@ -20176,6 +20448,10 @@
         <message>
             <source>where the machine is cannot be seen: every report of the controller is damaged</source>
             <translation>não é possível ver onde a máquina está: todos os relatórios do controlador chegam danificados</translation>
+        </message>
+        <message>
+            <source>where the tool is when a program of {dialect} begins is not known</source>
+            <translation>não se sabe onde a ferramenta está quando um programa de {dialect} começa</translation>
         </message>
         <message>
             <source>where this move began is not known, so there is no way back along it</source>
@@ -20462,6 +20738,10 @@
             <translation>escreva os dois, como em: NAME = mild-steel 3 mm 45A</translation>
         </message>
         <message>
+            <source>write distance = "absolute"</source>
+            <translation>escreva distance = "absolute"</translation>
+        </message>
+        <message>
             <source>write each program so that it can run on its own</source>
             <translation>escreva cada programa de modo que funcione sozinho</translation>
         </message>
@@ -20674,6 +20954,10 @@
             <translation>escreva x,y em mm, ou x;y onde a vírgula é o sinal decimal</translation>
         </message>
         <message>
+            <source>write x_is = "radius"</source>
+            <translation>escreva x_is = "radius"</translation>
+        </message>
+        <message>
             <source>write {0} to {1}</source>
             <translation>escreva de {0} a {1}</translation>
         </message>
@@ -20704,6 +20988,14 @@
         <message>
             <source>x y width height</source>
             <translation>x y largura altura</translation>
+        </message>
+        <message>
+            <source>x_is = diameter</source>
+            <translation>x_is = diameter</translation>
+        </message>
+        <message>
+            <source>z {0} mm at most</source>
+            <translation>z {0} mm no máximo</translation>
         </message>
         <message>
             <source>zero of</source>
@@ -20748,6 +21040,10 @@
         <message>
             <source>{0} is refused</source>
             <translation>{0} foi recusado</translation>
+        </message>
+        <message>
+            <source>{0} mm deep</source>
+            <translation>{0} mm de profundidade</translation>
         </message>
         <message>
             <source>{0} mm each where the axes are square</source>
@@ -20936,6 +21232,10 @@
         <message>
             <source>{dialect} has no programs in {units}</source>
             <translation>{dialect} não tem programas em {units}</translation>
+        </message>
+        <message>
+            <source>{dialect} has no word for X as a diameter</source>
+            <translation>{dialect} não tem palavra para X como diâmetro</translation>
         </message>
         <message>
             <source>{dialect} has no word {letter}</source>
