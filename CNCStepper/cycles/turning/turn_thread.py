@@ -54,7 +54,8 @@ def thread_warnings(operation: TurnThread, setup: TurningSetup) -> tuple[str, ..
 
 def thread_cut(operation: TurnThread, inside: bool, rpm: float, profile: Curve | None) -> ThreadCut:
     """Return the thread of an operation; raises JobError for a designation that is none."""
-    form, side = thread_form(operation), "inside" if inside else "outside"
+    form = thread_form(operation)
+    side: Side = "inside" if inside else "outside"
     crest_mm, floor_mm = _radii_mm(operation, form, side, profile)
     infeed_deg = operation.infeed_deg or form.angle_deg / 2.0 - FLANK_CLEAR_DEG
     return ThreadCut(
