@@ -20,7 +20,9 @@ def groove(operation: TurnGroove, setup: TurningSetup, moves: TurningMoves) -> d
     left_mm, width_mm = _blade(setup)
     if operation.width_mm < width_mm - SAME_MM:
         what, value = "the blade is wider than the groove", f"blade {width_mm:g} mm"
-        raise CycleError("blade-width", what, value=value, limit=f"{operation.width_mm:g} mm", advice="use another blade")
+        raise CycleError(
+            "blade-width", what, value=value, limit=f"{operation.width_mm:g} mm", advice="use another blade"
+        )
     side, floor, top = moves.side, operation.diameter_mm / 2, operation.top_diameter_mm / 2
     _require_deep(side * (top - floor), setup, "the groove")
     flat_mm = width_mm - 2 * min(setup.tool.nose_mm, width_mm / 2)

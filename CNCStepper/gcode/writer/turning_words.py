@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The words of a lathe's program: plane ZX, X as radius or diameter, feeds a turn.
 
-    LinuxCNC    G18, G7 (diameter) or G8 (radius), G95 while the spindle turns
-    mini-lathe  its own words for both; every coordinate from where the tool is after G91
-    others      G18, X as radius, feeds a minute
+LinuxCNC    G18, G7 (diameter) or G8 (radius), G95 while the spindle turns
+mini-lathe  its own words for both; every coordinate from where the tool is after G91
+others      G18, X as radius, feeds a minute
 """
 
 from __future__ import annotations
@@ -43,7 +43,9 @@ def begin_turning(page: BlockEmitter, options: WriteOptions) -> None:
         what = Text("{dialect} has no word for X as a diameter", dialect=dialect.title)
         raise ProgramError("diameter", what, value="x_is = diameter", limit="radius", advice='write x_is = "radius"')
     if options.incremental and not dialect.starts_at_work_zero:
-        what = Text("{dialect} programs are absolute: where the tool is at their begin is not known", dialect=dialect.title)
+        what = Text(
+            "{dialect} programs are absolute: where the tool is at their begin is not known", dialect=dialect.title
+        )
         raise ProgramError("incremental", what, value="incremental", advice='write distance = "absolute"')
     page.x_factor = 2 if options.x_is == "diameter" else 1
     page.incremental = options.incremental

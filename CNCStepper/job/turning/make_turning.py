@@ -165,7 +165,9 @@ def spindle_speed(operation: TurningOperation, job: TurningJob, machine: Machine
     if not rpm:
         usual = nearest_preset_rpm(spindle.preset_rpm, 1000.0 * USUAL_M_MIN / (math.pi * diameter_mm))
         what, limit = "a feed per revolution needs a speed of the spindle", f"spindle_rpm = {usual:.0f}, for example"
-        raise CycleError("speed-missing", what, value="0 rpm", limit=limit, advice="give spindle_rpm or surface_speed_m_min")
+        raise CycleError(
+            "speed-missing", what, value="0 rpm", limit=limit, advice="give spindle_rpm or surface_speed_m_min"
+        )
     if rpm > most:
         what, value = "the spindle does not turn so fast", f"{rpm:g} rpm"
         raise CycleError("speed-high", what, value=value, limit=f"{most:g} rpm", advice="lower spindle_rpm")
