@@ -54,7 +54,8 @@ def main() -> None:
     state = part.at(len(path) // 2)
     print(f"{len(path)} moves: part {cut - begun:.2f} s, checks {checked - cut:.2f} s, {len(found)} findings")
     ended = time.process_time()
-    print(f"profile of {len(profile)} points and the state half way ({state.volume_mm3:.0f} mm3): {ended - checked:.3f} s")
+    taken_s, left = ended - checked, state.volume_mm3
+    print(f"profile of {len(profile)} points and the state half way, {left:.0f} mm3: {taken_s:.3f} s")
 
 
 if __name__ == "__main__":
