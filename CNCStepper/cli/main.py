@@ -59,6 +59,7 @@ FAMILIES = {  # folder of the verbs' modules: title in the help, and its verbs
             "chart": "List, show and convert cut charts; write kerf and speed tests.",
             "feeds": "Print feed and speed of a tool in a material.",
             "axis": "Print steps per mm, pulse rate, motor speed and resolution of an axis.",
+            "part-records": "Print mean, deviation and ratio to the nominal of measured parts.",
         },
     ),
     "machine": (

@@ -9470,6 +9470,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{designation}' is no designation of a thread</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{drawing}' holds no lines that can be followed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10486,6 +10490,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>X is the {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>[ is missing after {keyword}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10671,6 +10679,10 @@
         </message>
         <message>
             <source>a feed of inverse time (G93) cannot stay where the axes are scaled differently</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a feed per revolution needs a speed of the spindle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11338,6 +11350,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>above {0} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>above {highest_cut:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11594,6 +11610,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>at least {0} deg: a nose angle of {1} deg or less</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>at least {0} mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11635,6 +11655,14 @@
         </message>
         <message>
             <source>at most</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at most {0} deg</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at most {0} deg: an entering angle of {1} deg or more</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11702,6 +11730,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>back edge at {0} deg</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>back to where the program paused: up, over, down</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11747,6 +11779,10 @@
         </message>
         <message>
             <source>begin farther away</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>begin it at the end face</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11823,6 +11859,10 @@
         </message>
         <message>
             <source>bore_mm must be below diameter_mm, {limit}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>boring takes a tool for the inside</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12298,6 +12338,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>correct diameter_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>correct it</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12670,6 +12714,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>drill first, or turn a tube</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>drill wider</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>drill {0} mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12731,6 +12783,10 @@
         </message>
         <message>
             <source>end the name in one of {known}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>end the profile at the X where the cycle begins, or make I larger</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12807,6 +12863,10 @@
         </message>
         <message>
             <source>expressions in brackets are not part of this dialect</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>facing takes a right-hand tool for the outside</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12915,6 +12975,10 @@
         </message>
         <message>
             <source>from {begin} at line {first_line}, to {end} at line {last_line}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>front edge at {0} deg</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13082,6 +13146,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give it or its tool a feed_mm_rev</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give its centre</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13110,6 +13178,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give spindle_rpm or surface_speed_m_min</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give the arc's centre with I and J</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13131,6 +13203,10 @@
         </message>
         <message>
             <source>give the path of a file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give the stock a greater face_mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13258,6 +13334,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>grooves and parting take a blade</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>half a notch</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13303,6 +13383,10 @@
         </message>
         <message>
             <source>hole {0} of part {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>holes on the axis take a drill</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13874,6 +13958,26 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>kind "turning" or "boring"</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>kind = "boring"</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>kind = "drill"</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>kind = "parting"</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>kind = "turning", hand = "right"</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>large cuts are being prepared, once after an installation</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13903,6 +14007,10 @@
         </message>
         <message>
             <source>lead in and out through scrap</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lead times speed is more than axis {axis} can: {lead:.4g} mm at {rpm:.4g} rpm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14003,6 +14111,10 @@
         </message>
         <message>
             <source>left out: {letter}, which never moves; that axis stands at 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lengthen the thread</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14202,7 +14314,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>lower ap_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lower spindle_rpm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>lower steps/mm or maximum rate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lower taper_deg or its length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lower the feed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14231,10 +14359,6 @@
         </message>
         <message>
             <source>make D smaller</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>make I larger</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14894,6 +15018,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>nose radius {0} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>nose {0} mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15282,6 +15410,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>parting off takes a blade for the outside</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>peck_mm must not exceed depth_mm, {limit:g} mm; write 0 to drill in one go</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15402,6 +15534,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>profiles are turned towards the chuck with a right-hand insert</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>programs are not written in the dialect {dialect}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15482,6 +15618,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>raise first_depth_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>raise interval_ms of the profile's signals</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15491,6 +15631,10 @@
         </message>
         <message>
             <source>raise the R word of the drilling cycle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>raise the feed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16074,6 +16218,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>spindle_rpm = {0}, for example</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>splines lie in the plane XY</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16346,11 +16494,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>take out inside = true</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>take out the G4, or switch the power off with M5 before it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>take out the inner (</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take out work_offset</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16522,6 +16678,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the back edge of the insert does not reach the profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the bar bends away from the tool</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16547,6 +16707,14 @@
         </message>
         <message>
             <source>the beam is never on during a cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the blade does not reach so deep</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the blade is wider than the groove</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16906,6 +17074,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the crest of the thread lies below its floor</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the curve has no length</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16987,6 +17159,10 @@
         </message>
         <message>
             <source>the depth goes below the stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the depth of cut is above the tool's</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17142,6 +17318,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the drill does not reach so deep</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the ears</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17210,11 +17390,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the face lies before the stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the factor must be above 0</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the feed asks more of {name} than its highest rate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the feed does not follow the spindle: choose a machine whose controller has G33</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17227,6 +17415,14 @@
         </message>
         <message>
             <source>the feed is not the cut chart's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the feed per revolution is above the tool's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the feed per revolution is below the tool's</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17362,6 +17558,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the floor of the groove lies outside the material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the floor of the thread crosses the axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the folder belongs to another user</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17410,6 +17614,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the front edge of the insert does not reach a flat face</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the front edge of the insert does not reach the profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the grid has too many holes</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17455,6 +17667,10 @@
         </message>
         <message>
             <source>the hole for the head</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the hole is too narrow for the boring bar</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17650,7 +17866,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the lathe's timer makes a lead of {lead:.4f} mm, not {wanted:.4f} mm: over the thread {off:.3f} mm; at {rpm:.2f} rpm it is right</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the layer of a profile must hold one chain</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the lead of '{text}' is no whole number of pitches</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17826,6 +18050,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the machine has no work offsets</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the machine has no {name} coolant</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17974,6 +18202,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the nose is too large for a hollow of the profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the nose leaves a fillet of {nose:g} mm in {count:g} inner corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the number of a subprogram</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17991,6 +18227,10 @@
         </message>
         <message>
             <source>the object of this program is no longer there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the operation has no feed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18130,6 +18370,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the pitch of '{designation}' is too coarse for its diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the place cannot be written: {error}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18231,6 +18475,10 @@
         </message>
         <message>
             <source>the process that reads the program has ended</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the profile begins behind the stock's end</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18702,6 +18950,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the spindle does not turn so fast</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the spindle does not turn, but the motion goes by its turns</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18831,6 +19083,22 @@
         </message>
         <message>
             <source>the thickness of material {number}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the thread '{text}' is not in the table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the thread is longer than its cylinder of {diameter:.4g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the thread is not longer than its pull-out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the thread takes too many passes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19187,6 +19455,10 @@
         </message>
         <message>
             <source>there is no function {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no hole into which the boring bar gets</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19594,6 +19866,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>tool {0}: {1} rpm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>tool {each_number} '{each}' is left out: {notes}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19663,6 +19939,10 @@
         </message>
         <message>
             <source>turn the spindle slower</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>turn with at most {most:.4g} rpm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19826,11 +20106,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use a boring bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use a drill or a flat mill</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>use a flat tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use a longer drill</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use a longer one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19842,11 +20134,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use a more pointed insert or a groove</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use a name of your own</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>use a smaller kerf, or widen the web</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use a smaller nose</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19907,6 +20207,22 @@
         </message>
         <message>
             <source>use an engagement_max_deg of {deg} or more with a stepover_mm of {stepover_mm:g} or more, a smaller tool, or another pattern</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use another blade</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use another holder</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use another insert or holder</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use another tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20103,6 +20419,10 @@
         </message>
         <message>
             <source>where the machine is cannot be seen: every report of the controller is damaged</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>where the tool is when a program of {dialect} begins is not known</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20322,6 +20642,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write a finer pitch</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write a lead that is</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write a letter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20379,6 +20707,10 @@
         </message>
         <message>
             <source>write both, as in: NAME = mild-steel 3 mm 45A</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write distance = "absolute"</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20458,6 +20790,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write length_mm = {length:.4g}, or lengthen the cylinder</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20475,6 +20811,10 @@
         </message>
         <message>
             <source>write one program a tool, or pause at tool changes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write one such as M20x2.5, M20, 1/2-13 UNC, 1/4-28 UNF, 3/8-16 BSW, G1/2, Tr20x4 or Tr40x14P7</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20586,6 +20926,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write x_is = "radius"</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write {0} to {1}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20615,6 +20959,14 @@
         </message>
         <message>
             <source>x y width height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>x_is = diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>z {0} mm at most</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20659,6 +21011,10 @@
         </message>
         <message>
             <source>{0} is refused</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} mm deep</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20850,6 +21206,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{dialect} has no word for X as a diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{dialect} has no word {letter}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20859,6 +21219,10 @@
         </message>
         <message>
             <source>{dialect} has no {what}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{dialect} programs are written without '{code}'</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

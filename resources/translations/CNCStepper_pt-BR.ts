@@ -9470,6 +9470,10 @@
             <translation>'{code}' não é uma pastilha da ISO 1832</translation>
         </message>
         <message>
+            <source>'{designation}' is no designation of a thread</source>
+            <translation>'{designation}' não é a designação de uma rosca</translation>
+        </message>
+        <message>
             <source>'{drawing}' holds no lines that can be followed</source>
             <translation>'{drawing}' não contém linhas que possam ser seguidas</translation>
         </message>
@@ -10486,6 +10490,10 @@
             <translation>X passa do centro</translation>
         </message>
         <message>
+            <source>X is the {0}</source>
+            <translation>X é o {0}</translation>
+        </message>
+        <message>
             <source>[ is missing after {keyword}</source>
             <translation>falta [ depois de {keyword}</translation>
         </message>
@@ -10672,6 +10680,10 @@
         <message>
             <source>a feed of inverse time (G93) cannot stay where the axes are scaled differently</source>
             <translation>um avanço em tempo inverso (G93) não pode ficar onde os eixos têm escalas diferentes</translation>
+        </message>
+        <message>
+            <source>a feed per revolution needs a speed of the spindle</source>
+            <translation>um avanço por volta precisa de uma rotação do fuso</translation>
         </message>
         <message>
             <source>a feed would become 0</source>
@@ -11338,6 +11350,10 @@
             <translation>acima de 0, abaixo de {diameter_mm:g} mm</translation>
         </message>
         <message>
+            <source>above {0} mm</source>
+            <translation>acima de {0} mm</translation>
+        </message>
+        <message>
             <source>above {highest_cut:g} mm</source>
             <translation>acima de {highest_cut:g} mm</translation>
         </message>
@@ -11594,6 +11610,10 @@
             <translation>no mínimo a largura do corte de {kerf_mm:g} mm</translation>
         </message>
         <message>
+            <source>at least {0} deg: a nose angle of {1} deg or less</source>
+            <translation>no mínimo {0} graus: um ângulo de ponta de {1} graus ou menos</translation>
+        </message>
+        <message>
             <source>at least {0} mm</source>
             <translation>no mínimo {0} mm</translation>
         </message>
@@ -11636,6 +11656,14 @@
         <message>
             <source>at most</source>
             <translation>no máximo</translation>
+        </message>
+        <message>
+            <source>at most {0} deg</source>
+            <translation>no máximo {0} graus</translation>
+        </message>
+        <message>
+            <source>at most {0} deg: an entering angle of {1} deg or more</source>
+            <translation>no máximo {0} graus: um ângulo de posição de {1} graus ou mais</translation>
         </message>
         <message>
             <source>at most {largest_tool}</source>
@@ -11702,6 +11730,10 @@
             <translation>volta pelo corte</translation>
         </message>
         <message>
+            <source>back edge at {0} deg</source>
+            <translation>aresta de trás a {0} graus</translation>
+        </message>
+        <message>
             <source>back to where the program paused: up, over, down</source>
             <translation>volta ao ponto em que o programa pausou: sobe, desloca, desce</translation>
         </message>
@@ -11748,6 +11780,10 @@
         <message>
             <source>begin farther away</source>
             <translation>comece mais longe</translation>
+        </message>
+        <message>
+            <source>begin it at the end face</source>
+            <translation>comece-o na face</translation>
         </message>
         <message>
             <source>begin lower or take smaller steps</source>
@@ -11824,6 +11860,10 @@
         <message>
             <source>bore_mm must be below diameter_mm, {limit}</source>
             <translation>bore_mm deve ser menor que diameter_mm, {limit}</translation>
+        </message>
+        <message>
+            <source>boring takes a tool for the inside</source>
+            <translation>o mandrilamento usa uma ferramenta interna</translation>
         </message>
         <message>
             <source>both radii must be positive</source>
@@ -12298,6 +12338,10 @@
             <translation>corrija centre ou to</translation>
         </message>
         <message>
+            <source>correct diameter_mm</source>
+            <translation>corrija diameter_mm</translation>
+        </message>
+        <message>
             <source>correct it</source>
             <translation>corrija-o</translation>
         </message>
@@ -12670,6 +12714,14 @@
             <translation>desenhos com o sufixo '{suffix}' não podem ser escritos</translation>
         </message>
         <message>
+            <source>drill first, or turn a tube</source>
+            <translation>fure antes, ou torneie um tubo</translation>
+        </message>
+        <message>
+            <source>drill wider</source>
+            <translation>fure mais largo</translation>
+        </message>
+        <message>
             <source>drill {0} mm</source>
             <translation>broca de {0} mm</translation>
         </message>
@@ -12732,6 +12784,10 @@
         <message>
             <source>end the name in one of {known}</source>
             <translation>termine o nome em um de {known}</translation>
+        </message>
+        <message>
+            <source>end the profile at the X where the cycle begins, or make I larger</source>
+            <translation>termine o perfil no X em que o ciclo começa, ou aumente I</translation>
         </message>
         <message>
             <source>end the tool change and resume, or reset it</source>
@@ -12808,6 +12864,10 @@
         <message>
             <source>expressions in brackets are not part of this dialect</source>
             <translation>expressões entre colchetes não fazem parte deste dialeto</translation>
+        </message>
+        <message>
+            <source>facing takes a right-hand tool for the outside</source>
+            <translation>o faceamento usa uma ferramenta externa direita</translation>
         </message>
         <message>
             <source>feed mode set to inverse time</source>
@@ -12916,6 +12976,10 @@
         <message>
             <source>from {begin} at line {first_line}, to {end} at line {last_line}</source>
             <translation>de {begin} na linha {first_line} a {end} na linha {last_line}</translation>
+        </message>
+        <message>
+            <source>front edge at {0} deg</source>
+            <translation>aresta da frente a {0} graus</translation>
         </message>
         <message>
             <source>full circles became two arcs</source>
@@ -13082,6 +13146,10 @@
             <translation>dê a ele outro número</translation>
         </message>
         <message>
+            <source>give it or its tool a feed_mm_rev</source>
+            <translation>dê a ela ou à sua ferramenta um feed_mm_rev</translation>
+        </message>
+        <message>
             <source>give its centre</source>
             <translation>dê o seu centro</translation>
         </message>
@@ -13110,6 +13178,10 @@
             <translation>dê peck_mm ou use G81</translation>
         </message>
         <message>
+            <source>give spindle_rpm or surface_speed_m_min</source>
+            <translation>dê spindle_rpm ou surface_speed_m_min</translation>
+        </message>
+        <message>
             <source>give the arc's centre with I and J</source>
             <translation>dê o centro do arco com I e J</translation>
         </message>
@@ -13132,6 +13204,10 @@
         <message>
             <source>give the path of a file</source>
             <translation>dê o caminho de um arquivo</translation>
+        </message>
+        <message>
+            <source>give the stock a greater face_mm</source>
+            <translation>dê ao material um face_mm maior</translation>
         </message>
         <message>
             <source>give the stock and the tools</source>
@@ -13258,6 +13334,10 @@
             <translation>prenda com {force:.4g} N, ou corte {depth:.3g} mm de profundidade</translation>
         </message>
         <message>
+            <source>grooves and parting take a blade</source>
+            <translation>canais e sangramento usam um bedame</translation>
+        </message>
+        <message>
             <source>half a notch</source>
             <translation>meio entalhe</translation>
         </message>
@@ -13304,6 +13384,10 @@
         <message>
             <source>hole {0} of part {1}</source>
             <translation>furo {0} da peça {1}</translation>
+        </message>
+        <message>
+            <source>holes on the axis take a drill</source>
+            <translation>furos no eixo usam uma broca</translation>
         </message>
         <message>
             <source>home all axes with $H</source>
@@ -13874,6 +13958,26 @@
             <translation>kerf_mm não é o que esta ferramenta corta</translation>
         </message>
         <message>
+            <source>kind "turning" or "boring"</source>
+            <translation>kind "turning" ou "boring"</translation>
+        </message>
+        <message>
+            <source>kind = "boring"</source>
+            <translation>kind = "boring"</translation>
+        </message>
+        <message>
+            <source>kind = "drill"</source>
+            <translation>kind = "drill"</translation>
+        </message>
+        <message>
+            <source>kind = "parting"</source>
+            <translation>kind = "parting"</translation>
+        </message>
+        <message>
+            <source>kind = "turning", hand = "right"</source>
+            <translation>kind = "turning", hand = "right"</translation>
+        </message>
+        <message>
             <source>large cuts are being prepared, once after an installation</source>
             <translation>cortes grandes estão sendo preparados, uma vez após a instalação</translation>
         </message>
@@ -13904,6 +14008,10 @@
         <message>
             <source>lead in and out through scrap</source>
             <translation>entre e saia pelo retalho</translation>
+        </message>
+        <message>
+            <source>lead times speed is more than axis {axis} can: {lead:.4g} mm at {rpm:.4g} rpm</source>
+            <translation>avanço por volta vezes rotação é mais do que o eixo {axis} consegue: {lead:.4g} mm a {rpm:.4g} rpm</translation>
         </message>
         <message>
             <source>leads had to be made smaller to stay in the scrap, down to {smallest:.0%} of their size</source>
@@ -14004,6 +14112,10 @@
         <message>
             <source>left out: {letter}, which never moves; that axis stands at 0</source>
             <translation>omitido: {letter}, que nunca se move; esse eixo fica em 0</translation>
+        </message>
+        <message>
+            <source>lengthen the thread</source>
+            <translation>alongue a rosca</translation>
         </message>
         <message>
             <source>lengths of tools went into the coordinates</source>
@@ -14202,8 +14314,24 @@
             <translation>diminua F; a máquina levará mais tempo do que o avanço indica</translation>
         </message>
         <message>
+            <source>lower ap_mm</source>
+            <translation>diminua ap_mm</translation>
+        </message>
+        <message>
+            <source>lower spindle_rpm</source>
+            <translation>diminua spindle_rpm</translation>
+        </message>
+        <message>
             <source>lower steps/mm or maximum rate</source>
             <translation>diminua os passos/mm ou a velocidade máxima</translation>
+        </message>
+        <message>
+            <source>lower taper_deg or its length</source>
+            <translation>reduza taper_deg ou o comprimento</translation>
+        </message>
+        <message>
+            <source>lower the feed</source>
+            <translation>diminua o avanço</translation>
         </message>
         <message>
             <source>lower the feed here, or the axis' rate and acceleration in controller and profile</source>
@@ -14232,10 +14360,6 @@
         <message>
             <source>make D smaller</source>
             <translation>diminua D</translation>
-        </message>
-        <message>
-            <source>make I larger</source>
-            <translation>aumente I</translation>
         </message>
         <message>
             <source>make Q larger</source>
@@ -14894,6 +15018,10 @@
             <translation>raio de ponta</translation>
         </message>
         <message>
+            <source>nose radius {0} mm</source>
+            <translation>raio de ponta {0} mm</translation>
+        </message>
+        <message>
             <source>nose {0} mm</source>
             <translation>ponta de {0} mm</translation>
         </message>
@@ -15282,6 +15410,10 @@
             <translation>bedame de {0} mm</translation>
         </message>
         <message>
+            <source>parting off takes a blade for the outside</source>
+            <translation>o sangramento usa um bedame externo</translation>
+        </message>
+        <message>
             <source>peck_mm must not exceed depth_mm, {limit:g} mm; write 0 to drill in one go</source>
             <translation>peck_mm não deve exceder depth_mm, {limit:g} mm; escreva 0 para furar de uma vez</translation>
         </message>
@@ -15402,6 +15534,10 @@
             <translation>process deve ser um texto</translation>
         </message>
         <message>
+            <source>profiles are turned towards the chuck with a right-hand insert</source>
+            <translation>perfis são torneados em direção à placa com uma pastilha direita</translation>
+        </message>
+        <message>
             <source>programs are not written in the dialect {dialect}</source>
             <translation>não se escrevem programas no dialeto {dialect}</translation>
         </message>
@@ -15482,6 +15618,10 @@
             <translation>aumente F, ou diminua a rotação do spindle</translation>
         </message>
         <message>
+            <source>raise first_depth_mm</source>
+            <translation>aumente first_depth_mm</translation>
+        </message>
+        <message>
             <source>raise interval_ms of the profile's signals</source>
             <translation>aumente interval_ms dos sinais do perfil</translation>
         </message>
@@ -15492,6 +15632,10 @@
         <message>
             <source>raise the R word of the drilling cycle</source>
             <translation>aumente a palavra R do ciclo de furação</translation>
+        </message>
+        <message>
+            <source>raise the feed</source>
+            <translation>aumente o avanço</translation>
         </message>
         <message>
             <source>raise the feed, or turn the spindle slower</source>
@@ -16074,6 +16218,10 @@
             <translation>spindle, tocha ou feixe podem ainda estar ligados: verifique e desligue-os na máquina</translation>
         </message>
         <message>
+            <source>spindle_rpm = {0}, for example</source>
+            <translation>spindle_rpm = {0}, por exemplo</translation>
+        </message>
+        <message>
             <source>splines lie in the plane XY</source>
             <translation>splines ficam no plano XY</translation>
         </message>
@@ -16346,12 +16494,20 @@
             <translation>retire R</translation>
         </message>
         <message>
+            <source>take out inside = true</source>
+            <translation>tire inside = true</translation>
+        </message>
+        <message>
             <source>take out the G4, or switch the power off with M5 before it</source>
             <translation>tire o G4, ou desligue a potência com M5 antes dele</translation>
         </message>
         <message>
             <source>take out the inner (</source>
             <translation>retire o ( interno</translation>
+        </message>
+        <message>
+            <source>take out work_offset</source>
+            <translation>tire work_offset</translation>
         </message>
         <message>
             <source>take out {word}</source>
@@ -16522,6 +16678,10 @@
             <translation>os eixos são X (radial) e Z (axial)</translation>
         </message>
         <message>
+            <source>the back edge of the insert does not reach the profile</source>
+            <translation>a aresta de trás da pastilha não alcança o perfil</translation>
+        </message>
+        <message>
             <source>the bar bends away from the tool</source>
             <translation>a barra se flexiona para longe da ferramenta</translation>
         </message>
@@ -16548,6 +16708,14 @@
         <message>
             <source>the beam is never on during a cut</source>
             <translation>o feixe nunca está ligado onde deveria cortar</translation>
+        </message>
+        <message>
+            <source>the blade does not reach so deep</source>
+            <translation>o bedame não alcança essa profundidade</translation>
+        </message>
+        <message>
+            <source>the blade is wider than the groove</source>
+            <translation>o bedame é mais largo que o canal</translation>
         </message>
         <message>
             <source>the bore</source>
@@ -16906,6 +17074,10 @@
             <translation>o número de cópias está fora dos limites</translation>
         </message>
         <message>
+            <source>the crest of the thread lies below its floor</source>
+            <translation>a crista da rosca fica abaixo do seu fundo</translation>
+        </message>
+        <message>
             <source>the curve has no length</source>
             <translation>a curva não tem comprimento</translation>
         </message>
@@ -16988,6 +17160,10 @@
         <message>
             <source>the depth goes below the stock</source>
             <translation>a profundidade passa abaixo do bloco</translation>
+        </message>
+        <message>
+            <source>the depth of cut is above the tool's</source>
+            <translation>a profundidade de corte é maior que a da ferramenta</translation>
         </message>
         <message>
             <source>the depth over the key</source>
@@ -17142,6 +17318,10 @@
             <translation>os desenhos estão em alturas de Z{least_heights:.4g} a Z{most_heights:.4g} mm; todas as profundidades contam a partir do topo do bloco</translation>
         </message>
         <message>
+            <source>the drill does not reach so deep</source>
+            <translation>a broca não alcança essa profundidade</translation>
+        </message>
+        <message>
             <source>the ears</source>
             <translation>as orelhas</translation>
         </message>
@@ -17210,12 +17390,20 @@
             <translation>o resultado da expressão não é um número finito</translation>
         </message>
         <message>
+            <source>the face lies before the stock</source>
+            <translation>a face fica à frente do material</translation>
+        </message>
+        <message>
             <source>the factor must be above 0</source>
             <translation>o fator deve ser maior que 0</translation>
         </message>
         <message>
             <source>the feed asks more of {name} than its highest rate</source>
             <translation>o avanço pede de {name} mais que a sua velocidade máxima</translation>
+        </message>
+        <message>
+            <source>the feed does not follow the spindle: choose a machine whose controller has G33</source>
+            <translation>o avanço não segue o fuso: escolha uma máquina cujo controlador tenha G33</translation>
         </message>
         <message>
             <source>the feed does not follow the spindle: write thread passes as G01 at F = pitch * rpm / 60, for a lathe that begins each run of G01 at the encoder's index (mini-lathe:thread_start=index)</source>
@@ -17228,6 +17416,14 @@
         <message>
             <source>the feed is not the cut chart's</source>
             <translation>o avanço não é o da tabela de corte</translation>
+        </message>
+        <message>
+            <source>the feed per revolution is above the tool's</source>
+            <translation>o avanço por volta é maior que o da ferramenta</translation>
+        </message>
+        <message>
+            <source>the feed per revolution is below the tool's</source>
+            <translation>o avanço por volta é menor que o da ferramenta</translation>
         </message>
         <message>
             <source>the feed would be another</source>
@@ -17362,6 +17558,14 @@
             <translation>a largura das abas</translation>
         </message>
         <message>
+            <source>the floor of the groove lies outside the material</source>
+            <translation>o fundo do canal fica fora do material</translation>
+        </message>
+        <message>
+            <source>the floor of the thread crosses the axis</source>
+            <translation>o fundo da rosca cruza o eixo</translation>
+        </message>
+        <message>
             <source>the folder belongs to another user</source>
             <translation>a pasta pertence a outro usuário</translation>
         </message>
@@ -17410,6 +17614,14 @@
             <translation>faltam letras nas fontes de {count} textos, que são omitidas: {names}</translation>
         </message>
         <message>
+            <source>the front edge of the insert does not reach a flat face</source>
+            <translation>a aresta da frente da pastilha não alcança uma face plana</translation>
+        </message>
+        <message>
+            <source>the front edge of the insert does not reach the profile</source>
+            <translation>a aresta da frente da pastilha não alcança o perfil</translation>
+        </message>
+        <message>
             <source>the grid has too many holes</source>
             <translation>a grade tem furos demais</translation>
         </message>
@@ -17456,6 +17668,10 @@
         <message>
             <source>the hole for the head</source>
             <translation>o furo para a cabeça</translation>
+        </message>
+        <message>
+            <source>the hole is too narrow for the boring bar</source>
+            <translation>o furo é estreito demais para a barra de mandrilar</translation>
         </message>
         <message>
             <source>the inner one</source>
@@ -17650,8 +17866,16 @@
             <translation>o torno se move à mão a até {0} mm/min, ou a {1}: fica a menor</translation>
         </message>
         <message>
+            <source>the lathe's timer makes a lead of {lead:.4f} mm, not {wanted:.4f} mm: over the thread {off:.3f} mm; at {rpm:.2f} rpm it is right</source>
+            <translation>o temporizador do torno faz um avanço por volta de {lead:.4f} mm, e não {wanted:.4f} mm: na rosca toda {off:.3f} mm; a {rpm:.2f} rpm fica certo</translation>
+        </message>
+        <message>
             <source>the layer of a profile must hold one chain</source>
             <translation>a camada de um perfil deve conter uma só cadeia</translation>
+        </message>
+        <message>
+            <source>the lead of '{text}' is no whole number of pitches</source>
+            <translation>o avanço por volta de '{text}' não é um número inteiro de passos</translation>
         </message>
         <message>
             <source>the leads fit nowhere in the scrap; the closest obstacle is {name} at X{x:.3f} Y{y:.3f}</source>
@@ -17826,6 +18050,10 @@
             <translation>a máquina não tem esse fuso</translation>
         </message>
         <message>
+            <source>the machine has no work offsets</source>
+            <translation>a máquina não tem sistemas de coordenadas de trabalho</translation>
+        </message>
+        <message>
             <source>the machine has no {name} coolant</source>
             <translation>a máquina não tem refrigeração {name}</translation>
         </message>
@@ -17974,6 +18202,14 @@
             <translation>o nome de um parâmetro contém um comentário</translation>
         </message>
         <message>
+            <source>the nose is too large for a hollow of the profile</source>
+            <translation>a ponta é grande demais para uma concavidade do perfil</translation>
+        </message>
+        <message>
+            <source>the nose leaves a fillet of {nose:g} mm in {count:g} inner corners</source>
+            <translation>a ponta deixa um arredondamento de {nose:g} mm em {count:g} cantos internos</translation>
+        </message>
+        <message>
             <source>the number of a subprogram</source>
             <translation>o número de um subprograma</translation>
         </message>
@@ -17992,6 +18228,10 @@
         <message>
             <source>the object of this program is no longer there</source>
             <translation>o objeto deste programa não existe mais</translation>
+        </message>
+        <message>
+            <source>the operation has no feed</source>
+            <translation>a operação não tem avanço</translation>
         </message>
         <message>
             <source>the operation is too long for one program</source>
@@ -18130,6 +18370,10 @@
             <translation>este leitor não conhece os pinos da máquina</translation>
         </message>
         <message>
+            <source>the pitch of '{designation}' is too coarse for its diameter</source>
+            <translation>o passo de '{designation}' é grosso demais para o diâmetro</translation>
+        </message>
+        <message>
             <source>the place cannot be written: {error}</source>
             <translation>não é possível gravar nesse local: {error}</translation>
         </message>
@@ -18232,6 +18476,10 @@
         <message>
             <source>the process that reads the program has ended</source>
             <translation>o processo que lê o programa terminou</translation>
+        </message>
+        <message>
+            <source>the profile begins behind the stock's end</source>
+            <translation>o perfil começa atrás da ponta do material</translation>
         </message>
         <message>
             <source>the profile cannot be reached from where the cycle begins</source>
@@ -18702,6 +18950,10 @@
             <translation>o spindle não atinge a rotação</translation>
         </message>
         <message>
+            <source>the spindle does not turn so fast</source>
+            <translation>o fuso não gira tão rápido</translation>
+        </message>
+        <message>
             <source>the spindle does not turn, but the motion goes by its turns</source>
             <translation>o spindle não gira, mas o movimento depende das voltas dele</translation>
         </message>
@@ -18832,6 +19084,22 @@
         <message>
             <source>the thickness of material {number}</source>
             <translation>a espessura do material {number}</translation>
+        </message>
+        <message>
+            <source>the thread '{text}' is not in the table</source>
+            <translation>a rosca '{text}' não está na tabela</translation>
+        </message>
+        <message>
+            <source>the thread is longer than its cylinder of {diameter:.4g} mm</source>
+            <translation>a rosca é mais longa que o seu cilindro de {diameter:.4g} mm</translation>
+        </message>
+        <message>
+            <source>the thread is not longer than its pull-out</source>
+            <translation>a rosca não é mais longa que a sua saída</translation>
+        </message>
+        <message>
+            <source>the thread takes too many passes</source>
+            <translation>a rosca exige passadas demais</translation>
         </message>
         <message>
             <source>the timeline</source>
@@ -19188,6 +19456,10 @@
         <message>
             <source>there is no function {name}</source>
             <translation>não há função {name}</translation>
+        </message>
+        <message>
+            <source>there is no hole into which the boring bar gets</source>
+            <translation>não há furo em que a barra de mandrilar entre</translation>
         </message>
         <message>
             <source>there is no key {key}</source>
@@ -19594,6 +19866,10 @@
             <translation>tool tem de ser uma lista de tabelas com um número</translation>
         </message>
         <message>
+            <source>tool {0}: {1} rpm</source>
+            <translation>ferramenta {0}: {1} rpm</translation>
+        </message>
+        <message>
             <source>tool {each_number} '{each}' is left out: {notes}</source>
             <translation>a ferramenta {each_number} '{each}' fica de fora: {notes}</translation>
         </message>
@@ -19664,6 +19940,10 @@
         <message>
             <source>turn the spindle slower</source>
             <translation>gire o spindle mais devagar</translation>
+        </message>
+        <message>
+            <source>turn with at most {most:.4g} rpm</source>
+            <translation>gire no máximo a {most:.4g} rpm</translation>
         </message>
         <message>
             <source>turning (G7, G95, G96) is in force here: no entry is written for a lathe</source>
@@ -19826,12 +20106,24 @@
             <translation>use X ou Y</translation>
         </message>
         <message>
+            <source>use a boring bar</source>
+            <translation>use uma barra de mandrilar</translation>
+        </message>
+        <message>
             <source>use a drill or a flat mill</source>
             <translation>use uma broca ou uma fresa de topo</translation>
         </message>
         <message>
             <source>use a flat tool</source>
             <translation>use uma fresa de topo reto</translation>
+        </message>
+        <message>
+            <source>use a longer drill</source>
+            <translation>use uma broca mais longa</translation>
+        </message>
+        <message>
+            <source>use a longer one</source>
+            <translation>use um mais longo</translation>
         </message>
         <message>
             <source>use a mill, an engraver, a jet or a wire</source>
@@ -19842,12 +20134,20 @@
             <translation>use uma fresa, ou levante a broca antes disso</translation>
         </message>
         <message>
+            <source>use a more pointed insert or a groove</source>
+            <translation>use uma pastilha mais aguda ou um canal</translation>
+        </message>
+        <message>
             <source>use a name of your own</source>
             <translation>use um nome próprio</translation>
         </message>
         <message>
             <source>use a smaller kerf, or widen the web</source>
             <translation>use um corte mais estreito, ou alargue a parede</translation>
+        </message>
+        <message>
+            <source>use a smaller nose</source>
+            <translation>use uma ponta menor</translation>
         </message>
         <message>
             <source>use a smaller tool</source>
@@ -19908,6 +20208,22 @@
         <message>
             <source>use an engagement_max_deg of {deg} or more with a stepover_mm of {stepover_mm:g} or more, a smaller tool, or another pattern</source>
             <translation>use um engagement_max_deg de {deg} ou mais com um stepover_mm de {stepover_mm:g} ou mais, uma ferramenta menor ou outro padrão</translation>
+        </message>
+        <message>
+            <source>use another blade</source>
+            <translation>use outro bedame</translation>
+        </message>
+        <message>
+            <source>use another holder</source>
+            <translation>use outro suporte</translation>
+        </message>
+        <message>
+            <source>use another insert or holder</source>
+            <translation>use outra pastilha ou outro suporte</translation>
+        </message>
+        <message>
+            <source>use another tool</source>
+            <translation>use outra ferramenta</translation>
         </message>
         <message>
             <source>use entry "helix" or "ramp"</source>
@@ -20104,6 +20420,10 @@
         <message>
             <source>where the machine is cannot be seen: every report of the controller is damaged</source>
             <translation>não é possível ver onde a máquina está: todos os relatórios do controlador chegam danificados</translation>
+        </message>
+        <message>
+            <source>where the tool is when a program of {dialect} begins is not known</source>
+            <translation>não se sabe onde a ferramenta está quando um programa de {dialect} começa</translation>
         </message>
         <message>
             <source>where this move began is not known, so there is no way back along it</source>
@@ -20322,6 +20642,14 @@
             <translation>escreva um número decimal depois da letra</translation>
         </message>
         <message>
+            <source>write a finer pitch</source>
+            <translation>escreva um passo mais fino</translation>
+        </message>
+        <message>
+            <source>write a lead that is</source>
+            <translation>escreva um que seja</translation>
+        </message>
+        <message>
             <source>write a letter</source>
             <translation>escreva uma letra</translation>
         </message>
@@ -20380,6 +20708,10 @@
         <message>
             <source>write both, as in: NAME = mild-steel 3 mm 45A</source>
             <translation>escreva os dois, como em: NAME = mild-steel 3 mm 45A</translation>
+        </message>
+        <message>
+            <source>write distance = "absolute"</source>
+            <translation>escreva distance = "absolute"</translation>
         </message>
         <message>
             <source>write each program so that it can run on its own</source>
@@ -20458,6 +20790,10 @@
             <translation>escreva o seu endif, endwhile, endrepeat, while ou endsub</translation>
         </message>
         <message>
+            <source>write length_mm = {length:.4g}, or lengthen the cylinder</source>
+            <translation>escreva length_mm = {length:.4g}, ou alongue o cilindro</translation>
+        </message>
+        <message>
             <source>write mm</source>
             <translation>escreva em mm</translation>
         </message>
@@ -20476,6 +20812,10 @@
         <message>
             <source>write one program a tool, or pause at tool changes</source>
             <translation>escreva um programa por ferramenta ou faça uma pausa nas trocas de ferramenta</translation>
+        </message>
+        <message>
+            <source>write one such as M20x2.5, M20, 1/2-13 UNC, 1/4-28 UNF, 3/8-16 BSW, G1/2, Tr20x4 or Tr40x14P7</source>
+            <translation>escreva uma como M20x2.5, M20, 1/2-13 UNC, 1/4-28 UNF, 3/8-16 BSW, G1/2, Tr20x4 ou Tr40x14P7</translation>
         </message>
         <message>
             <source>write one x,y in mm a line</source>
@@ -20586,6 +20926,10 @@
             <translation>escreva x,y em mm, ou x;y onde a vírgula é o sinal decimal</translation>
         </message>
         <message>
+            <source>write x_is = "radius"</source>
+            <translation>escreva x_is = "radius"</translation>
+        </message>
+        <message>
             <source>write {0} to {1}</source>
             <translation>escreva de {0} a {1}</translation>
         </message>
@@ -20616,6 +20960,14 @@
         <message>
             <source>x y width height</source>
             <translation>x y largura altura</translation>
+        </message>
+        <message>
+            <source>x_is = diameter</source>
+            <translation>x_is = diameter</translation>
+        </message>
+        <message>
+            <source>z {0} mm at most</source>
+            <translation>z {0} mm no máximo</translation>
         </message>
         <message>
             <source>zero of</source>
@@ -20660,6 +21012,10 @@
         <message>
             <source>{0} is refused</source>
             <translation>{0} foi recusado</translation>
+        </message>
+        <message>
+            <source>{0} mm deep</source>
+            <translation>{0} mm de profundidade</translation>
         </message>
         <message>
             <source>{0} mm each where the axes are square</source>
@@ -20850,6 +21206,10 @@
             <translation>{dialect} não tem programas em {units}</translation>
         </message>
         <message>
+            <source>{dialect} has no word for X as a diameter</source>
+            <translation>{dialect} não tem palavra para X como diâmetro</translation>
+        </message>
+        <message>
             <source>{dialect} has no word {letter}</source>
             <translation>{dialect} não tem a palavra {letter}</translation>
         </message>
@@ -20860,6 +21220,10 @@
         <message>
             <source>{dialect} has no {what}</source>
             <translation>{dialect} não tem {what}</translation>
+        </message>
+        <message>
+            <source>{dialect} programs are written without '{code}'</source>
+            <translation>programas {dialect} são escritos sem '{code}'</translation>
         </message>
         <message>
             <source>{dialect} programs are written without '{event_kind}'</source>

@@ -19,12 +19,10 @@ def groove(operation: TurnGroove, setup: TurningSetup, moves: TurningMoves) -> d
     """Append plunges from wall to wall; return their figures. Raises CycleError before the first move."""
     left_mm, width_mm = _blade(setup)
     if operation.width_mm < width_mm - SAME_MM:
-        what, value = "the blade is wider than the groove", f"blade {width_mm:g} mm"
-        raise CycleError(
-            "blade-width", what, value=value, limit=f"{operation.width_mm:g} mm", advice="use another blade"
-        )
+        what, limit = "the blade is wider than the groove", f"{operation.width_mm:g} mm"
+        raise CycleError("blade-width", what, value=f"{width_mm:g} mm", limit=limit, advice="use another blade")
     side, floor, top = moves.side, operation.diameter_mm / 2, operation.top_diameter_mm / 2
-    _require_deep(side * (top - floor), setup, "the groove")
+    _require_deep(side * (top - floor), setup)
     flat_mm = width_mm - 2 * min(setup.tool.nose_mm, width_mm / 2)
     room_mm = operation.width_mm - width_mm
     count = 1 + max(math.ceil(room_mm / max(flat_mm * OVERLAP, SAME_MM) - SAME_MM), 0)
@@ -47,7 +45,7 @@ def part(operation: TurnPart, setup: TurningSetup, moves: TurningMoves) -> dict[
         raise CycleError("part-tool", "parting off takes a blade for the outside", advice="take out inside = true")
     end = max(operation.to_diameter_mm, setup.bore_mm) / 2
     floor = end if operation.to_diameter_mm else end - setup.tool.nose_mm
-    _require_deep(setup.radius_mm - floor, setup, "parting off")
+    _require_deep(setup.radius_mm - floor, setup)
     z, safe = operation.z_mm - width_mm - left_mm, setup.radius_mm + operation.clearance_mm
     _approach(moves, z, safe, setup, operation.clearance_mm)
     _plunge(moves, z, safe, floor, operation.peck_mm)
@@ -64,13 +62,16 @@ def _blade(setup: TurningSetup) -> tuple[float, float]:
     return min(z for z, _, _ in setup.tool.outline()), setup.tool.width_mm
 
 
-def _require_deep(deep_mm: float, setup: TurningSetup, of_what: str) -> None:
+def _require_deep(deep_mm: float, setup: TurningSetup) -> None:
+    """Raise CycleError for a depth of no material, or one that the blade does not reach."""
     if deep_mm <= SAME_MM:
         what = "the floor of the groove lies outside the material"
         raise CycleError("groove-depth", what, value=f"{deep_mm:.4g} mm deep", limit="above 0 mm", advice="correct it")
     if setup.tool.reach_mm and deep_mm > setup.tool.reach_mm:
         what, value = "the blade does not reach so deep", f"{deep_mm:.4g} mm"
-        raise CycleError("blade-reach", what, value=value, limit=f"{setup.tool.reach_mm:g} mm", advice=of_what)
+        raise CycleError(
+            "blade-reach", what, value=value, limit=f"{setup.tool.reach_mm:g} mm", advice="use a longer one"
+        )
 
 
 def _plunge(moves: TurningMoves, z: float, safe: float, floor: float, peck_mm: float) -> None:

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 r"""The path of the nose's centre along a profile: its exact parallel, and whether the insert reaches all of it.
 
-           \  insert /                 The material lies below the profile, the tool comes from the right and goes to
-            \       /  front edge      the left. At the profile's end a wall up to beside the stock is implied, so that
-        back `-..-'                    nothing is cut behind it.
-     ___________.
-    |  profile    \____                an edge touches no other place of a profile if no stretch of it is steeper than
-    | <- wall                          the edge: walls that rise to the left, floors that fall to it.
+       \  insert /                 The material lies below the profile, the tool comes from the right and goes to
+        \       /  front edge      the left. At the profile's end a wall up to beside the stock is implied, so that
+    back `-..-'                    nothing is cut behind it.
+ ___________.
+|  profile    \____                an edge touches no other place of a profile if no stretch of it is steeper than
+| <- wall                          the edge: walls that rise to the left, floors that fall to it.
 """
 
 from __future__ import annotations
@@ -33,24 +33,27 @@ def framed(curve: Curve, side: float) -> Curve:
 
 
 def centre_path(profile: Curve, distance_mm: float, top_mm: float) -> Curve:
-    """Return the path of the centre at a distance from a framed profile, ending on its wall at r = top_mm.
-
-    Raises CycleError where the nose comes to no place of the profile's begin.
-    """
-    (z_first, r_first), (z_last, r_last) = profile.xy[0], profile.xy[-1]
+    """Return the path of the centre at a distance from a framed profile, ending on its wall at r = top_mm."""
+    (z_first, r_first), z_last = profile.xy[0], profile.xy[-1, 0]
     high = max(top_mm, float(profile.points(0.01)[:, 1].max()) + 1.0)
     low = float(min(profile.points(0.01)[:, 1].min(), 0.0)) - BODY_MM
     wall = [(z_last, high), (z_last - BODY_MM, high), (z_last - BODY_MM, low), (z_first, low), (z_first, r_first)]
     xy = np.vstack([profile.xy, wall])
     bulge = np.concatenate([profile.bulge, np.zeros(len(wall))])
     loop = Region.of([Curve(xy, bulge).without_short()]).offset(distance_mm, OFFSET_TOLERANCE_MM).loops[0]
-    _, direction = profile.at_length(0.0)
-    first = profile.xy[0] + distance_mm * np.array([direction[1], -direction[0]])
-    away_mm, places_mm = loop.nearest(np.array([first, (z_last + distance_mm, high)]))
-    if away_mm[0] > 10 * OFFSET_TOLERANCE_MM:
-        what, advice = "the nose does not come to the begin of the profile", "use a smaller nose, or begin it farther out"
-        raise CycleError("nose-begin", what, value=f"{away_mm[0]:.3g} mm", advice=advice)
+    places_mm = loop.nearest(np.array([_first_centre(profile, loop, distance_mm), (z_last + distance_mm, high)]))[1]
     return loop.part(float(places_mm[0]), float(places_mm[1]))
+
+
+def _first_centre(profile: Curve, loop: Curve, distance_mm: float) -> tuple[float, float]:
+    """Return where the path begins: over the profile's begin, or before it where it falls or the nose is in the way.
+
+    To a begin that falls the nose would come from the front through its corner, so that it rolls over it.
+    """
+    (z, r), direction = profile.xy[0].tolist(), profile.at_length(0.0)[1]
+    first = z + distance_mm * float(direction[1]), r - distance_mm * float(direction[0])
+    away_mm = float(loop.distances_mm(np.array([first]))[0])
+    return first if direction[1] >= 0 and away_mm < 10 * OFFSET_TOLERANCE_MM else (z + distance_mm, r)
 
 
 def require_reach(profile: Curve, setup: TurningSetup, side: float) -> None:
@@ -113,7 +116,8 @@ def crossings_mm(path: Curve, level_mm: float) -> list[tuple[float, bool]]:
     bounds = [0.0, *lengths, path.length_mm]
     middles = [(first + last) / 2 for first, last in pairwise(bounds)]
     above = path.at_length(np.array(middles))[0][:, 1] > level_mm
-    return [(length, bool(above[place + 1])) for place, length in enumerate(lengths) if above[place] != above[place + 1]]
+    changes = zip(lengths, above[:-1].tolist(), above[1:].tolist(), strict=True)
+    return [(length, after) for length, before, after in changes if before != after]
 
 
 def _on_segment(path: Curve, number: int, level_mm: float) -> list[float]:

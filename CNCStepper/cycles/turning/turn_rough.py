@@ -56,7 +56,6 @@ class RoughedProfile:
         self.front_mm = max(setup.face_mm, float(profile.xy[0, 0])) + self.nose_mm + operation.clearance_mm
         front, back = (angle * moves.side for angle in setup.tool.edges_deg)
         self.leave_deg = 60.0 if setup.tool.is_round else (front + back) / 2
-        self.is_open = float(profile.xy[0, 0]) >= setup.face_mm - 10 * self.ap_mm - self.distance_mm
 
     def heights(self) -> list[float]:
         """Return the levels from beside the stock down to above the path's lowest place, evenly ap or less apart."""
@@ -90,7 +89,6 @@ class RoughedProfile:
         for interval in self._intervals(parent, levels[number]):
             self._cut(interval, levels[number], levels[number - 1])
             self._cut_below(interval, number + 1, levels)
-            self._leave(levels[number - 1] + CLEAR_MM)
 
     def _intervals(self, parent: Interval, level_mm: float) -> list[Interval]:
         """Return the stretches of the path below a level, within one of the level above."""
@@ -101,8 +99,7 @@ class RoughedProfile:
             elif begin is not None:
                 found.append((begin, length_mm))
                 begin = None
-        slack = SAME_MM
-        return [one for one in found if parent[0] - slack <= one[0] and one[1] <= parent[1] + slack]
+        return [one for one in found if parent[0] - SAME_MM <= one[0] and one[1] <= parent[1] + SAME_MM]
 
     def _cut(self, interval: Interval, level_mm: float, above_mm: float) -> None:
         """Cut one interval of a level, coming over the level above it."""
@@ -177,13 +174,9 @@ class RoughedProfile:
             if bottom < self.top_mm:
                 moves.rapid(z, self.safe_mm)
                 moves.feed(z, bottom)
-                self._back_up(z, bottom)
+                moves.feed(z, self.safe_mm)  # along the wall that it has just cut
         self._contour(self.path)
         return {"passes": float(count), "ap_mm": round(step_mm, 6)}
-
-    def _back_up(self, z_mm: float, bottom_mm: float) -> None:
-        """Leave a facing cut along the bisector, as far as the one before has gone, then beside the stock."""
-        self.moves.feed(z_mm, self.safe_mm)
 
     def _height_at(self, z_mm: float) -> float:
         """Return the least height of the centre at a place z: above the whole path there; far below before it."""

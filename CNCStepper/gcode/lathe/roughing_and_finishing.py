@@ -30,6 +30,7 @@ from CNCStepper.gcode.lathe.turned_profile import (
 from CNCStepper.tolerances import SAME_PROFILE_POINT
 
 MOST_STEPS = 100_000  # of a cycle: a depth of cut that needs more is a mistake
+ENDLESS = "end the profile at the X where the cycle begins, or make I larger"
 NO_POCKETS, ONLY_POCKETS, POCKETS_AFTER = 1, 2, 3  # the digit of G71.1 and G71.2; the state after the first pass
 
 
@@ -209,7 +210,7 @@ class Turning:
         self._steps += 1
         if self._steps > MOST_STEPS:
             what, limit = "the cycle takes too many passes", f"{MOST_STEPS} steps"
-            raise ProgramError("passes-many", what, value="I", limit=limit, advice="make I larger")
+            raise ProgramError("passes-many", what, value="I", limit=limit, advice=ENDLESS)
 
     def _pocket(self, mode: int, place: complex, index: int, out: Tool) -> None:
         """Cut from `place` on: pass after pass, then up along the profile, then the next pocket."""

@@ -168,7 +168,7 @@ def _pass(block: Block, words: Thread, depth: float) -> None:
         block.call("DISABLE_FEED_OVERRIDE()")
         _synchronised(block, words.taper_pitch)
         _to(block, words, LINE, crest, top)
-        _to(block, words, LINE, bottom, top - words.taper)
+        _to(block, words, LINE, bottom, top - words.taper, words.taper_pitch)
         _synchronised(block, words.pitch)
     else:
         _to(block, words, RAPID, bottom, top)
@@ -177,7 +177,7 @@ def _pass(block: Block, words: Thread, depth: float) -> None:
     if words.leaving:
         _to(block, words, LINE, bottom, target + words.taper)
         _synchronised(block, words.taper_pitch)
-        _to(block, words, LINE, crest, target)
+        _to(block, words, LINE, crest, target, words.taper_pitch)
     else:
         _to(block, words, LINE, bottom, target)
     block.call("STOP_SPEED_FEED_SYNCH()")
@@ -185,8 +185,8 @@ def _pass(block: Block, words: Thread, depth: float) -> None:
     block.call("ENABLE_FEED_OVERRIDE()")
 
 
-def _to(block: Block, words: Thread, motion: int, away: float, z: float) -> None:
-    """Move to `away` from the drive line, towards the thread, and to a Z."""
+def _to(block: Block, words: Thread, motion: int, away: float, z: float, pitch: float = 0.0) -> None:
+    """Move to `away` from the drive line, towards the thread, and to a Z; pitch: where it is not that of the thread."""
     x, y, _ = words.begin
     end = block.model.machine((x + words.way * away, y, z))
-    block.move(motion, end, None, 0.0 if motion == RAPID else _feed(block, words.pitch, end))
+    block.move(motion, end, None, 0.0 if motion == RAPID else _feed(block, pitch or words.pitch, end))

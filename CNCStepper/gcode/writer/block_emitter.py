@@ -133,13 +133,16 @@ def _trimmed(number: str) -> str:
 CENTRES = "IJK"
 MOST_FEED_ERROR = 0.005  # relative
 CUT_FEED = "F#<_hal[plasmac.cut-feed-rate]>"  # the feed of QtPlasmaC's material
+SYNCHRONISED = "G33"
+LEAD_DECIMALS = 6  # a lead adds up over all turns
 Counts = list[int | None]
 
 
 class BlockEmitter:
     """The lines written so far and the modal words in force; `at` is None on axes never written.
 
-    notes: what was written differently. number: the last N word.
+    notes: what was written differently. number: the last N word. lead_mm: a turn, of the next move if it follows the
+    spindle, else 0.
     """
 
     def __init__(self, dialect: Dialect, writing: Writing, grid: Grid):
@@ -165,6 +168,7 @@ class BlockEmitter:
         self.x_factor = 1  # of X words: 2 where they are diameters
         self.incremental = False  # coordinates are given from where the machine is
         self.turn_rpm = 0.0  # F is in mm a turn at this speed; 0: a minute
+        self.lead_mm = 0.0
 
     @property
     def has_just_started(self) -> bool:
@@ -254,8 +258,12 @@ class BlockEmitter:
         changes = self._distance_word(kind) if nowhere or self._axes(end) else ""
         axes = self._axes(end)
         if not axes and nowhere:
-            axes = [self._axis(axis, count) for axis, count in enumerate(end) if count is not None][:1]
-        if axes:
+            axes = [self._axis(axis, count) for axis in self._own_axes if (count := end[axis]) is not None][:1]
+        if axes and self.lead_mm and kind == LINE and SYNCHRONISED in self.dialect.codes:
+            self._motion = SYNCHRONISED
+            self.line(SYNCHRONISED, *axes, f"K{_trimmed(f'{self.lead_mm / self.grid.unit_mm:.{LEAD_DECIMALS}f}')}")
+            self._arrive(end)
+        elif axes:
             self._bring_feed(kind, feed_mm_min)
             word = changes or self._motion_word(kind)
             self.line(word, *axes, self._feed_word(kind, feed_mm_min, opens=bool(word)))
@@ -278,6 +286,12 @@ class BlockEmitter:
     def _centre_origin(self, axis: int) -> int:
         """Return where I, J, K count from: the begin of the arc, or the work zero."""
         return (self.at[axis] or 0) if self.dialect.arc_centres == "absolute" else 0
+
+    def thread(self, name: str, words: list[str], end: tuple[int, int, int]) -> None:
+        """Write a threading cycle, which leads to `end`."""
+        self._motion = name
+        self.line(name, *words)
+        self._arrive([*end])
 
     def canned(self, name: str, words: list[str], feed_mm_min: float, end: tuple[int, int, int]) -> None:
         """Write a block of the canned cycle `name`, which leads to `end`."""

@@ -43,9 +43,7 @@ def begin_turning(page: BlockEmitter, options: WriteOptions) -> None:
         what = Text("{dialect} has no word for X as a diameter", dialect=dialect.title)
         raise ProgramError("diameter", what, value="x_is = diameter", limit="radius", advice='write x_is = "radius"')
     if options.incremental and not dialect.starts_at_work_zero:
-        what = Text(
-            "{dialect} programs are absolute: where the tool is at their begin is not known", dialect=dialect.title
-        )
+        what = Text("where the tool is when a program of {dialect} begins is not known", dialect=dialect.title)
         raise ProgramError("incremental", what, value="incremental", advice='write distance = "absolute"')
     page.x_factor = 2 if options.x_is == "diameter" else 1
     page.incremental = options.incremental

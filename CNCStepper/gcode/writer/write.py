@@ -26,6 +26,7 @@ from CNCStepper.gcode.writer.canned_cycle_blocks import CycleWriter
 from CNCStepper.gcode.writer.move_rows import RowWriter
 from CNCStepper.gcode.writer.plasma_words import PlasmaSwitches
 from CNCStepper.gcode.writer.state_changes import Switches
+from CNCStepper.gcode.writer.thread_blocks import ThreadWriter
 from CNCStepper.gcode.writer.turning_words import begin_turning, follow_feed_mode, turned_words
 from CNCStepper.gcode.writer.write_options import Note, WriteOptions
 from CNCStepper.state import State
@@ -148,6 +149,7 @@ class _Writer:
         keeps_lengths = self.switches.own_lengths or options.tool_length == "touch_off"
         self.rows = RowWriter(toolpath, self.page, options, keeps_lengths)
         self.cycles = CycleWriter(toolpath, self.page, self.rows)
+        self.threads = ThreadWriter(toolpath, self.page, self.rows, options.turning_cycles)
         one = len({state.work_system for state in used}) < 2
         self._one_system = options.work_offset if one else ""
 
@@ -184,8 +186,9 @@ class _Writer:
 
     def _row(self, row: int, last: int) -> int:
         """Write a row, or all rows of a hole as a canned cycle; return the next row."""
-        after = self.cycles.write(row, last)
+        after = self.threads.write(row, last) or self.cycles.write(row, last)
         if after == row:
+            self.page.lead_mm = self.threads.lead_mm(row)
             self.rows.write(row)
         return max(after, row + 1)
 
@@ -256,6 +259,8 @@ class _Writer:
             self.page.line(event.text)
         elif event.kind == "material":
             self.switches.material(event.text)
+        elif event.kind == "synchronised":
+            self.threads.check(event)
         elif event.kind not in ("tool_select", "tool_change", "warning"):
             what = Text(
                 "{dialect} programs are written without '{event_kind}'",

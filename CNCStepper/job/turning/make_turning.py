@@ -14,7 +14,7 @@ import numpy as np
 from CNCStepper.cycles.turning.turned_coordinates import Placement
 from CNCStepper.cycles.turning.turning_cycles import cut
 from CNCStepper.cycles.turning.turning_moves import TurningMoves
-from CNCStepper.cycles.turning.turning_operation import TurnDrill, TurningOperation, TurnRough
+from CNCStepper.cycles.turning.turning_operation import TurnDrill, TurningOperation
 from CNCStepper.cycles.turning.turning_setup import TurningAnswer, TurningSetup
 from CNCStepper.errors import CNCStepperError, CycleError, JobError, Place
 from CNCStepper.gcode.dialects import Dialect, dialect
@@ -131,7 +131,7 @@ def _cut(
 
 
 def _setups(job: TurningJob, machine: Machine) -> Iterator[tuple[TurningOperation, TurningSetup]]:
-    """Yield each operation with its tool, the stock that the ones before have drilled and bored, and its speeds."""
+    """Yield each operation with its tool, the stock with what the ones before have drilled, and its speeds."""
     bore_mm = job.stock.bore_mm
     for number, operation in enumerate(job.operation, start=1):
         tool, profile = job.tools[operation.tool], job.curves.get(getattr(operation, "profile", ""))
@@ -147,8 +147,6 @@ def _setups(job: TurningJob, machine: Machine) -> Iterator[tuple[TurningOperatio
         yield operation, TurningSetup(tool, *raw, job.start_zr, feed_mm_rev, rpm, profile)
         if isinstance(operation, TurnDrill):
             bore_mm = max(bore_mm, tool.diameter_mm)
-        elif isinstance(operation, TurnRough) and tool.is_inside and profile is not None:
-            bore_mm = max(bore_mm, 2 * (float(profile.xy[:, 1].min()) - operation.stock_to_leave_mm))
 
 
 def spindle_speed(operation: TurningOperation, job: TurningJob, machine: Machine) -> float:
