@@ -9546,6 +9546,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{text}' is no tool of a lathe</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{text}' is not a tool</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20699,6 +20703,10 @@
         </message>
         <message>
             <source>write an F word above 0 before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write an insert (CNMG120408, 16ER1.5ISO), boring:CCMT060204, parting:3 or drill:10; 2=drill:10 for tool 2</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

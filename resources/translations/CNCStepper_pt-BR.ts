@@ -9546,6 +9546,10 @@
             <translation>'{text}' move como só o controlador sabe</translation>
         </message>
         <message>
+            <source>'{text}' is no tool of a lathe</source>
+            <translation>'{text}' não é ferramenta de torno</translation>
+        </message>
+        <message>
             <source>'{text}' is not a tool</source>
             <translation>'{text}' não é uma ferramenta</translation>
         </message>
@@ -20700,6 +20704,10 @@
         <message>
             <source>write an F word above 0 before</source>
             <translation>escreva antes uma palavra F maior que 0</translation>
+        </message>
+        <message>
+            <source>write an insert (CNMG120408, 16ER1.5ISO), boring:CCMT060204, parting:3 or drill:10; 2=drill:10 for tool 2</source>
+            <translation>escreva uma pastilha (CNMG120408, 16ER1.5ISO), boring:CCMT060204, parting:3 ou drill:10; 2=drill:10 para a ferramenta 2</translation>
         </message>
         <message>
             <source>write as the first line: {columns}</source>

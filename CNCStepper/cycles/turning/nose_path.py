@@ -20,11 +20,10 @@ from CNCStepper.cycles.turning.turning_setup import TurningSetup
 from CNCStepper.errors import CycleError
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.region import Region
-from CNCStepper.tolerances import SAME_MM
+from CNCStepper.tolerances import SAME_EDGE_DEG, SAME_MM
 
 OFFSET_TOLERANCE_MM = 1e-4
 BODY_MM = 50.0  # how far the region below a profile goes on
-SAME_ANGLE_DEG = 0.01
 
 
 def framed(curve: Curve, side: float) -> Curve:
@@ -63,11 +62,11 @@ def require_reach(profile: Curve, setup: TurningSetup, side: float) -> None:
         return
     front, back = (angle * side for angle in setup.tool.edges_deg)
     rising, falling = _steepest(profile)
-    if rising < front - SAME_ANGLE_DEG:
+    if rising < front - SAME_EDGE_DEG:
         what, value = "the front edge of the insert does not reach the profile", f"front edge at {front:.4g} deg"
         limit = f"at most {rising:.4g} deg: an entering angle of {180 - rising:.4g} deg or more"
         raise CycleError("insert-front", what, value=value, limit=limit, advice="use another insert or holder")
-    if falling > back + SAME_ANGLE_DEG:
+    if falling > back + SAME_EDGE_DEG:
         what, value = "the back edge of the insert does not reach the profile", f"back edge at {back:.4g} deg"
         limit = f"at least {falling:.4g} deg: a nose angle of {front - falling:.4g} deg or less"
         raise CycleError("insert-back", what, value=value, limit=limit, advice="use a more pointed insert or a groove")
@@ -83,7 +82,7 @@ def _steepest(profile: Curve) -> tuple[float, float]:
             continue
         for way in (complex(*begin), complex(*end)):
             angle = math.degrees(math.atan2(way.imag, way.real)) % 360.0  # 90 up, 180 left, 270 down
-            if angle <= 180.0 + SAME_ANGLE_DEG:
+            if angle <= 180.0 + SAME_EDGE_DEG:
                 rising = min(rising, angle)
             else:
                 falling = max(falling, angle - 180.0)
