@@ -27,7 +27,8 @@ PLANTED = {  # the source, the exit status, and what is said
         ("processes were left behind:",),
     ),
 }
-LIMIT_S = {"hangs": "20"}  # of its whole run; others have time to end
+LIMIT_S = {"hangs": "5"}  # once the window is ready; others have time to end
+READY_S = 600  # so long may a window take that compiles the kernels first
 
 
 @pytest.mark.freecad
@@ -45,7 +46,7 @@ def test_what_happens_in_a_window_is_seen_outside(name: str, tmp_path: Path) -> 
         capture_output=True,
         text=True,
         errors="replace",
-        timeout=120,
+        timeout=READY_S + 120,
     )
     assert result.returncode == status, result.stdout + result.stderr
     assert all(word in result.stdout + result.stderr for word in words), result.stdout + result.stderr

@@ -6,6 +6,7 @@ They are what tests/window/test_road.py sees on its way, in a plain window and i
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -22,7 +23,8 @@ SUFFIX = {"plain": "", "scaled": "-2x"}
 
 def keep(kind: str) -> None:
     """Go the road in a window of that kind and keep what was seen."""
-    subprocess.run([str(ROOT / "tools" / "window.sh"), "0.20.2", kind, "tests/window/test_road.py"], check=True)
+    command = [str(ROOT / "tools" / "window.sh"), "0.20.2", kind, "tests/window/test_road.py"]
+    subprocess.run(command, check=True, env={**os.environ, "CNCSTEPPER_WINDOW_AS_A_PERSON": "1"})
     folder = TAKEN / ("0.20.2" if kind == "plain" else f"0.20.2-{kind}")
     for taken in sorted(folder.glob("road-*.png")):
         with Image.open(taken) as picture:

@@ -10,6 +10,7 @@ collect_ignore_glob = [] if INSIDE else ["test_*.py", "*/test_*.py"]
 
 if INSIDE:
     from collections.abc import Iterator
+    from pathlib import Path
     from typing import Any
 
     import FreeCAD
@@ -18,6 +19,8 @@ if INSIDE:
     from CNCStepper.workbench.calculation import kernel_warmup
     from window_helpers import window_kinds
     from window_helpers.hand import Hand
+
+    KERNELS_S = 540  # so long may the kernels take to be compiled, on a busy machine
 
     def pytest_configure(config: pytest.Config) -> None:
         config.addinivalue_line("markers", "window(*kinds): the kinds of window (window_kinds.py) that a test runs in")
@@ -36,10 +39,11 @@ if INSIDE:
         hand = Hand(*FreeCAD.__cncstepper_window__)
         if window_kinds.AUTOLOAD not in os.environ:
             hand.wait(hand.workbench_is_open, 60)
-            hand.wait(lambda: kernel_warmup.running() is None, 300, "the kernels")
+            hand.wait(lambda: kernel_warmup.running() is None, KERNELS_S, "the kernels")
         hand.settle()
         ours = [line.text for line in hand.report() if line.bad and "CNCStepper" in line.text]
         assert not ours, f"FreeCAD's start has put into the report view: {ours}"
+        Path(os.environ["CNCSTEPPER_WINDOW_STATUS"]).with_name(window_kinds.READY).touch()
         return hand
 
     @pytest.fixture

@@ -30,6 +30,7 @@ NO_DOUBLE_S = 0.6  # between two clicks, so that Qt takes them for no double cli
 NEAR_PX = 20.0  # two clicks that near might be taken for a double click
 AGAIN_S = 0.2  # before a key is pressed once more that was not seen
 SEEN_S = 1.0  # so long may a click take to be seen beside other windows
+QUICK = 80  # the quality that lets Qt's writer of PNG compress least, without loss
 LIST_S = 2.0  # so long may the list of a combo box take to appear
 REST_S = 0.03  # what has not moved for so long rests
 CLICKS = 3  # so often is a button clicked that does not see it
@@ -117,7 +118,7 @@ class Hand:
         """Save the screen, or the window that a widget stands in, as build/window/VERSION/NAME.png."""
         self.settle()
         path = PICTURES / (re.sub(r"[^\w.+-]+", "_", name) + ".png")
-        assert self.main(places.picture, target).save(str(path)), f"could not write {path}"
+        assert self.main(places.picture, target).save(str(path), "PNG", QUICK), f"could not write {path}"
         return path
 
     def describe(self) -> str:

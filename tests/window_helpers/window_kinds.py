@@ -5,6 +5,8 @@ VARIABLE = "CNCSTEPPER_WINDOW_KIND"
 LANGUAGE = "CNCSTEPPER_WINDOW_LANGUAGE"  # as FreeCAD calls it
 WITHOUT = "CNCSTEPPER_WINDOW_WITHOUT"  # packages that FreeCAD's Python shall not find
 
+READY = "ready"  # the file beside that of the tests' status which says that the first test can begin
+
 AUTOLOAD = "CNCSTEPPER_WINDOW_AUTOLOAD"  # the workbench that FreeCAD opens at its start
 
 RENAMED = {"1.1.3": {"Portuguese, Brazilian": "Portuguese (Brazilian)"}}  # languages, by the FreeCAD that renamed them

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from CNCStepper.control.session.client import SessionClient
 from CNCStepper.control.session.files import sessions
-from helpers.cli.command_line import command
+from helpers.cli.command_line import command, forked
 
 CHECKED = ("--machine", "table-a")
 TYPED_AT = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "stderr": subprocess.DEVNULL}
@@ -24,11 +24,13 @@ def being_sent(
     """Send a program's text to a virtual controller of its own; yield the `send` and the controller's port."""
     program = folder / "a part ç.nc"
     program.write_text(text, "utf-8")
-    with subprocess.Popen(command(*virtual), stdout=subprocess.PIPE, encoding="utf-8") as table:
+    with subprocess.Popen(
+        command(*virtual), stdout=subprocess.PIPE, encoding="utf-8", preexec_fn=forked(*virtual)
+    ) as table:
         assert table.stdout
         port = table.stdout.readline().rpartition(" ")[2].strip()
         arguments = ("send", program, "--port", port, *options, "--zero-confirmed")
-        with subprocess.Popen(command(*arguments), encoding="utf-8", **pipes) as sender:
+        with subprocess.Popen(command(*arguments), encoding="utf-8", preexec_fn=forked(*arguments), **pipes) as sender:
             yield sender, port
             sender.kill()
         table.terminate()

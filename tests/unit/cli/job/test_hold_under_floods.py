@@ -22,7 +22,7 @@ from CNCStepper.control.session.files import read_private, running_services, ses
 from CNCStepper.control.session.local_socket import LOOPBACK, TRANSPORT, Address
 from CNCStepper.control.session.server import UNAUTHENTICATED_LIMIT
 from CNCStepper.control.session.status import STOPPED
-from helpers.cli.command_line import called, command
+from helpers.cli.command_line import called, command, forked
 from helpers.cli.running_send import attached, being_sent
 
 PROGRAM = "G21 G90\nG0 Z-2\n" + "".join(f"G1 X{-10 * (1 + number % 30)} F600\n" for number in range(300)) + "M2\n"
@@ -110,7 +110,9 @@ def test_hold_and_stop_pass_connections_without_a_token(transport: str, tmp_path
 def test_hold_and_stop_pass_them_where_a_window_cuts(transport: str, tmp_path: Path) -> None:
     job = tmp_path / "job.json"
     write_job(job, SendJob("", PROGRAM.splitlines(), file="part.nc"))
-    with subprocess.Popen(command(*VIRTUAL, "--until-left"), stdout=subprocess.PIPE, encoding="utf-8") as table:
+    words = (*VIRTUAL, "--until-left")
+    pipe = {"stdout": subprocess.PIPE, "encoding": "utf-8"}
+    with subprocess.Popen(command(*words), preexec_fn=forked(*words), **pipe) as table:
         assert table.stdout
         try:
             window = ConnectionClient.launch(table.stdout.readline().rpartition(" ")[2].strip())

@@ -17,7 +17,7 @@ from CNCStepper.control.program.bundle import Lines, Numbers
 from CNCStepper.control.program.certificate import Certificate, digest_of_text
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.session.status import DONE, Outcome, SenderStatus
-from helpers.cli.command_line import called, command
+from helpers.cli.command_line import called, command, forked
 
 CONFIRMED = ("--machine", "table-a", "--zero-confirmed")
 PROGRAM = "G21 G90\nG0 Z5\nG0 X10 Y0\nG1 Z-1 F300\n(MSG, look)\nM0\nG3 X10 Y0 I-10 J0 F2000\nG0 Z5\nM2\n"
@@ -27,11 +27,8 @@ PROGRAM = "G21 G90\nG0 Z5\nG0 X10 Y0\nG1 Z-1 F300\n(MSG, look)\nM0\nG3 X10 Y0 I-
 def table(tmp_path: Path) -> Iterator[tuple[str, Path]]:
     """A running virtual grbl: its port and its trace."""
     trace = tmp_path / "trace.csv"
-    process = subprocess.Popen(
-        command("virtual", "grbl", "--tcp", "127.0.0.1:0", "--speed", "20", "--trace", trace),
-        stdout=subprocess.PIPE,
-        encoding="utf-8",
-    )
+    words = ("virtual", "grbl", "--tcp", "127.0.0.1:0", "--speed", "20", "--trace", trace)
+    process = subprocess.Popen(command(*words), stdout=subprocess.PIPE, encoding="utf-8", preexec_fn=forked(*words))
     assert process.stdout
     said = process.stdout.readline().strip()
     yield f"socket://{said.rpartition(' ')[2].removeprefix('socket://')}", trace
@@ -40,8 +37,9 @@ def table(tmp_path: Path) -> Iterator[tuple[str, Path]]:
 
 
 def send(path: Path, port: str, *more: str, answer: str = "") -> subprocess.CompletedProcess[str]:
-    line = command("send", path, "--port", port, "--machine", "table-a", *more)
-    return subprocess.run(line, input=answer, capture_output=True, encoding="utf-8", timeout=60)
+    words = ("send", path, "--port", port, "--machine", "table-a", *more)
+    options = {"capture_output": True, "encoding": "utf-8", "timeout": 60}
+    return subprocess.run(command(*words), input=answer, preexec_fn=forked(*words), **options)
 
 
 @pytest.fixture
@@ -89,9 +87,8 @@ def test_a_port_that_is_not_there(program: Path) -> None:
 
 @pytest.mark.slow
 def test_a_machine_in_alarm_is_refused(program: Path, tmp_path: Path) -> None:
-    process = subprocess.Popen(
-        command("virtual", "grbl", "--tcp", "127.0.0.1:0", "--homing"), stdout=subprocess.PIPE, encoding="utf-8"
-    )
+    words = ("virtual", "grbl", "--tcp", "127.0.0.1:0", "--homing")
+    process = subprocess.Popen(command(*words), stdout=subprocess.PIPE, encoding="utf-8", preexec_fn=forked(*words))
     assert process.stdout
     port = "socket://" + process.stdout.readline().strip().rpartition(" ")[2].removeprefix("socket://")
     sent = called("send", program, "--port", port, *CONFIRMED)

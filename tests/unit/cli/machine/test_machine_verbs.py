@@ -17,7 +17,7 @@ from CNCStepper.control.session.files import session_folder
 from CNCStepper.control.session.status import SenderStatus
 from CNCStepper.control.stream.position_trust import LOST, NOTHING_AGAINST
 from CNCStepper.errors import MachineRefusal
-from helpers.cli.command_line import called, command
+from helpers.cli.command_line import called, command, forked
 
 
 class FakeTalk:
@@ -154,11 +154,8 @@ def test_ways_are_read():
 @pytest.fixture(scope="module")
 def port() -> Iterator[str]:
     """A virtual grbl that must be homed."""
-    process = subprocess.Popen(
-        command("virtual", "grbl", "--tcp", "127.0.0.1:0", "--speed", "50", "--homing"),
-        stdout=subprocess.PIPE,
-        encoding="utf-8",
-    )
+    words = ("virtual", "grbl", "--tcp", "127.0.0.1:0", "--speed", "50", "--homing")
+    process = subprocess.Popen(command(*words), stdout=subprocess.PIPE, encoding="utf-8", preexec_fn=forked(*words))
     assert process.stdout
     yield process.stdout.readline().strip().rpartition(" ")[2]
     process.terminate()

@@ -18,7 +18,7 @@ from CNCStepper.control.service.connection_client import ConnectionClient
 from CNCStepper.control.service.connection_session import ConnectionSession
 from CNCStepper.control.session.files import running_services, sessions
 from CNCStepper.control.session.local_socket import Address
-from helpers.cli.command_line import called, command
+from helpers.cli.command_line import called, command, forked
 
 KEPT = "stays open for 5 min; `cncstepper disconnect` closes it"
 LIMIT_S = 40.0
@@ -32,8 +32,8 @@ pytestmark = pytest.mark.slow
 def port(tmp_path: Path) -> Iterator[str]:
     """Yield the port of a virtual grbl that restarts at each opening."""
     way = ["--tcp", "127.0.0.1:0"] if os.name == "nt" else ["--pty", tmp_path / "board"]
-    words = command("virtual", "grbl", *way, "--restarts", "--speed", "5")
-    with subprocess.Popen(words, stdout=subprocess.PIPE, text=True) as process:
+    words = ("virtual", "grbl", *way, "--restarts", "--speed", "5")
+    with subprocess.Popen(command(*words), stdout=subprocess.PIPE, text=True, preexec_fn=forked(*words)) as process:
         assert process.stdout
         try:
             yield process.stdout.readline().split()[-1]
@@ -128,8 +128,9 @@ def test_disconnect_ends_it_and_says_where_there_is_nothing(port):
 
 
 def test_disconnect_is_refused_while_a_job_runs_and_other_verbs_hold_and_stop_it(port, tmp_path):
-    words = command(*send(program(tmp_path, LONG), port), "--machine", "table-a")
-    with subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as sender:
+    words = (*send(program(tmp_path, LONG), port), "--machine", "table-a")
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
+    with subprocess.Popen(command(*words), preexec_fn=forked(*words), **pipes) as sender:
         until(lambda: running_services() != [])
         (file,) = running_services()
         with ConnectionSession.attach(file) as session:
@@ -221,8 +222,8 @@ def test_a_machine_that_this_computer_controls_keeps_its_connection_too(tmp_path
 
 
 def test_home_first_is_done_by_the_service(tmp_path):
-    words = command("virtual", "grbl", "--tcp", "127.0.0.1:0", "--restarts", "--homing", "--speed", "50")
-    with subprocess.Popen(words, stdout=subprocess.PIPE, text=True) as process:
+    words = ("virtual", "grbl", "--tcp", "127.0.0.1:0", "--restarts", "--homing", "--speed", "50")
+    with subprocess.Popen(command(*words), stdout=subprocess.PIPE, text=True, preexec_fn=forked(*words)) as process:
         assert process.stdout
         try:
             port = process.stdout.readline().split()[-1]

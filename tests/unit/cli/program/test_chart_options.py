@@ -13,7 +13,7 @@ import pytest
 
 from CNCStepper.control.program.certificate import Certificate
 from CNCStepper.machine.cut_charts import cut_data_for
-from helpers.cli.command_line import called, command
+from helpers.cli.command_line import called, command, forked
 
 PROGRAM = "G21 G90\nG0 X10 Y10\nM3 S1000\nG4 P0.3\nG1 X110\nY60\nM5\nG0 X0 Y0\nM2\n"
 STEEL = ("--material", "mild-steel", "--thickness", "3")
@@ -134,11 +134,8 @@ def test_a_certificate_holds_the_feed(program: Path, tmp_path: Path) -> None:
 @pytest.fixture
 def torch() -> Iterator[str]:
     """A running virtual grbl of the torch table: its port."""
-    process = subprocess.Popen(
-        command("virtual", "grbl", "--tcp", "127.0.0.1:0", "--speed", "20", "--machine", "torch-table"),
-        stdout=subprocess.PIPE,
-        encoding="utf-8",
-    )
+    words = ("virtual", "grbl", "--tcp", "127.0.0.1:0", "--speed", "20", "--machine", "torch-table")
+    process = subprocess.Popen(command(*words), stdout=subprocess.PIPE, encoding="utf-8", preexec_fn=forked(*words))
     assert process.stdout
     said = process.stdout.readline()
     yield "socket://" + re.split("socket://", said.strip())[-1]

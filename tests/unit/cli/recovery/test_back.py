@@ -18,7 +18,7 @@ from CNCStepper.gcode.wire.encoder import prepare
 from CNCStepper.job.make_certificate import send_job
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.workers.path_retract import answered
-from helpers.cli.command_line import called, command
+from helpers.cli.command_line import called, command, forked
 from helpers.cli.running_send import attached, being_sent
 
 PROGRAM = "G21 G90\nG0 Z-2\nG0 X-5 Y-5\nM3 S8000\nG4 P3\nG1 Z-5 F300\nG1 X-390 F500\nG0 Z-2\nM5\nM2\n"
@@ -99,7 +99,8 @@ def desk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Connection
     job = send_job(prepare(PROGRAM, "grbl", "a part ç.nc"), machine, "a part ç.nc", None, "grbl")
     file = tmp_path / "send ç.json"
     write_job(file, job)
-    with subprocess.Popen(command(*VIRTUAL), stdout=subprocess.PIPE, encoding="utf-8") as table:
+    pipe = {"stdout": subprocess.PIPE, "encoding": "utf-8"}
+    with subprocess.Popen(command(*VIRTUAL), preexec_fn=forked(*VIRTUAL), **pipe) as table:
         assert table.stdout
         client = ConnectionClient.launch(table.stdout.readline().rpartition(" ")[2].strip())
         await_desk(client, lambda: client.status.phase == "idle")

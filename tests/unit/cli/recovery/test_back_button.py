@@ -15,7 +15,7 @@ from CNCStepper.control.session.client import SessionClient
 from CNCStepper.control.session.files import sessions
 from CNCStepper.control.session.status import SenderStatus
 from CNCStepper.machine.profile import load_machine
-from helpers.cli.command_line import command
+from helpers.cli.command_line import command, forked
 
 pytestmark = [pytest.mark.slow, pytest.mark.skipif(sys.platform == "win32", reason="its pins cannot be typed there")]
 PROFILE = Path(load_machine.__code__.co_filename).parent / "profiles" / "table-a.toml"
@@ -52,13 +52,13 @@ def bench(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Bench]:
     program.write_text(PROGRAM, "utf-8")
     machine.write_text(PROFILE.read_text("utf-8") + BUTTONS, "utf-8")
     pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "encoding": "utf-8"}
-    with subprocess.Popen(
-        command("virtual", "grbl", "--tcp", "127.0.0.1:0", "--speed", "2", "--typed"), **pipes
-    ) as table:
+    words = ("virtual", "grbl", "--tcp", "127.0.0.1:0", "--speed", "2", "--typed")
+    with subprocess.Popen(command(*words), preexec_fn=forked(*words), **pipes) as table:
         assert table.stdout
         port = table.stdout.readline().rpartition(" ")[2].strip()
         arguments = ("send", program, "--port", port, "--machine", machine, "--zero-confirmed")
-        with subprocess.Popen(command(*arguments), stderr=subprocess.DEVNULL, **pipes) as sender:
+        pipes["stderr"] = subprocess.DEVNULL
+        with subprocess.Popen(command(*arguments), preexec_fn=forked(*arguments), **pipes) as sender:
             while not sessions():
                 assert sender.poll() is None
                 time.sleep(0.05)
