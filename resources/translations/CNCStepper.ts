@@ -15566,6 +15566,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>prove them together: cncstepper run JOB</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>pulses are forgotten at rest only, not in state {state}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17691,6 +17695,10 @@
         </message>
         <message>
             <source>the job cannot be read: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the job has a program for each of {count} tools, one after the other</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

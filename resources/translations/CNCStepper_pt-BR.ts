@@ -15566,6 +15566,10 @@
             <translation>verifique partes do programa em separado</translation>
         </message>
         <message>
+            <source>prove them together: cncstepper run JOB</source>
+            <translation>verifique-os juntos: cncstepper run JOB</translation>
+        </message>
+        <message>
             <source>pulses are forgotten at rest only, not in state {state}</source>
             <translation>pulsos só são descartados em repouso, não no estado {state}</translation>
         </message>
@@ -17692,6 +17696,10 @@
         <message>
             <source>the job cannot be read: {error}</source>
             <translation>o trabalho não pode ser lido: {error}</translation>
+        </message>
+        <message>
+            <source>the job has a program for each of {count} tools, one after the other</source>
+            <translation>o trabalho tem um programa para cada uma das {count} ferramentas, um após o outro</translation>
         </message>
         <message>
             <source>the job has ended: {outcome}</source>

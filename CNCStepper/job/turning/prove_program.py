@@ -8,12 +8,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from CNCStepper.errors import JobError, Text
 from CNCStepper.gcode.dialects import dialect as dialect_named
 from CNCStepper.gcode.lathe.diameter_mode import x_is
 from CNCStepper.job.prove import Proof, prove, with_findings
 from CNCStepper.job.turning.make_turning import in_part, placement_of
 from CNCStepper.job.turning.report import TurnedVerdict, judge_turning, setup_of
-from CNCStepper.job.turning.turning_job import load_turning_job
+from CNCStepper.job.turning.turning_job import TurningJob, load_turning_job
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tools.turning_tool import TurningTool
 from CNCStepper.machine.tools.turning_tool_text import EVERY_NUMBER
@@ -75,9 +76,20 @@ def prove_text_of_job(
 ) -> tuple[Proof, TurnedVerdict]:
     """Return the same of the whole program of a lathe's job file; raises JobError and ProgramError."""
     job, machine = load_turning_job(job_path)
+    if "T" not in dialect_named(machine.language(dialect)).letters:
+        start = replace(start or Start(), tool=_only_tool(job))
     proof = prove(text, machine, file=file, dialect=dialect, start=start)
     path = in_part(proof.toolpath, placement_of(job, machine))
     return _joined(proof, judge_turning(moves_of(path), setup_of(job, file), job.x_is))
+
+
+def _only_tool(job: TurningJob) -> int:
+    """Return the tool of a job whose programs name none; raises JobError where each of several has its own program."""
+    numbers = sorted({operation.tool for operation in job.operation})
+    if len(numbers) > 1:
+        what = Text("the job has a program for each of {count} tools, one after the other", count=len(numbers))
+        raise JobError("turning-part", what, advice="prove them together: cncstepper run JOB")
+    return int(numbers[0])
 
 
 def tools_of_table(entries: Mapping[int, ToolEntry]) -> dict[int, TurningTool]:

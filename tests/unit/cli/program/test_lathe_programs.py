@@ -108,3 +108,30 @@ def test_time_and_edit_say_how_x_is_given(program) -> None:
 def test_options_that_do_not_fit_are_usage_errors(program, tmp_path: Path, options: tuple[str, ...]) -> None:
     ended = called("simulate", program("G7"), "--dialect", "linuxcnc", "-o", tmp_path / "a.png", *options)
     assert ended.returncode == 2, ended.stderr
+
+
+JOB = """machine = "mini-lathe"
+process = "turning"
+x_is = "radius"
+start = [32.5, 6]
+stock = {{ diameter_mm = 55, length_mm = 100 }}
+tool = [{{ number = 1, insert = "CNMG 120408" }}, {{ number = 2, kind = "parting", width_mm = 3 }}]
+profile = [{{ name = "shaft", points = [[25, 0], [25, -40]] }}]
+operation = [{operations}]
+"""
+FINISH = '{ cycle = "turn_finish", tool = 1, profile = "shaft", spindle_rpm = 500, feed_mm_rev = 0.2 }'
+PART = '{ cycle = "turn_part", tool = 2, z_mm = -45, spindle_rpm = 500, feed_mm_rev = 0.1 }'
+
+
+def test_a_lathe_s_job_gives_stock_tool_and_profile(tmp_path: Path) -> None:
+    """The mini-lathe's signs: X from where the tool is set, Z away from the chuck, both incremental here."""
+    job, program = tmp_path / "job.toml", tmp_path / "p.txt"
+    job.write_text(JOB.format(operations=FINISH))
+    words = ("G00 X-7.5", "G01 Z46. F2.", "X4.", "G00 Z-46.", "M02")
+    program.write_text("".join(f"N{10 * number} {block} # " for number, block in enumerate(words, 1)) + "?\n")
+    ended = called("simulate", program, "--job", job, "-o", tmp_path / "a.png", "--read-at", "-20")
+    assert "Z-20: diameter 50.0000 mm" in ended.stdout, ended.stdout + ended.stderr
+    assert "X is a radius" in ended.stdout
+    assert "[gouge]" not in ended.stdout
+    job.write_text(JOB.format(operations=f"{FINISH}, {PART}"))
+    assert "[turning-part]" in called("check", program, "--job", job, "--machine", "mini-lathe").stderr
