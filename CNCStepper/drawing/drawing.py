@@ -24,7 +24,7 @@ Share = Callable[[float], None]
 """Called with the share of a reading that is done, 0 to 1."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Attributes:
     """What the file says of an entity beside its geometry; "" where it says nothing.
 
@@ -39,7 +39,7 @@ class Attributes:
     filled: bool = False
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Piece:
     """The curve of one entity, mm, and its attributes."""
 
@@ -47,7 +47,7 @@ class Piece:
     attributes: Attributes
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Chain:
     """Pieces that meet, as one curve in mm; the attributes are those of its first piece."""
 
@@ -55,7 +55,7 @@ class Chain:
     attributes: Attributes
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Skipped:
     """An entity that is in no chain: its kind, layer and handle (or id) as the file names them, and why."""
 

@@ -14,6 +14,7 @@ from pathlib import Path
 from CNCStepper.drawing.drawing import Drawing, Share
 from CNCStepper.drawing.trace.options import TraceOptions
 from CNCStepper.errors import JobError, Place, Text
+from CNCStepper.garbage import collection_paused
 from CNCStepper.geometry.chain_joining import NEAR_MM
 from CNCStepper.tolerances import JOINED_ENDS_MM
 
@@ -67,4 +68,5 @@ def read_drawing(
             place=Place(str(path)),
         )
     reader: Reader = importlib.import_module(module).read
-    return reader(path, options, share)
+    with collection_paused():  # no reader makes cycles
+        return reader(path, options, share)

@@ -28,7 +28,7 @@ FLOORS = [  # from the top; rooms on one line do not know each other
     {"geometry", "machine", "state", "canned_cycle_expansion"},
     {"output_files", "input_file", "quantities", "text_json"},
     {"errors", "units", "kernels", "atomic_file", "cancellation", "dependencies"},
-    {"kernel_cache", "safe_text", "tolerances", "word_pattern"},
+    {"garbage", "kernel_cache", "safe_text", "tolerances", "word_pattern"},
 ]
 FLOOR_OF = {room: floor for floor, rooms in enumerate(FLOORS) for room in rooms}
 

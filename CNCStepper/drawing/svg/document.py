@@ -128,12 +128,12 @@ class _Builder:
             raise _large("elements", MOST_ELEMENTS, self._place)
         if len(self._stack) >= MOST_DEPTH:
             raise _large("elements within each other", MOST_DEPTH, self._place)
-        own = {}
+        names, own = self._names, {}
         for key, value in attributes.items():
             self._left -= len(value)
-            own[self._local(key)] = value
+            own[names[key] if key in names else self._local(key)] = value
         self._require_growth()
-        element = Element(self._local(name, element=True), own)
+        element = Element(self._local(name), own)
         if self._stack:
             self._stack[-1].children.append(element)
         elif self._root is None:
@@ -174,7 +174,7 @@ class _Builder:
         if self._left < 0:
             raise _large("characters with its entities in their places", MOST_GROWTH, self._place)
 
-    def _local(self, name: str, element: bool = False) -> str:
+    def _local(self, name: str) -> str:
         """Return a name without its namespace where that is SVG's, else with a prefix that we give; "" for unknown."""
         if name not in self._names and len(self._names) < MOST_ENTITIES * 8:
             address, _, local = name.rpartition("\n")

@@ -11,8 +11,9 @@ from __future__ import annotations
 import cmath
 import math
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -51,13 +52,13 @@ class Matrix:
     def __call__(self, z: complex) -> complex:
         return self.turn * z + self.mirror * z.conjugate() + self.shift
 
-    @property
+    @cached_property
     def circles(self) -> bool:
         """Whether circles stay circles."""
         small, large = sorted((abs(self.turn), abs(self.mirror)))
         return small <= SAME_SCALE * large
 
-    @property
+    @cached_property
     def sense(self) -> float:
         """1 where turns keep their sense, -1 for a mirror image."""
         return 1.0 if abs(self.turn) >= abs(self.mirror) else -1.0
@@ -66,6 +67,11 @@ class Matrix:
     def scale(self) -> float:
         """The largest factor by which a length grows."""
         return abs(self.turn) + abs(self.mirror)
+
+    def placed(self, points: Iterable[complex]) -> list[complex]:
+        """Return where several points come to."""
+        turn, mirror, shift = self.turn, self.mirror, self.shift
+        return [turn * z + mirror * z.conjugate() + shift for z in points]
 
     @property
     def array(self) -> np.ndarray:

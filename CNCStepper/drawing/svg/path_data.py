@@ -9,6 +9,7 @@ Source: SVG 1.1, second edition, chapter 8 and appendix F.6.
 from __future__ import annotations
 
 import cmath
+import itertools
 import math
 import re
 
@@ -51,9 +52,15 @@ class PlacedPen:
         self._pen().line(self._matrix(z))
         self.place = z
 
+    def lines(self, points: list[complex]) -> None:
+        """Draw lines from one point to the next."""
+        if points:
+            self._pen().lines(self._matrix.placed(points))
+            self.place = points[-1]
+
     def cubic(self, one: complex, other: complex, z: complex) -> None:
         """Draw a Bezier curve of degree 3."""
-        self._pen().cubic(self._matrix(one), self._matrix(other), self._matrix(z))
+        self._pen().cubic(*self._matrix.placed((one, other, z)))
         self.place = z
 
     def quadratic(self, control: complex, z: complex) -> None:
@@ -125,7 +132,8 @@ class PlacedPen:
 
 def draw_path(pen: PlacedPen, data: str) -> None:
     """Draw the commands of a path; raises PathDamage at the first that is damaged, with those before it drawn."""
-    if (before := data[: _begin(data)].strip(SEPARATORS)) and not before.isspace():
+    before = "" if data[:1] in ("M", "m") else data[: _begin(data)].strip(SEPARATORS)
+    if before and not before.isspace():
         raise PathDamage(f"it begins with {before[:20]!r}")
     first, control = True, None
     for command, arguments in COMMAND.findall(data):
@@ -153,44 +161,76 @@ def _begin(data: str) -> int:
 
 def _run(pen: PlacedPen, name: str, relative: bool, arguments: str, control: _Control) -> _Control:
     """Draw what one command letter repeats; return the control point that a smooth curve mirrors, and its degree."""
-    values = list(map(float, NUMBER.findall(arguments)))
+    values, damaged = _values(arguments)
     size = COUNTS[name]
     whole = len(values) - len(values) % size
-    for at in range(0, whole, size):
-        row = values[at : at + size]
-        if not all(abs(value) <= LARGEST for value in row):
-            raise PathDamage("a number is out of range")
-        if name in "HV":
-            base = pen.place if relative else (complex(0.0, pen.place.imag) if name == "H" else pen.place.real + 0j)
-            pen.line(base + (row[0] if name == "H" else row[0] * 1j))
-            control = None
-            continue
-        base = pen.place if relative else 0j
-        points = [base + complex(x, y) for x, y in zip(row[::2], row[1::2], strict=True)]
-        control = _drawn(pen, "L" if name == "M" and at else name, points, control)
-    if NUMBER.sub("", arguments).strip(SEPARATORS) or whole != len(values) or not whole:
+    damaged = damaged or whole != len(values) or not whole
+    if whole and max(max(values), -min(values)) > LARGEST:
+        far = next((at for at, value in enumerate(values[:whole]) if abs(value) > LARGEST), whole)
+        whole, damaged = far - far % size, True
+    if name in "HV":
+        _level_lines(pen, values[:whole], name == "H", relative)
+        control = None
+    else:
+        points = list(map(complex, values[:whole:2], values[1:whole:2]))
+        control = _drawn(pen, name, points, relative, control)
+    if damaged:
         raise PathDamage(f"the numbers of {name} are damaged")
     return control
+
+
+def _values(arguments: str) -> tuple[list[float], bool]:
+    """Return the numbers of a command, and whether anything else stands between them.
+
+    Those with blanks or commas between them are split there, which is quicker.
+    """
+    if arguments.isascii() and "_" not in arguments:
+        try:
+            return list(map(float, arguments.replace(",", " ").split())), False
+        except ValueError:  # "1-2.5.5"
+            pass
+    values = list(map(float, NUMBER.findall(arguments)))
+    return values, bool(NUMBER.sub("", arguments).strip(SEPARATORS))
 
 
 _Control = tuple[complex, int] | None
 
 
-def _drawn(pen: PlacedPen, name: str, points: list[complex], control: _Control) -> _Control:
-    """Draw one segment; return the last control point and the degree."""
-    if name == "M":
-        pen.move(points[0])
+def _level_lines(pen: PlacedPen, values: list[float], along_x: bool, relative: bool) -> None:
+    """Draw lines along X or along Y."""
+    place = pen.place
+    steps = [complex(value, 0.0) if along_x else complex(0.0, value) for value in values]
+    fixed = complex(0.0, place.imag) if along_x else complex(place.real, 0.0)
+    pen.lines(_run_on(place, steps) if relative else [fixed + step for step in steps])
+
+
+def _run_on(place: complex, steps: list[complex]) -> list[complex]:
+    """Return the points that steps lead to, one after the other."""
+    return list(itertools.accumulate(steps, initial=place))[1:]
+
+
+def _drawn(pen: PlacedPen, name: str, points: list[complex], relative: bool, control: _Control) -> _Control:
+    """Draw the segments of a run; return the last control point and the degree, None after lines."""
+    if name in "ML":
+        ends = _run_on(pen.place, points) if relative else points
+        if name == "M" and ends:
+            pen.move(ends[0])
+            ends = ends[1:]
+        pen.lines(ends)
         return None
-    if name == "L":
-        pen.line(points[0])
-        return None
-    if name in "CS":
-        one = points[0] if name == "C" else _mirrored(pen, control, 3)
-        pen.cubic(one, points[-2], points[-1])
-        return points[-2], 3
-    one = points[0] if name == "Q" else _mirrored(pen, control, 2)
-    pen.quadratic(one, points[-1])
-    return one, 2
+    size = COUNTS[name] // 2
+    for at in range(0, len(points), size):
+        base = pen.place if relative else 0j
+        row = [base + point for point in points[at : at + size]]
+        if name in "CS":
+            one = row[0] if name == "C" else _mirrored(pen, control, 3)
+            pen.cubic(one, row[-2], row[-1])
+            control = row[-2], 3
+        else:
+            one = row[0] if name == "Q" else _mirrored(pen, control, 2)
+            pen.quadratic(one, row[-1])
+            control = one, 2
+    return control
 
 
 def _mirrored(pen: PlacedPen, control: _Control, degree: int) -> complex:
@@ -237,7 +277,6 @@ def draw_points(pen: PlacedPen, points: list[complex], closed: bool) -> None:
     """Draw a polyline."""
     if points:
         pen.move(points[0])
-        for point in points[1:]:
-            pen.line(point)
+        pen.lines(points[1:])
         if closed:
             pen.close()

@@ -13,7 +13,8 @@ import re
 from collections import defaultdict
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
+from typing import Any
 
 from CNCStepper.drawing.svg.document import TEXT, Element
 from CNCStepper.drawing.svg.matrices import length
@@ -24,6 +25,7 @@ INHERITED = {
     "font-weight", "font", "text-anchor", "letter-spacing", "stroke-opacity", "fill-opacity", "stroke-width", "marker",
     "marker-start", "marker-mid", "marker-end",
 }  # fmt: skip
+MARKERS = ("marker", "marker-start", "marker-mid", "marker-end")
 OWN = {"display", "clip-path", "mask", "opacity"}
 KNOWN = INHERITED | OWN
 MOST_RULES = 5_000
@@ -50,7 +52,46 @@ MOST_FONT = 300  # characters of a `font`
 FONT = re.compile(
     r"(?P<words>[\w\s-]*?)\s*(?P<size>[\d.]+(?:[a-z]+|%))(?:\s*/\s*[\w.%]+)?\s+(?P<family>\S.*)", re.ASCII
 )
-Style = dict[str, str]
+MOST_KEPT = 4_096  # styles that are kept to be given again
+
+
+class Style(dict[str, str]):
+    """The properties of an element, and what follows from them; `styled` gives one for all elements that look alike."""
+
+    @cached_property
+    def stroke(self) -> str | None:
+        """The stroke's colour, as `colour_of` returns it."""
+        return colour_of(self.get("stroke", "none"), self)
+
+    @cached_property
+    def fill(self) -> str | None:
+        """The fill's colour, as `colour_of` returns it."""
+        return colour_of(self.get("fill", "black"), self)
+
+    @cached_property
+    def displayed(self) -> bool:
+        """Whether the element and those in it are drawn."""
+        return self.get("display") != "none"
+
+    @cached_property
+    def visible(self) -> bool:
+        """Whether the element itself is seen where it is drawn."""
+        return self.get("visibility") not in ("hidden", "collapse")
+
+    @cached_property
+    def dashed(self) -> bool:
+        """Whether its stroke is broken."""
+        return self.get("stroke-dasharray", "none") != "none"
+
+    @cached_property
+    def clips(self) -> int:
+        """How many clip paths and masks it has."""
+        return sum(self.get(key, "none") != "none" for key in ("clip-path", "mask"))
+
+    @cached_property
+    def marked(self) -> bool:
+        """Whether its lines have markers."""
+        return any(self.get(key, "none") != "none" for key in MARKERS)
 
 
 @dataclass(frozen=True)
@@ -85,6 +126,7 @@ class StyleSheet:
         text = "".join(child.text for each in root.all() if each.name == "style" for child in each.children)
         self._kept: dict[tuple[str, str, str], tuple[tuple[str, str], ...]] = {}
         self._nested, self._trials = False, 0
+        self.made: dict[tuple[Any, ...], tuple[Style, Style]] = {}  # see `styled`; the first keeps its id from others
         for number, rule in enumerate(_without_comments(text[:MOST_SHEET]).split("}")[:MOST_RULES]):
             selectors, _, body = rule.rpartition("{")
             style = tuple(declarations(body))
@@ -150,6 +192,8 @@ def _selected(rule: _Rule, element: Element, ancestors: list[Element]) -> bool:
 
 def declarations(text: str) -> Iterable[tuple[str, str]]:
     """Return the known properties of a style attribute or a rule's body."""
+    if not text:
+        return ()
     return _declarations(text) if len(text) < 4096 else tuple(_parsed(text))
 
 
@@ -170,13 +214,26 @@ def styled(element: Element, inherited: Style, sheet: StyleSheet, ancestors: lis
     """Return the style of an element; the inherited one is not changed."""
     if element.name == TEXT:
         return inherited
-    own: Style = {name: value for name, value in element.attributes.items() if name in KNOWN}
-    own.update(sheet.of(element, ancestors))
-    if text := element.get("style"):
-        own.update(declarations(text))
+    attributes = tuple([item for item in element.attributes.items() if item[0] in KNOWN])
+    rules, text = sheet.of(element, ancestors), element.get("style")
+    if not (attributes or rules or text or OWN & inherited.keys()):
+        return inherited
+    key = id(inherited), attributes, rules, text
+    if key not in sheet.made:
+        if len(sheet.made) >= MOST_KEPT:
+            sheet.made.clear()
+        sheet.made[key] = (
+            inherited,
+            _cascaded(inherited, {**dict(attributes), **dict(rules), **dict(declarations(text))}),
+        )
+    return sheet.made[key][1]
+
+
+def _cascaded(inherited: Style, own: dict[str, str]) -> Style:
+    """Return the style of an element by that around it and what it declares itself, the strongest of each property."""
     if not own and not OWN & inherited.keys():
         return inherited
-    result = {name: value for name, value in inherited.items() if name not in OWN}
+    result = Style((name, value) for name, value in inherited.items() if name not in OWN)
     result.update((name, value) for name, value in own.items() if value != "inherit")
     if "font-size" in own or "font" in own:
         _settle_font(result, own, font_size(inherited))
@@ -189,7 +246,7 @@ def font_size(style: Style) -> float:
     return size if 0.0 < size < LARGEST_SIZE else SIZE
 
 
-def _settle_font(style: Style, own: Style, around: float) -> None:
+def _settle_font(style: Style, own: dict[str, str], around: float) -> None:
     """Take the shorthand `font` apart, and make a size relative to that `around` an absolute one."""
     shorthand = FONT.fullmatch(own.get("font", "")[:MOST_FONT])
     if shorthand:

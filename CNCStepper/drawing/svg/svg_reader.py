@@ -13,7 +13,7 @@ import math
 import operator
 import re
 from collections import Counter
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import NamedTuple
 
@@ -25,7 +25,7 @@ from CNCStepper.drawing.svg.fitted_pieces import FittedPieces
 from CNCStepper.drawing.svg.matrices import NUMBER, Matrix, fitted, length, transform_of, view_box
 from CNCStepper.drawing.svg.path_data import PathDamage, PlacedPen, draw_path, draw_points, draw_rectangle
 from CNCStepper.drawing.svg.sheet import is_illustrator, sheet_of
-from CNCStepper.drawing.svg.styles import Style, StyleSheet, colour_of, font_size, styled
+from CNCStepper.drawing.svg.styles import Style, StyleSheet, font_size, styled
 from CNCStepper.drawing.svg.text_elements import TextSetter
 from CNCStepper.drawing.svg.text_letters import Letters
 from CNCStepper.errors import CNCStepperError, GeometryError, JobError, Place, Text, placed
@@ -49,8 +49,9 @@ NOT_DRAWN = {
     "animate", "animateTransform", "animateMotion", "set", "#text", "",
 }  # fmt: skip
 PLAIN = re.compile(r"-?\d{1,9}(?:\.\d{1,30})?", re.ASCII)  # a number of user units
+REFERRING = ("use", "textPath")
+FORGOTTEN = Element("", {})
 MARKED = ("path", "line", "polyline", "polygon")
-MARKERS = ("marker", "marker-start", "marker-mid", "marker-end")
 ESCAPED = re.compile(r"_x([0-9A-Fa-f]{2,4})_")  # what Illustrator makes of blanks and signs in names
 SVG_WARNINGS = {
     "clip": "{count} clip paths and masks are not applied: the parts that they hide are read too",
@@ -121,10 +122,7 @@ class _Walk:
         self._share, self._pieces = share, FittedPieces(tolerance_mm)
         self._illustrator = is_illustrator(document)
         self._sheet = StyleSheet(document.root)
-        self._by_id: dict[str, Element] = {}
-        for element in document.root.all():
-            if name := element.get("id"):
-                self._by_id.setdefault(name, element)
+        self._by_id = _referred(document.root)
         self._done, self._count = 0, self._counted(document.root, {}, 0)
         if self._count > MOST_DRAWN:
             what, advice = "the drawing has too many elements with those that it uses", "split it into several drawings"
@@ -135,7 +133,7 @@ class _Walk:
 
     def pieces(self, matrix: Matrix) -> list[Piece]:
         """Return the pieces of the whole drawing; raises JobError where its curves are too many for the tolerance."""
-        style = styled(self._root, {}, self._sheet, [])
+        style = styled(self._root, Style(), self._sheet, [])
         context = _Context(matrix, style, "", "", (), self._viewport)
         try:
             self._children(self._root, context, [])
@@ -159,7 +157,7 @@ class _Walk:
 
     def _children(self, element: Element, context: _Context, above: list[Element]) -> None:
         inside = [*above, element]
-        children: Iterable[Element] = element.children
+        children: Iterable[Element] = element.children if self._by_id else _let_go(element.children)
         if element.name == "switch":
             children = [child for child in element.children if _passes(child)][:1]
         for child in children:
@@ -170,7 +168,7 @@ class _Walk:
             return
         self._count_drawn()
         style = styled(element, around.style, self._sheet, above)
-        if style.get("display") == "none":
+        if not style.displayed:
             return
         context = self._inside(element, around, style)
         if element.name == "use":
@@ -179,7 +177,7 @@ class _Walk:
             if element.name == "svg":
                 context = _in_viewport(element, element, context)
             self._children(element, context, above)
-        elif style.get("visibility") not in ("hidden", "collapse"):
+        elif style.visible:
             self._drawn(element, context, above)
 
     def _counted(self, element: Element, known: dict[int, int], depth: int) -> int:
@@ -210,21 +208,19 @@ class _Walk:
                 matrix = matrix @ transform_of(text)
             except ValueError:
                 self._told["transform"] += 1
-        for key in ("clip-path", "mask"):
-            if style.get(key, "none") != "none":
-                self._told["clip"] += 1
+        if style.clips:
+            self._told["clip"] += style.clips
         label = self._label(element)
+        _, _, layer, name, groups, viewport, uses, is_layer = around
+        name = label or name
         if element.name not in CONTAINERS and element.name != "use":
-            return around._replace(matrix=matrix, style=style, name=label or around.name)
-        layer, is_layer = around.layer, around.is_layer
+            return _Context(matrix, style, layer, name, groups, viewport, uses, is_layer)
         if element.get("inkscape:groupmode") == "layer":
             layer, is_layer = label, True
         elif not layer and not is_layer and element.get("id"):
             layer = self._name(element.get("id"))
-        groups = (*around.groups, label) if label else around.groups
-        return around._replace(
-            matrix=matrix, style=style, name=label or around.name, layer=layer, is_layer=is_layer, groups=groups
-        )
+        groups = (*groups, label) if label else groups
+        return _Context(matrix, style, layer, name, groups, viewport, uses, is_layer)
 
     def _label(self, element: Element) -> str:
         return self._name(element.get("inkscape:label") or element.get("id"))
@@ -258,9 +254,7 @@ class _Walk:
 
     def _drawn(self, element: Element, context: _Context, above: list[Element]) -> None:
         style = context.style
-        stroke, fill = (
-            colour_of(style.get(key, other), style) for key, other in (("stroke", "none"), ("fill", "black"))
-        )
+        stroke, fill = style.stroke, style.fill
         if element.name not in SHAPES and element.name != "text":
             why = "a picture and no line" if element.name == "image" else "nothing that a tool could follow"
             self._skip(element, context, why)
@@ -268,9 +262,9 @@ class _Walk:
         if stroke is None and fill is None:
             self._skip(element, context, "it has neither a stroke nor a fill")
             return
-        if stroke is not None and style.get("stroke-dasharray", "none") != "none":
+        if stroke is not None and style.dashed:
             self._told["dash"] += 1
-        if element.name in MARKED and any(style.get(key, "none") != "none" for key in MARKERS):
+        if element.name in MARKED and style.marked:
             self._told["marker"] += 1
         colour = stroke if stroke is not None else fill
         attributes = Attributes(context.layer, colour or "", context.name, context.groups, fill is not None)
@@ -327,7 +321,7 @@ class _Walk:
         except ValueError:
             matrix = Matrix()
         pen = PlacedPen(matrix)
-        SHAPES[target.name](pen, target, _Context(matrix, {}, "", "", (), self._viewport))
+        SHAPES[target.name](pen, target, _Context(matrix, Style(), "", "", (), self._viewport))
         curves = [own.path().curve(0.01, self._pieces.budget) for own in pen.pens if len(own)]
         return joined(curves) if curves else None
 
@@ -337,6 +331,25 @@ class _Walk:
             identity = printable(element.get("id"), MOST_NAME)
             left_out = Skipped(printable(element.name, 40), context.layer, identity, why)
             self._skipped.append((self._done if number is None else number, left_out))
+
+
+def _referred(root: Element) -> dict[str, Element]:
+    """Return the elements that others refer to by their id; of two with one id the first."""
+    addresses = {
+        element.get("href") or element.get("xlink:href") for element in root.all() if element.name in REFERRING
+    }
+    found: dict[str, Element] = {}
+    for element in root.all() if addresses else ():
+        if (name := element.get("id")) and "#" + name in addresses:
+            found.setdefault(name, element)
+    return found
+
+
+def _let_go(children: list[Element]) -> Iterator[Element]:
+    """Yield elements, and forget each: nothing comes back to it."""
+    for number, child in enumerate(children):
+        children[number] = FORGOTTEN
+        yield child
 
 
 def _passes(element: Element) -> bool:
@@ -368,6 +381,8 @@ def _lengths(element: Element, context: _Context, keys: str, otherwise: float = 
 
 
 def _length(text: str, key: str, context: _Context, otherwise: float) -> float:
+    if not text:
+        return otherwise
     if PLAIN.fullmatch(text) and math.isfinite(number := float(text)):
         return number
     width, height = context.viewport

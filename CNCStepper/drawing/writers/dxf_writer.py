@@ -31,6 +31,9 @@ def dxf_bytes(drawing: Drawing) -> bytes:
             document.layers.add(attributes["layer"])
         closed, rows = _rows(chain)
         space.add_lwpolyline(rows, format="xyb", close=closed, dxfattribs=attributes)
+    classes = document.classes
+    classes.add_required_classes(document.dxfversion)  # from a set, whose order is that of its hashes
+    classes.classes = dict(sorted(classes.classes.items()))
     text = io.StringIO()
     document.write(text)
     return f"999\n{MADE_BY}\n{text.getvalue()}".encode("utf-8", "replace")

@@ -11,7 +11,7 @@ path_columns.py makes curves of lines and arcs of them, of many paths at once.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -74,7 +74,7 @@ class PathPen:
 
     def __init__(self, start: complex):
         self._points = [start]
-        self._controls: list[tuple[complex, complex]] = []
+        self._controls: list[complex] = []  # two a segment
         self._bulge: list[float] = []
 
     def __len__(self) -> int:
@@ -93,6 +93,16 @@ class PathPen:
     def line(self, end: complex) -> None:
         """Draw a line."""
         self.arc(0.0, end)
+
+    def lines(self, ends: Iterable[complex]) -> None:
+        """Draw lines from one point to the next."""
+        last = self._points[-1]
+        for end in ends:
+            if end != last:
+                self._points.append(end)
+                self._controls += (end, end)
+                self._bulge.append(0.0)
+                last = end
 
     def arc(self, bulge: float, end: complex) -> None:
         """Draw an arc by its bulge."""
@@ -123,7 +133,7 @@ class PathPen:
 
     def _add(self, control_1: complex, control_2: complex, end: complex, bulge: float) -> None:
         self._points.append(end)
-        self._controls.append((control_1, control_2))
+        self._controls += (control_1, control_2)
         self._bulge.append(bulge)
 
 

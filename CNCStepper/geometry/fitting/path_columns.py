@@ -23,14 +23,14 @@ import numpy as np
 from CNCStepper.errors import GeometryError
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.curve_columns import LIMIT_MM, STRAIGHT_MM, xy_of
-from CNCStepper.geometry.fitting.fit_kernels import fit_stretches
+from CNCStepper.geometry.fitting.fit_kernels import fit_stretches, sampled
 
 CHORD_SHARE = 0.1  # of the tolerance: what the chords of the samples may take
 SURE = 1.0 - 1e-9  # of the tolerance: what the kernel computes is rounded
 SMOOTH_RAD = 0.01  # two Bezier curves that meet at a larger angle have a corner there
 MOST_SAMPLES = 300_000  # of one path
 MOST_SAMPLES_OF_ALL = 6_000_000  # of one drawing
-GROUP_SAMPLES = 300_000  # of the paths that are sampled together: some 40 MB
+GROUP_SAMPLES = 300_000  # of the paths that are sampled together: some 10 MB
 
 
 class SampleBudget:
@@ -86,17 +86,18 @@ class PathColumns(NamedTuple):
         Raises GeometryError where the samples of all are more than the budget has.
         """
         wanted, sound = self._wanted(CHORD_SHARE * tolerance_mm)
-        found: list[Curve | GeometryError] = [*map(_refusal, sound.tolist())]
         numbers = np.flatnonzero(sound == SOUND)
+        found: dict[int, Curve | GeometryError] = {
+            number: _refusal(int(sound[number])) for number in np.flatnonzero(sound != SOUND).tolist()
+        }
         if not len(numbers):
-            return found
+            return list(found.values())
         paths = self if len(numbers) == len(sound) else self.some(sound == SOUND)
         counts = np.maximum(np.ceil(wanted[np.repeat(sound == SOUND, self.sizes)]), 1.0).astype(np.int64)
         if budget is not None:
             budget.take(int(counts[np.isnan(paths.bulge)].sum()))
-        for number, curve in zip(numbers.tolist(), paths._in_groups(counts, tolerance_mm), strict=True):
-            found[number] = curve
-        return found
+        found.update(zip(numbers.tolist(), paths._in_groups(counts, tolerance_mm), strict=True))
+        return [found[number] for number in range(len(sound))]
 
     def _wanted(self, chord_error_mm: float) -> tuple[np.ndarray, np.ndarray]:
         """Return into how many chords each segment is to be cut, float64[n], and the state of each path, int64[k]."""
@@ -120,7 +121,7 @@ class PathColumns(NamedTuple):
 
     def _fitted(self, counts: np.ndarray, tolerance_mm: float) -> Iterator[Curve | GeometryError]:
         """Yield the curve of each path; `counts`, int64[n], says into how many chords its segments are cut."""
-        z, starts, last = self._sampled(counts)
+        z, starts, last = sampled(self.points, self.controls, self.sizes, counts)
         stops = ~self._is_smooth()
         breaks = np.sort(np.concatenate([starts, last[stops]]))
         ends, bulges = fit_stretches(z, breaks, (1.0 - CHORD_SHARE) * tolerance_mm * SURE)
@@ -138,21 +139,6 @@ class PathColumns(NamedTuple):
             begins.tolist(), finishes.tolist(), (is_near & is_round).tolist(), strict=True
         ):
             yield _curve(xy[begin : finish + 1], bulges[begin:finish], is_curve)
-
-    def _sampled(self, counts: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Return the samples, complex128[m], where each path starts in them, and where each segment ends."""
-        p0, p3 = self.ends
-        c1, c2 = self.controls[:, 0], self.controls[:, 1]
-        path, row = self.path, np.repeat(np.arange(len(counts)), counts)
-        after = np.cumsum(counts)
-        t = (np.arange(len(row)) - np.repeat(after - counts, counts) + 1.0) / counts[row]
-        s = 1.0 - t
-        inner = s * s * s * p0[row] + 3.0 * s * t * (s * c1[row] + t * c2[row]) + t * t * t * p3[row]
-        starts = (after - counts)[self.first] + np.arange(len(self.sizes))
-        z = np.empty(len(row) + len(self.sizes), complex)
-        z[starts] = p0[self.first]
-        z[np.arange(len(row)) + path[row] + 1] = np.where(np.isnan(self.bulge)[row] & (t < 1.0), inner, p3[row])
-        return z, starts, after + path
 
     def _is_smooth(self) -> np.ndarray:
         """Return which segments are Bezier curves that go on smoothly in a next one of their path, bool[n]."""

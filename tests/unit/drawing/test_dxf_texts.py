@@ -146,3 +146,17 @@ def test_a_boundary_that_is_drawn_too_is_read_once_and_an_open_one_is_named(docu
     assert len(drawing.chains) == 1 and not drawing.chains[0].attributes.filled
     assert [(each.kind, each.why) for each in drawing.skipped] == [("HATCH", "its boundary is not closed")]
     assert "1 boundaries of hatches" in drawing.warnings[0]
+
+
+@pytest.mark.parametrize("style", ["outlines", "strokes"])
+@pytest.mark.parametrize("kind", ["add_text", "add_mtext"])
+def test_a_letter_that_the_font_lacks_is_left_out_with_a_warning(
+    document: Any, tmp_path: Path, style: str, kind: str
+) -> None:
+    space = document.modelspace()
+    getattr(space, kind)("HI", dxfattribs={"style": style, "layer": "whole"})
+    getattr(space, kind)("H日I", dxfattribs={"style": style, "layer": "lacking"})
+    drawing = read(document, tmp_path)
+    counts = [len(layer.curves) for layer in drawing.layers]
+    assert counts[0] == counts[1] > 0
+    assert [warning for warning in drawing.warnings if "lacks" in warning and "U+65E5" in warning]

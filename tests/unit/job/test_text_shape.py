@@ -82,6 +82,18 @@ def test_what_is_wrong_is_refused_with_its_shape(text: str) -> None:
     assert "shape 1" in str(refusal.value) or "examples" in str(refusal.value) or "missing" in str(refusal.value)
 
 
+@pytest.mark.parametrize(
+    "along", ["line = [[0, 0], [90, 0]]", "arc = { centre = [0, 0], radius = 30, start_deg = 180, sweep_deg = -180 }"]
+)
+@pytest.mark.parametrize("font", ['single_line = "engraving"', 'font = "DejaVu Sans"'])
+def test_a_letter_that_the_font_lacks_is_refused_along_a_line_and_an_arc_too(along: str, font: str) -> None:
+    text = '%s, align = "center", along = { %s }, text = "%s"'
+    assert curves(text % (font, along, "a\u00e7\u00e3"))
+    with pytest.raises(JobError) as refusal:
+        curves(text % (font, along, "a日b"))
+    assert refusal.value.code == "text-glyph" and "U+65E5" in str(refusal.value)
+
+
 def test_open_letters_are_refused_where_a_closed_shape_is_needed() -> None:
     found, key = shapes('text = "L", single_line = "engraving"'), SHAPE_KEYS["pocket"][0]
     with pytest.raises(JobError) as refusal:

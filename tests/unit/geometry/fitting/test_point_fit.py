@@ -14,6 +14,7 @@ import shapely
 from CNCStepper.errors import GeometryError
 from CNCStepper.geometry.curve import Curve, circle, from_points
 from CNCStepper.geometry.curve_columns import complex_of
+from CNCStepper.geometry.fitting.fit_kernels import NO, UNSURE, YES, advances, serves_by_angle
 from CNCStepper.geometry.fitting.point_fit import CORNER_DEG, corners, fit_points, refitted
 
 CASES = 30
@@ -144,6 +145,22 @@ def test_a_tolerance_that_is_none_is_refused(tolerance_mm: float) -> None:
 def test_points_that_make_no_line_are_refused(points: list) -> None:
     with pytest.raises(GeometryError):
         fit_points(points, 0.01)
+
+
+def test_the_quick_look_at_an_arc_says_what_the_angles_say() -> None:
+    chance, said = np.random.default_rng(seed=3), Counter()
+    for case in range(400):
+        count = int(chance.integers(3, 40))
+        turn = chance.uniform(0.0, math.pi if case % 2 else 0.4)
+        z = 5.0 * np.exp(1j * turn * np.linspace(0.0, 1.0, count))
+        z += chance.choice([0.0, 0.002, 0.3]) * (chance.normal(size=count) + 1j * chance.normal(size=count))
+        bulge = float(math.tan(turn / 4.0) + chance.choice([0.0, 0.001, -0.1]))
+        for tolerance_mm in (0.005, 0.05, 1.0, 5.0):
+            quick = advances(z, 0, count - 1, bulge, tolerance_mm)
+            by_angle = serves_by_angle(z, 0, count - 1, bulge, tolerance_mm)
+            said[quick] += 1
+            assert quick == UNSURE or (quick == YES) == by_angle
+    assert min(said[NO], said[YES], said[UNSURE]) > 50, said
 
 
 RESULT = """

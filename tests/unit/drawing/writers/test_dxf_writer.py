@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""DXF files that we write: one drawing is the same bytes in every process."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+
+CODE = """
+import sys
+from CNCStepper.drawing.drawing import Attributes, Chain, Drawing
+from CNCStepper.drawing.writers.dxf_writer import dxf_bytes
+from CNCStepper.geometry.curve import circle, straight
+chains = (Chain(circle((0, 0), 5), Attributes("CUT", "#ff0000")), Chain(straight((9, 0), (9, 7)), Attributes("MARK")))
+sys.stdout.buffer.write(dxf_bytes(Drawing(chains)))
+"""
+
+
+def written(seed: int) -> bytes:
+    """Return the file that a process writes whose hashes begin with a seed."""
+    environment = {**os.environ, "PYTHONHASHSEED": f"{seed}"}
+    return subprocess.run([sys.executable, "-c", CODE], capture_output=True, check=True, env=environment).stdout
+
+
+def test_the_order_of_hashes_is_not_in_the_file() -> None:
+    found = {written(seed) for seed in (1, 4)}  # ezdxf alone writes two different files
+    assert len(found) == 1
+    assert found.pop().count(b"LWPOLYLINE") == 2
