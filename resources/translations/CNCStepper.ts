@@ -13566,6 +13566,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it has a face that belongs to no solid</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it has accepted nothing for {limit:g} s</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13591,6 +13595,10 @@
         </message>
         <message>
             <source>it has no outlines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it has no solid</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15778,6 +15786,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>repair the solid, or use another thickness</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>reset it, then home it or set its zero again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16199,6 +16211,10 @@
         </message>
         <message>
             <source>soft limits need homing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>solids of the file overlap at sheet {number}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18838,6 +18854,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the section of sheet {number} is not closed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the sender failed by a fault of its own</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18987,6 +19007,10 @@
         </message>
         <message>
             <source>the splines and ellipses of the drawing are too many and too wild for the tolerance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the stack has more than {0} sheets; use thicker ones</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20039,6 +20063,10 @@
         </message>
         <message>
             <source>undo that, choose another drawing, or choose none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>unite them to one solid, and export it again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

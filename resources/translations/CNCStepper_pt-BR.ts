@@ -13566,6 +13566,10 @@
             <translation>termina com {0}: {1}</translation>
         </message>
         <message>
+            <source>it has a face that belongs to no solid</source>
+            <translation>tem uma face que não pertence a nenhum sólido</translation>
+        </message>
+        <message>
             <source>it has accepted nothing for {limit:g} s</source>
             <translation>não aceita nada há {limit:g} s</translation>
         </message>
@@ -13592,6 +13596,10 @@
         <message>
             <source>it has no outlines</source>
             <translation>não tem contornos</translation>
+        </message>
+        <message>
+            <source>it has no solid</source>
+            <translation>não tem nenhum sólido</translation>
         </message>
         <message>
             <source>it has no subroutines</source>
@@ -15778,6 +15786,10 @@
             <translation>repare a malha e exporte-a de novo</translation>
         </message>
         <message>
+            <source>repair the solid, or use another thickness</source>
+            <translation>repare o sólido ou use outra espessura</translation>
+        </message>
+        <message>
             <source>reset it, then home it or set its zero again</source>
             <translation>reinicie-o; depois referencie a máquina ou defina o zero de novo</translation>
         </message>
@@ -16200,6 +16212,10 @@
         <message>
             <source>soft limits need homing</source>
             <translation>limites de software exigem referenciamento</translation>
+        </message>
+        <message>
+            <source>solids of the file overlap at sheet {number}</source>
+            <translation>sólidos do arquivo se sobrepõem na chapa {number}</translation>
         </message>
         <message>
             <source>something else than grbl answers</source>
@@ -18838,6 +18854,10 @@
             <translation>o segundo fim de curso de um eixo com autoesquadro não foi encontrado</translation>
         </message>
         <message>
+            <source>the section of sheet {number} is not closed</source>
+            <translation>a seção da chapa {number} não é fechada</translation>
+        </message>
+        <message>
             <source>the sender failed by a fault of its own</source>
             <translation>o envio falhou por um defeito próprio</translation>
         </message>
@@ -18988,6 +19008,10 @@
         <message>
             <source>the splines and ellipses of the drawing are too many and too wild for the tolerance</source>
             <translation>as splines e elipses do desenho são muitas e sinuosas demais para a tolerância</translation>
+        </message>
+        <message>
+            <source>the stack has more than {0} sheets; use thicker ones</source>
+            <translation>a pilha tem mais de {0} chapas; use chapas mais grossas</translation>
         </message>
         <message>
             <source>the stack has too many sheets</source>
@@ -20040,6 +20064,10 @@
         <message>
             <source>undo that, choose another drawing, or choose none</source>
             <translation>desfaça isso, escolha outro desenho, ou nenhum</translation>
+        </message>
+        <message>
+            <source>unite them to one solid, and export it again</source>
+            <translation>una-os em um só sólido e exporte-o de novo</translation>
         </message>
         <message>
             <source>unknown keys {unknown}</source>

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -17,16 +17,21 @@ from CNCStepper.cli.common.verb import Verb
 from CNCStepper.cli.sheets.arrange import SizeType
 
 if TYPE_CHECKING:
+    from CNCStepper.job.slicing.sections import Sections
     from CNCStepper.job.slicing.solid_slices import Stack
+    from CNCStepper.job.templates.template import Template
+    from CNCStepper.nesting.nesting_model import Layout
 
+SOLIDS = (".step", ".stp", ".brep", ".brp", ".fcstd")
 PARTS = "front,middle,back"
 
 
 def _names(params: Mapping[str, Any]) -> Mapping[str, str]:
     from CNCStepper.job.nesting import nest_files
-    from CNCStepper.job.slicing import slice_files
+    from CNCStepper.job.slicing import slice_files, slice_programs
 
-    return slice_files.FILES | (nest_files.FILES if params.get("sheet") else {})
+    nested = nest_files.FILES if params.get("sheet") or params.get("template") else {}
+    return slice_files.FILES | nested | (slice_programs.FILES if params.get("template") else {})
 
 
 @click.command("slice", cls=Verb)
@@ -43,8 +48,14 @@ def _names(params: Mapping[str, Any]) -> Mapping[str, str]:
     show_default=True,
     help="Registration holes; 0: none.",
 )
-@click.option("--scale", type=NumberType(kind="factor"), default=1.0, show_default=True, help="mm of the file's unit.")
-@click.option("--sheet", type=SizeType, help="Nest the pieces on sheets of that size.")
+@click.option("--scale", type=NumberType(kind="factor"), default=1.0, show_default=True, help="mm of an STL's unit.")
+@click.option(
+    "--sheet",
+    type=SizeType,
+    help="Nest the pieces on sheets of that size. [default with --template: the template's, or the machine's travel]",
+)
+@click.option("--template", type=FilePath, help="Make a checked program of each nested sheet by this job template.")
+@click.option("--machine", default="", help="In place of the template's: a profile's name or file.")
 @click.option(
     "--gap", "gap_mm", type=NumberType(above=-1e-9), default=2.0, show_default=True, help="Between pieces, mm."
 )
@@ -61,37 +72,73 @@ def command(
     hole_mm: float,
     scale: float,
     sheet: tuple[float, ...] | None,
+    template: Path | None,
+    machine: str,
     gap_mm: float,
     margin_mm: float,
     time_s: float,
 ) -> None:
-    """Cut the closed mesh SOLID (STL) into sheets of a thickness along an axis.
+    """Cut SOLID (STL, STEP, BREP or FCStd) into sheets of a thickness along an axis.
 
     DIR/slice-NNN.dxf has the outlines (layer CUT), registration holes and the number of each sheet; DIR/slices.json the
     places and volumes, DIR/assembled.png the stack. With --sheet the pieces are nested: sheet-N.dxf, placements.json.
+    With --template each nested sheet gets job, program, report and certificate: job-N.toml, job-N.nc. Its rules take
+    the layers CUT, REGISTRATION and MARK. Exit 1 when a piece has no place or a sheet no sound program.
     """
-    from CNCStepper.drawing.solids.stl import MOST_BYTES, read_triangles
-    from CNCStepper.errors import Place, placed
-    from CNCStepper.input_file import read_input
+    from CNCStepper.job.batch.sheet_template import sheet_size_mm
     from CNCStepper.job.slicing.slice_files import write_stack
-    from CNCStepper.job.slicing.solid_slices import sliced
+    from CNCStepper.job.slicing.slice_programs import on_sheets
+    from CNCStepper.job.slicing.solid_slices import stack_of
 
     names = tuple(filter(None, (part.strip() for part in parts.split(",")))) or ("part",)
-    with Progress("slicing"), placed(Place(str(solid))):
-        triangles = read_triangles(read_input(solid, MOST_BYTES), Place(str(solid))) * scale
-        stack = sliced(triangles, axis, thickness_mm, names, hole_mm)
+    shop = _template(template, machine)
+    size_mm = (sheet[0], sheet[1]) if sheet else None
+    if shop:
+        size_mm = sheet_size_mm(shop, size_mm)
+        shop = on_sheets(shop, size_mm)
+    with Progress("slicing"):
+        stack = stack_of(_sections(solid, axis.lower(), thickness_mm, scale), names, hole_mm)
     for note in stack.notes:
         click.echo(f"   note: {note}", err=True)
     paths = write_stack(stack, out, f"{solid.stem}, axis {axis.upper()}")
     share = stack.volume_mm3 / stack.solid_volume_mm3 - 1.0
     click.echo(f"{paths[0].parent}: {len(stack.slices)} sheets, {stack.volume_mm3:.6g} mm3, {share:+.3%} of the solid")
-    if sheet:
-        _nest(stack, (sheet[0], sheet[1]), gap_mm, margin_mm, time_s, out)
+    if size_mm is None:
+        return
+    layout = _nest(stack, size_mm, gap_mm, margin_mm, time_s, out)
+    is_sound = shop is None or _make(shop, out, layout.sheets, thickness_mm)
+    sys.exit(0 if is_sound and not layout.unplaced else 1)
+
+
+def _template(path: Path | None, machine: str) -> Template | None:
+    """Return the template with another machine, where one is named; raises UsageError for a machine alone."""
+    from CNCStepper.job.slicing.slice_programs import with_machine
+    from CNCStepper.job.templates.template import read_template
+
+    if path is None and machine:
+        raise click.UsageError("--machine needs --template: a template says how the sheets are cut")
+    return with_machine(read_template(path), machine) if path else None
+
+
+def _sections(solid: Path, axis: str, thickness_mm: float, scale: float) -> Sections:
+    """Return the sections of a file; raises UsageError for a scale of one that has its unit."""
+    from CNCStepper.drawing.solids.stl import MOST_BYTES, read_triangles
+    from CNCStepper.errors import Place, placed
+    from CNCStepper.input_file import read_input
+    from CNCStepper.job.slicing.sections import mesh_sections, solid_sections
+
+    if solid.suffix.casefold() in SOLIDS:
+        if scale != 1.0:
+            raise click.UsageError(f"--scale is for STL; {solid.name} says its unit itself")
+        return solid_sections(solid, axis, thickness_mm)
+    with placed(Place(str(solid))):
+        triangles = read_triangles(read_input(solid, MOST_BYTES), Place(str(solid)))
+        return mesh_sections(triangles * scale, axis, thickness_mm)
 
 
 def _nest(
     stack: Stack, size_mm: tuple[float, float], gap_mm: float, margin_mm: float, time_s: float, out: Path
-) -> None:
+) -> Layout:
     from CNCStepper.job.nesting.nest_files import write_nest
     from CNCStepper.job.slicing.slice_files import nest_order
     from CNCStepper.nesting.nest import nest
@@ -102,5 +149,24 @@ def _nest(
         budget = Budget(time_s, progress=progress.share)
         layout = nest(order.items, order.sheets, order.spacing, budget)
     write_nest(order, layout, out)
+    for each in layout.unplaced:
+        click.echo(f"   not placed: {order.items[each.item].name}: {each.why}", err=True)
     click.echo(f"{len(layout.placements)} pieces on {len(layout.sheets)} sheets of {size_mm[0]:g} x {size_mm[1]:g} mm")
-    sys.exit(1 if layout.unplaced else 0)
+    return layout
+
+
+def _make(template: Template, out: Path, numbers: Sequence[int], thickness_mm: float) -> bool:
+    """Write the programs of the sheets, print what became of each, and return whether all are sound."""
+    from CNCStepper.job.slicing.slice_programs import write_programs
+
+    with Progress("making and proving") as progress:
+        made = []
+        for each in write_programs(template, out, numbers, thickness_mm):
+            made.append(each)
+            progress.share(len(made) / len(numbers))
+    for each in made:
+        for why in (*each.refused, *([str(each.error)] if each.error else [])):
+            click.echo(f"   sheet {each.number}: {why}", err=True)
+    sound = [each for each in made if each.is_sound]
+    click.echo(f"{len(sound)} of {len(made)} programs, {sum(each.time_s for each in sound) / 60.0:.1f} min")
+    return len(sound) == len(made)

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The process that reads a solid with OCCT as CadQuery brings it: `python occ_edges.py FILE HEIGHT TOLERANCE`.
 
-HEIGHT is in mm, or "outline". FILE is STEP, BREP, or a script (.py) whose shapes are given to `show_object` or named
-`result`. The answer is that of `edge_curves.py`. It runs in CadQuery's own Python: only the standard library, OCP, and
-what a script imports. `workbench/drawings/solid_edges.py` does the same inside FreeCAD.
+HEIGHT is in mm, or "outline", or "slices AXIS THICKNESS" for all sections of a stack (sheet_heights.py). FILE is STEP,
+BREP, or a script (.py) whose shapes are given to `show_object` or named `result`. The answer is that of
+`edge_curves.py`. It runs in CadQuery's own Python: only the standard library, OCP, and what a script imports.
+`workbench/drawings/solid_edges.py` does the same inside FreeCAD.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from CNCStepper.drawing.solids.process_limits import answer, guard_script, limit_process, refuse
+from CNCStepper.drawing.solids.sheet_heights import AXES, MOST_SLICES, asked_slices, section_heights, sheet_count
 from CNCStepper.tolerances import SAME_MM
 
 SCRIPT_MODULES = ("cadquery", "build123d")
@@ -25,6 +27,8 @@ def main(path: str, height: str, tolerance: str) -> None:
     """Answer with the edges of the solid in a file at a height, or with its triangles and level faces."""
     try:
         shape = _script_shape(path) if path.endswith(".py") else _file_shape(path)
+        if asked := asked_slices(height):
+            answer(_slices(shape, *asked))
         answer(_outline(shape, float(tolerance)) if height == "outline" else _at_height(shape, float(height)))
     except MemoryError:
         refuse("solid-memory", "it takes more memory than it may")
@@ -141,16 +145,61 @@ def _level_faces(shape: Any) -> dict[float, list[Any]]:
 
 def _at_height(shape: Any, height_mm: float) -> dict[str, Any]:
     """Return the edges of the level faces at a height, or of the section where there is no such face."""
-    from OCP.BRepAlgoAPI import BRepAlgoAPI_Section
-    from OCP.gp import gp_Dir, gp_Pln, gp_Pnt
-
     faces = [face for z, own in _level_faces(shape).items() if abs(z - height_mm) <= SAME_MM for face in own]
     if faces:
         return {"loops": [_edges(face) for face in faces]}
+    return {"loops": [_section(shape, height_mm)]}
+
+
+def _section(shape: Any, height_mm: float) -> list[list[Any]]:
+    """Return the edges in which a shape meets a level plane."""
+    from OCP.BRepAlgoAPI import BRepAlgoAPI_Section
+    from OCP.gp import gp_Dir, gp_Pln, gp_Pnt
+
     section = BRepAlgoAPI_Section(shape, gp_Pln(gp_Pnt(0, 0, height_mm), gp_Dir(0, 0, 1)), False)
     section.Approximation(False)
     section.Build()
-    return {"loops": [_edges(section.Shape())]}
+    return _edges(section.Shape())
+
+
+def _slices(shape: Any, axis: str, thickness_mm: float) -> dict[str, Any]:
+    """Return the bounds and the volume of the solids, and the edges of each solid in the section of each sheet."""
+    from OCP.Bnd import Bnd_Box
+    from OCP.BRepBndLib import BRepBndLib
+    from OCP.BRepGProp import BRepGProp
+    from OCP.GProp import GProp_GProps
+    from OCP.TopAbs import TopAbs_ShapeEnum
+    from OCP.TopExp import TopExp_Explorer
+
+    loose = TopExp_Explorer(shape, TopAbs_ShapeEnum.TopAbs_FACE, TopAbs_ShapeEnum.TopAbs_SOLID).More()
+    solids = [_upright(solid, axis) for solid in _found(shape, "solid")]
+    if loose or not solids:
+        refuse("slice-open", "it has a face that belongs to no solid" if loose else "it has no solid")
+    bounds, volume_mm3 = Bnd_Box(), 0.0
+    for solid in solids:
+        BRepBndLib.AddOptimal_s(solid, bounds, False, False)
+        held = GProp_GProps()
+        BRepGProp.VolumeProperties_s(solid, held)
+        volume_mm3 += abs(held.Mass())
+    bounds.SetGap(0.0)
+    low_mm, high_mm = bounds.CornerMin().Z(), bounds.CornerMax().Z()
+    if sheet_count(low_mm, high_mm, thickness_mm) > MOST_SLICES:
+        refuse("slice-count", f"the stack has more than {MOST_SLICES} sheets; use thicker ones")
+    levels = [level for solid in solids for level in _level_faces(solid)]
+    heights = section_heights(low_mm, high_mm, thickness_mm, levels)
+    sections = [[_section(solid, height_mm) for solid in solids] for height_mm in heights]
+    return {"low_mm": low_mm, "high_mm": high_mm, "volume_mm3": volume_mm3, "sections": sections}
+
+
+def _upright(shape: Any, axis: str) -> Any:
+    """Return a copy of a shape with an axis as Z, the other two in their cyclic order as X and Y."""
+    from OCP.BRepBuilderAPI import BRepBuilderAPI_Transform
+    from OCP.gp import gp_Trsf
+
+    turn = gp_Trsf()
+    rows = [[float(column == number) for column in range(3)] for number in AXES[axis]]
+    turn.SetValues(*(value for row in rows for value in (*row, 0.0)))
+    return BRepBuilderAPI_Transform(shape, turn, True).Shape()
 
 
 def _outline(shape: Any, tolerance_mm: float) -> dict[str, Any]:

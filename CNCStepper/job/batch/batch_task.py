@@ -12,7 +12,6 @@ reads; its result those of the files that are written.
 
 from __future__ import annotations
 
-import json
 import tempfile
 from collections.abc import Callable, Mapping
 from pathlib import Path
@@ -20,18 +19,15 @@ from typing import Any
 
 from CNCStepper import __version__
 from CNCStepper.errors import CNCStepperError, JobError, Text
+from CNCStepper.job.batch.job_files import job_files, refusals
 from CNCStepper.job.batch.nest_task import laid_out, nested
 from CNCStepper.job.batch.sheet_template import cut_chains, for_sheets, template_of
 from CNCStepper.job.batch.task_files import below, error_below, unpack
-from CNCStepper.job.make import is_split, make_parts, make_program
-from CNCStepper.job.make_certificate import certificate_of
 from CNCStepper.job.model import Job
-from CNCStepper.job.prove import Proof, prove_job, prove_parts
+from CNCStepper.job.prove import Proof
 from CNCStepper.job.templates.drawing_job import DrawingJob, job_of_drawing
 from CNCStepper.machine.profile import Machine, load_machine
-from CNCStepper.output_files import MADE_BY
 
-REPORT = {"format": "CNCStepper report"}
 Task = dict[str, Any]
 Result = dict[str, Any]
 
@@ -72,45 +68,23 @@ def _make(task: Task, root: Path, out: Path) -> Result:
     """Return a sheet's job, made and proven; raises CNCStepperError where no program can be made."""
     drawn = _drawn(task, root, out, f"{task['name']}.toml")
     machine = _machine(task, root, drawn.job, out)
-    files = {f"{task['name']}.toml": drawn.text.encode("utf-8")}
-    proofs = []
-    for name, program, proof in _programs(task["name"], drawn.job, machine, out):
-        files[f"{name}.nc"] = program.encode("ascii")
-        told = proof.report | {"program": f"{name}.nc"}
-        files[f"{name}-report.json"] = (json.dumps(REPORT | told, indent=2, allow_nan=False) + "\n").encode("utf-8")
-        certificate = out / f"{name}-certificate.zip"
-        certificate_of(proof).write(certificate)
-        files[certificate.name] = certificate.read_bytes()
-        proofs.append(proof)
+    files, proofs = job_files(task["name"], drawn, machine, out)
     return _figures(drawn.job, machine, proofs) | {"files": files}
 
 
 def _figures(job: Job, machine: Machine, proofs: list[Proof]) -> Result:
-    errors = [finding for proof in proofs for finding in proof.findings if finding.severity == "error"]
     width_mm, depth_mm = job.stock.size_mm[:2]
     return {
         "time_s": sum(proof.report["time_s"] for proof in proofs),
         "length_mm": sum(proof.report["cut_length_mm"] for proof in proofs),
         "pierces": sum(proof.report["pierces"] for proof in proofs),
         "warnings": sum(proof.report["warnings"] for proof in proofs),
-        "refused": [str(finding) for finding in errors[:5]],
+        "refused": refusals(proofs),
         "area_mm2": width_mm * depth_mm,
         "material": job.material,
         "machine": machine.name,
         "rates": machine.rates.model_dump() if machine.rates else None,
     }
-
-
-def _programs(name: str, job: Job, machine: Machine, out: Path) -> list[tuple[str, str, Proof]]:
-    """Return name, text and proof of each program of a job: one, or one for each tool."""
-    title = f"{MADE_BY}: {name}"
-    if not is_split(job, machine):
-        made = make_program(job, machine, title)
-        return [(name, made.program, prove_job(job, machine, made.program, f"{name}.nc", answers=made.answers))]
-    parts = make_parts(job, machine, title)
-    proofs = list(prove_parts(job, machine, parts, Path()))
-    names = [part.file_name.replace("program", name, 1).removesuffix(".nc") for part in parts]
-    return [(own, part.program, proof) for own, part, proof in zip(names, parts, proofs, strict=True)]
 
 
 def _drawn(task: Task, root: Path, out: Path, file_name: str) -> DrawingJob:

@@ -29,13 +29,17 @@ MESH_SHARE = 0.25  # of the tolerance: how far the mesh of a curved face leaves 
 
 def read(path: Path, options: ReadOptions, share: Share) -> Drawing:
     """Return the drawing of a STEP, BREP or FCStd file; raises JobError with the reason where there is none."""
+    require_readable(path)
+    return _drawing(path, options, share, LIMIT_S)
+
+
+def require_readable(path: Path) -> None:
+    """Raise JobError for a file that is too large, that is empty, or that is no document where it should be one."""
     content = read_input(path, MOST_BYTES)
     if path.suffix.casefold() == ".fcstd":
         _require_small(path, Place(str(path)))
     elif not content.strip():
         raise JobError("solid-file", "the file is empty", advice="export it again", place=Place(str(path)))
-    del content
-    return _drawing(path, options, share, LIMIT_S)
 
 
 def read_script(path: Path, options: ReadOptions, share: Share, limit_s: float = LIMIT_S) -> Drawing:

@@ -83,8 +83,8 @@ def slice_chains(each: Slice) -> Iterator[Chain]:
 
 def piece_chains(piece: Piece, number: int) -> Iterator[Chain]:
     """Yield the outline, the registration holes and the number of a piece."""
-    for ring in (piece.outline.exterior, *piece.outline.interiors):
-        yield Chain(from_points(np.asarray(ring.coords)[:-1], closed=True), CUT)
+    for ring in piece.rings:
+        yield Chain(ring, CUT)
     for hole in piece.holes:
         yield Chain(circle((hole.x_mm, hole.y_mm), hole.diameter_mm / 2.0), REGISTRATION)
     yield from mark_chains(piece, str(number))

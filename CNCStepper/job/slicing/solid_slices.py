@@ -11,7 +11,6 @@ square of the thickness. A registration hole goes straight through all sheets wh
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -21,18 +20,14 @@ from shapely import Polygon
 from shapely.geometry.base import BaseGeometry
 
 from CNCStepper.cancellation import checkpoint
-from CNCStepper.drawing.solids.mesh_outline import section
-from CNCStepper.errors import JobError, Text
+from CNCStepper.errors import Text
 from CNCStepper.geometry.curve import Curve
+from CNCStepper.job.slicing.sections import Outline, Sections
 
-AXES = {"x": (1, 2, 0), "y": (2, 0, 1), "z": (0, 1, 2)}  # columns that become X, Y and the height
-MOST_SLICES = 2_000
-MERGED_DECIMALS = 6  # of mm: corners of triangles that are one
 LEAST_PIECE_MM2 = 1.0  # smaller pieces of a section are told and left out
 HOLE_GRID = 48  # places along a side where a registration hole may go
 FAR_WEIGHT = 0.3  # of the distance to the first hole, beside the number of sheets, in the choice of the second one
 APART = 4.0  # diameters between two holes, at least
-EXACT = 1e-9
 
 
 @dataclass(frozen=True)
@@ -46,10 +41,15 @@ class Hole:
 
 @dataclass(frozen=True)
 class Piece:
-    """One piece of a section: its name, its outline with the holes of the solid, its registration holes."""
+    """One piece of a section: its name, its outline with the holes of the solid, its registration holes.
+
+    outline: holds the piece; rings: its lines and arcs, as they are cut.
+    """
 
     name: str
     outline: Polygon
+    rings: tuple[Curve, ...]
+    area_mm2: float
     holes: tuple[Hole, ...]
 
 
@@ -65,7 +65,7 @@ class Slice:
     @property
     def area_mm2(self) -> float:
         """The area of the section, registration holes not taken out."""
-        return float(sum(piece.outline.area for piece in self.pieces))
+        return float(sum(piece.area_mm2 for piece in self.pieces))
 
 
 @dataclass(frozen=True)
@@ -83,84 +83,39 @@ class Stack:
         return sum(each.area_mm2 for each in self.slices) * self.thickness_mm
 
 
-def sliced(
-    triangles: np.ndarray,
-    axis: str,
-    thickness_mm: float,
-    parts: Sequence[str] = ("front", "middle", "back"),
-    hole_diameter_mm: float = 0.0,
+def stack_of(
+    sections: Sections, parts: Sequence[str] = ("front", "middle", "back"), hole_diameter_mm: float = 0.0
 ) -> Stack:
-    """Return the stack of a closed mesh, float64[n, 3, 3] in mm; raises JobError for an open one or too many sheets.
+    """Return the stack of a solid's sections.
 
     parts: names of runs of sheets of about the same number, from the lowest. hole_diameter_mm: 0 for no holes.
     """
-    mesh = triangles[:, :, AXES[axis]]
-    require_closed(mesh)
-    low_mm, high_mm = float(mesh[:, :, 2].min()), float(mesh[:, :, 2].max())
-    count = max(1, math.ceil((high_mm - low_mm) / thickness_mm - EXACT))
-    if count > MOST_SLICES:
-        advice = "use thicker sheets"
-        raise JobError(
-            "slice-count", "the stack has too many sheets", value=f"{count}", limit=f"{MOST_SLICES}", advice=advice
-        )
-    first_mm = (low_mm + high_mm - count * thickness_mm) / 2.0
-    begins = [first_mm + number * thickness_mm for number in range(count)]
-    sections = [section_area(mesh, min(max(b + thickness_mm / 2.0, low_mm), high_mm)) for b in begins]
-    holes = registration_holes(sections, hole_diameter_mm) if hole_diameter_mm else ()
+    areas = [shapely.union_all([outline.polygon for outline in own]) for own in sections.outlines]
+    holes = registration_holes(areas, hole_diameter_mm) if hole_diameter_mm else ()
     slices, notes = [], list[str]()
-    for number, (begin_mm, area) in enumerate(zip(begins, sections, strict=True), start=1):
-        part = parts[(number - 1) * len(parts) // count]
-        pieces, small = _pieces(area, f"{part} {number}", holes)
+    for number, (begin_mm, own) in enumerate(zip(sections.begins_mm, sections.outlines, strict=True), start=1):
+        part = parts[(number - 1) * len(parts) // len(areas)]
+        pieces, small = _pieces(own, f"{part} {number}", holes)
         notes += [Text("sheet {number}: {small} pieces below 1 mm2 left out", number=number, small=small)] * bool(small)
         slices.append(Slice(number, part, begin_mm, pieces))
-    return Stack(tuple(slices), thickness_mm, volume_mm3(mesh), tuple(notes))
+    return Stack(tuple(slices), sections.thickness_mm, sections.volume_mm3, tuple(notes))
 
 
-def require_closed(mesh: np.ndarray) -> None:
-    """Raise JobError unless each edge of the mesh belongs to as many triangles one way as the other."""
-    corners, numbers = np.unique(mesh.reshape(-1, 3).round(MERGED_DECIMALS), axis=0, return_inverse=True)
-    faces = numbers.reshape(-1, 3)
-    begins, ends = faces.ravel(), np.roll(faces, -1, axis=1).ravel()
-    real = begins != ends
-    keys = np.minimum(begins, ends)[real] * len(corners) + np.maximum(begins, ends)[real]
-    ways = np.where(begins < ends, 1, -1)[real]
-    _, edges = np.unique(keys, return_inverse=True)
-    open_edges = int((np.bincount(edges, ways) != 0).sum())
-    if open_edges:
-        advice = "repair the mesh, and export it again"
-        raise JobError("slice-open", "the solid is not closed", value=f"{open_edges} open edges", advice=advice)
-
-
-def volume_mm3(mesh: np.ndarray) -> float:
-    """Return the volume in a closed mesh."""
-    first, second, third = mesh[:, 0], mesh[:, 1], mesh[:, 2]
-    return abs(float(np.einsum("ij,ij->i", first, np.cross(second, third)).sum())) / 6.0
-
-
-def section_area(mesh: np.ndarray, height_mm: float) -> BaseGeometry:
-    """Return the section of a closed mesh at a height as polygons: what lies in an odd number of its loops."""
-    checkpoint()
-    rings = [shapely.make_valid(Polygon(curve.xy)) for curve in section(mesh, height_mm) if _is_ring(curve)]
-    whole: BaseGeometry = Polygon()
-    for ring in sorted(rings, key=lambda ring: -ring.area):
-        whole = whole.symmetric_difference(ring)
-    return whole
-
-
-def _is_ring(curve: Curve) -> bool:
-    return curve.closed and len(curve) > 2
-
-
-def _pieces(area: BaseGeometry, name: str, holes: Sequence[Hole]) -> tuple[tuple[Piece, ...], int]:
+def _pieces(outlines: Sequence[Outline], name: str, holes: Sequence[Hole]) -> tuple[tuple[Piece, ...], int]:
     """Return the pieces of a section, the largest first, and how many are too small."""
-    found = [part for part in shapely.get_parts(area) if isinstance(part, Polygon) and part.area > 0.0]
-    large = sorted((part for part in found if part.area >= LEAST_PIECE_MM2), key=lambda part: -part.area)
+    large = sorted((each for each in outlines if each.area_mm2 >= LEAST_PIECE_MM2), key=lambda each: -each.area_mm2)
     letters = [""] if len(large) < 2 else [f".{number}" for number in range(1, len(large) + 1)]
     pieces = [
-        Piece(name + letter, part, tuple(hole for hole in holes if _holds(part, hole)))
-        for part, letter in zip(large, letters, strict=bool(large))
+        Piece(
+            name + letter,
+            each.polygon,
+            each.rings,
+            each.area_mm2,
+            tuple(hole for hole in holes if _holds(each.polygon, hole)),
+        )
+        for each, letter in zip(large, letters, strict=bool(large))
     ]
-    return tuple(pieces), len(found) - len(large)
+    return tuple(pieces), len(outlines) - len(large)
 
 
 def _holds(part: Polygon, hole: Hole) -> bool:

@@ -36,6 +36,7 @@ from CNCStepper.tolerances import SAME_MM
 SLIVER_MM = 0.02  # narrower pieces are rounding
 QUAD_SEGMENTS = 8  # of the round ends of a kerf
 SHORT_KERFS = 4  # pieces of a wire's one cut are at least that many kerfs long
+CUSP_KERFS = 1.5  # from where two kerfs touch, to the far end of the cusp between them
 MOST_SAMPLES = 400  # on the edge of a piece, where it is looked up what has cut it
 DECIMALS = 6
 NEAR_MM = 0.03  # an edge lies half a kerf from the path, within that
@@ -216,7 +217,7 @@ class _Sheet:
         """Return the piece that a unit sets free; nodes: its pieces and own parts. None where only slivers are left."""
         count = len(self.pieces)
         numbers = np.array([node for node in nodes if node < count], int)
-        own = np.array([node - count for node in nodes if node >= count], int)
+        own = np.array([node - count for node in nodes if node >= count and not self._closes(unit, node - count)], int)
         if not len(numbers):
             return None
         segment = self._closing_segment(unit, self.pieces[numbers])
@@ -235,6 +236,14 @@ class _Sheet:
             bool(self.is_at_edge[numbers].any()),
             later,
         )
+
+    def _closes(self, unit: int, own: int) -> bool:
+        """Return whether an own part is the cusp that one cut leaves for its next unit, where its kerf meets itself."""
+        if self.own_unit[own] != unit + 1 or self.path.cut[self.firsts[unit]] != self.path.cut[self.firsts[unit + 1]]:
+            return False
+        end_mm = self.path.ends_mm[self.firsts[unit + 1] - 1, 2:]
+        away_mm = np.hypot(*(shapely.get_coordinates(self.own[own]) - end_mm).T).max()
+        return bool(away_mm <= CUSP_KERFS * 2 * self.path.radius_mm[self.firsts[unit]])
 
     def _closing_segment(self, unit: int, shapes: np.ndarray) -> int:
         """Return the segment up to which a unit must be cut for the pieces to come free from it.

@@ -12,6 +12,7 @@ import os
 from typing import Any
 
 from CNCStepper.drawing.solids.process_limits import answer, limit_process, refuse
+from CNCStepper.drawing.solids.sheet_heights import AXES, MOST_SLICES, asked_slices, section_heights, sheet_count
 from CNCStepper.tolerances import SAME_MM
 
 QUESTION = "CNCSTEPPER_SOLID"
@@ -23,6 +24,8 @@ def main(path: str, height: str, tolerance: str) -> None:
     limit_process()
     try:
         shape = _shape(path)
+        if asked := asked_slices(height):
+            answer(_slices(shape, *asked))
         answer(_outline(shape, float(tolerance)) if height == "outline" else _at_height(shape, float(height)))
     except MemoryError:
         refuse("solid-memory", "it takes more memory than it may")
@@ -65,6 +68,38 @@ def _at_height(shape: Any, height_mm: float) -> dict[str, Any]:
     if faces:
         return {"loops": [_edges(face) for face in faces]}
     return {"loops": [_edges(wire) for wire in shape.slice(FreeCAD.Vector(0, 0, 1), height_mm)]}
+
+
+def _slices(shape: Any, axis: str, thickness_mm: float) -> dict[str, Any]:
+    """Return the bounds and the volume of the solids, and the edges of each solid in the section of each sheet."""
+    import FreeCAD
+    import Part
+
+    solids = [_upright(solid, axis) for solid in shape.Solids]
+    loose = len(Part.makeCompound(shape.Solids).Faces) < len(shape.Faces)
+    if loose or not solids:
+        refuse("slice-open", "it has a face that belongs to no solid" if loose else "it has no solid")
+    bounds = [solid.optimalBoundingBox(False) for solid in solids]
+    low_mm, high_mm = min(box.ZMin for box in bounds), max(box.ZMax for box in bounds)
+    if sheet_count(low_mm, high_mm, thickness_mm) > MOST_SLICES:
+        refuse("slice-count", f"the stack has more than {MOST_SLICES} sheets; use thicker ones")
+    levels = [level for solid in solids for level in _level_faces(solid)]
+    up, sections = FreeCAD.Vector(0, 0, 1), []
+    for height_mm in section_heights(low_mm, high_mm, thickness_mm, levels):
+        sections.append([[edge for wire in solid.slice(up, height_mm) for edge in _edges(wire)] for solid in solids])
+    volume_mm3 = sum(abs(solid.Volume) for solid in solids)
+    return {"low_mm": low_mm, "high_mm": high_mm, "volume_mm3": volume_mm3, "sections": sections}
+
+
+def _upright(shape: Any, axis: str) -> Any:
+    """Return a copy of a shape with an axis as Z, the other two in their cyclic order as X and Y."""
+    import FreeCAD
+
+    rows = [[float(column == number) for column in range(3)] for number in AXES[axis]]
+    turn = FreeCAD.Matrix(*(value for row in rows for value in (*row, 0.0)), 0.0, 0.0, 0.0, 1.0)
+    copy = shape.copy()
+    copy.transformShape(turn)
+    return copy
 
 
 def _outline(shape: Any, tolerance_mm: float) -> dict[str, Any]:

@@ -10,12 +10,17 @@ import pytest
 import shapely
 
 from CNCStepper.errors import JobError
+from CNCStepper.job.slicing.sections import mesh_sections, section_area, volume_mm3
 from CNCStepper.job.slicing.slice_files import mark_chains, nest_order, without_holes
-from CNCStepper.job.slicing.solid_slices import section_area, sliced, volume_mm3
+from CNCStepper.job.slicing.solid_slices import Stack, stack_of
 from helpers.solids.closed_meshes import box, hull_with_cavities, inside_out, sphere, thin_wall
 
 PARTS = ("front", "middle", "back")
 SOLIDS = {"sphere": sphere(20.0, rings=40), "hull": hull_with_cavities(), "wall": thin_wall()}
+
+
+def sliced(mesh: np.ndarray, axis: str, thickness_mm: float, hole_mm: float = 0.0) -> Stack:
+    return stack_of(mesh_sections(mesh, axis, thickness_mm), PARTS, hole_mm)
 
 
 @pytest.mark.parametrize(("name", "axis"), [*itertools.product(("sphere", "hull"), "xyz"), ("wall", "z")])
@@ -36,7 +41,7 @@ def test_sections_of_a_sphere_are_discs_and_cavities_are_holes() -> None:
 
 
 def test_parts_numbers_and_registration_holes() -> None:
-    stack = sliced(SOLIDS["hull"], "x", 3.0, PARTS, hole_diameter_mm=2.0)
+    stack = sliced(SOLIDS["hull"], "x", 3.0, hole_mm=2.0)
     assert [each.number for each in stack.slices] == list(range(1, 18))
     runs = [(part, len(list(run))) for part, run in itertools.groupby(each.part for each in stack.slices)]
     assert [part for part, _ in runs] == list(PARTS) and max(n for _, n in runs) - min(n for _, n in runs) <= 1
@@ -51,7 +56,7 @@ def test_parts_numbers_and_registration_holes() -> None:
 
 def test_marks_lie_on_the_material_between_the_holes() -> None:
     marked = 0
-    for each in sliced(SOLIDS["hull"], "z", 2.0, PARTS, hole_diameter_mm=3.0).slices:
+    for each in sliced(SOLIDS["hull"], "z", 2.0, hole_mm=3.0).slices:
         for piece in each.pieces:
             strokes = list(mark_chains(piece, str(each.number)))
             free = without_holes(piece)

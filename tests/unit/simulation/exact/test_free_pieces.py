@@ -84,6 +84,17 @@ def test_a_wires_one_cut_frees_its_pieces_one_after_the_other() -> None:
     assert [piece.centre_mm[0] for piece in (first, second)] == pytest.approx([30, 75], abs=1.0)
 
 
+def test_the_last_cusp_of_a_wires_ring_is_no_cut_into_the_free_piece() -> None:
+    for before_mm in np.arange(
+        10.0, 16.0, 0.5
+    ).tolist():  # so that a piece of the path ends anywhere before the ring's end
+        text = f"G21 G90\nG0 X60 Y-{before_mm}\nM3 S500\nF300\nG1 Y40\nG3 X60 Y80 I0 J20\nG3 X60 Y40 I0 J-20\n"
+        (piece,) = freed(text + "G1 Y-10\nM5\nM2\n", process=PROCESSES["hot-wire"]).free
+        assert piece.later == [] and piece.centre_mm == pytest.approx((60.0, 60.0), abs=0.1)
+        found = freed(text + "G1 X60 Y60\nG1 X70\nM5\nM2\n", process=PROCESSES["hot-wire"]).free
+        assert any(piece.later for piece in found), "a cut into the piece itself is one"
+
+
 def test_a_program_in_parts_is_the_same_as_a_whole_one() -> None:
     whole = interpret(text_of((square(60, 60, 30), hole(75, 75, 6), square(120, 60, 20))), START)
     one, other = (SheetCuts(Cutting(PLASMA), beam(), SHEET) for _ in range(2))
