@@ -9546,6 +9546,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{text}' is no tool of a lathe</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{text}' is not a tool</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15578,6 +15582,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>prove them together: cncstepper run JOB</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>pulses are forgotten at rest only, not in state {state}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17711,6 +17719,10 @@
         </message>
         <message>
             <source>the job cannot be read: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the job has a program for each of {count} tools, one after the other</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20735,6 +20747,10 @@
         </message>
         <message>
             <source>write an F word above 0 before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write an insert (CNMG120408, 16ER1.5ISO), boring:CCMT060204, parting:3 or drill:10; 2=drill:10 for tool 2</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -9546,6 +9546,10 @@
             <translation>'{text}' move como só o controlador sabe</translation>
         </message>
         <message>
+            <source>'{text}' is no tool of a lathe</source>
+            <translation>'{text}' não é ferramenta de torno</translation>
+        </message>
+        <message>
             <source>'{text}' is not a tool</source>
             <translation>'{text}' não é uma ferramenta</translation>
         </message>
@@ -15578,6 +15582,10 @@
             <translation>verifique partes do programa em separado</translation>
         </message>
         <message>
+            <source>prove them together: cncstepper run JOB</source>
+            <translation>verifique-os juntos: cncstepper run JOB</translation>
+        </message>
+        <message>
             <source>pulses are forgotten at rest only, not in state {state}</source>
             <translation>pulsos só são descartados em repouso, não no estado {state}</translation>
         </message>
@@ -17712,6 +17720,10 @@
         <message>
             <source>the job cannot be read: {error}</source>
             <translation>o trabalho não pode ser lido: {error}</translation>
+        </message>
+        <message>
+            <source>the job has a program for each of {count} tools, one after the other</source>
+            <translation>o trabalho tem um programa para cada uma das {count} ferramentas, um após o outro</translation>
         </message>
         <message>
             <source>the job has ended: {outcome}</source>
@@ -20736,6 +20748,10 @@
         <message>
             <source>write an F word above 0 before</source>
             <translation>escreva antes uma palavra F maior que 0</translation>
+        </message>
+        <message>
+            <source>write an insert (CNMG120408, 16ER1.5ISO), boring:CCMT060204, parting:3 or drill:10; 2=drill:10 for tool 2</source>
+            <translation>escreva uma pastilha (CNMG120408, 16ER1.5ISO), boring:CCMT060204, parting:3 ou drill:10; 2=drill:10 para a ferramenta 2</translation>
         </message>
         <message>
             <source>write as the first line: {columns}</source>

@@ -15,7 +15,7 @@ def finish(operation: TurnFinish, setup: TurningSetup, moves: TurningMoves) -> d
     assert setup.profile is not None
     profile = framed(setup.profile, moves.side)
     require_reach(profile, setup, moves.side)
-    shared = operation.model_dump(exclude={"cycle", "compensation"})
+    shared = operation.model_dump(exclude={"cycle"})
     as_rough = TurnRough(cycle="turn_rough", ap_mm=1.0, **shared)
     RoughedProfile(as_rough, setup, moves, profile).along_path()
     return {"length_mm": round(profile.length_mm, 6), "corners_with_fillet": float(sharp_hollows(profile))}

@@ -55,12 +55,11 @@ class TurnRough(TurningOperation):
 
 
 class TurnFinish(TurningOperation):
-    """Follow a profile in one pass; compensation of the nose in the program, or G41 and G42 of the controller."""
+    """Follow a profile in one pass, the radius of the nose compensated in the program."""
 
     cycle: Literal["turn_finish"]
     profile: str
     stock_to_leave_mm: WidthOr0 = 0.0
-    compensation: Literal["expanded", "controller"] = "expanded"
 
 
 class TurnGroove(TurningOperation):

@@ -7,7 +7,7 @@ program read back ─► moves_of ─► judge ─► TurnedVerdict: findings ·
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import cos, radians
 from pathlib import Path
 from typing import Any
@@ -31,9 +31,9 @@ from CNCStepper.simulation.turning.half_section import HalfSection, bar
 from CNCStepper.simulation.turning.obstacles import chuck_region, tailstock_region
 from CNCStepper.simulation.turning.swept_outline import Moves, swept_at
 from CNCStepper.simulation.turning.tool_section import CHORD_MM, ToolSection
-from CNCStepper.simulation.turning.turned_part import TurnedPart, turned_part
+from CNCStepper.simulation.turning.turned_part import CONTACT_MM, TurnedPart, turned_part
 from CNCStepper.simulation.turning.turning_checks import TurningSetup, check_turning
-from CNCStepper.simulation.turning.wanted_profile import FAR_MM, WantedProfile, wanted_chain, wanted_ring
+from CNCStepper.simulation.turning.wanted_profile import FAR_MM, WantedProfile, gouge, wanted_chain, wanted_ring
 
 DECIMALS = 6
 
@@ -55,8 +55,13 @@ class TurnedVerdict:
     def report(self) -> dict[str, Any]:
         """Return the keys of report.json about the part; "profile" holds points [z_mm, diameter_mm], z growing."""
         section, stock = self.part.section, self.part.stock
+        worst = gouge(section, stock, self.setup.wanted) if self.setup.wanted else None
+        left_mm = [one.value for one in self.findings if one.code == "left-over" and one.value is not None]
         return {
             "x_is": self.x_is,
+            **self._lengths(),
+            "gouge_mm": _number(worst.depth_mm if worst else 0.0) if self.setup.wanted else None,
+            "left_over_mm": _number(max(left_mm, default=0.0)) if self.setup.wanted else None,
             "profile": _points(section.outer_profile),
             "bore_profile": _points(section.bore_profile),
             "volume_mm3": _number(section.volume_mm3),
@@ -64,6 +69,14 @@ class TurnedVerdict:
             "deepest_cut_mm": _number(float(self.part.depths_mm.max(initial=0.0))),
             "pieces": [self._piece(one.section, one.move) for one in self.part.fallen],
         }
+
+    def _lengths(self) -> dict[str, float]:
+        """Return how far the feeds go in material and in air."""
+        moves = self.part.moves
+        length_mm = np.hypot(*(moves.end - moves.begin).T)
+        cuts = (self.part.depths_mm > CONTACT_MM) | (moves.pitch_mm > 0)
+        feeds = {"cut_length_mm": ~moves.rapid & cuts, "air_length_mm": ~moves.rapid & ~cuts}
+        return {name: _number(length_mm[mine].sum()) for name, mine in feeds.items()}
 
     def dimension_at(self, z_mm: float) -> tuple[float, float]:
         """Return outer diameter and bore of the part as cut at a z, mm; 0 for none."""
@@ -158,7 +171,9 @@ def _of_operation(job: TurningJob, operation: TurningOperation) -> WantedProfile
     """Return what an operation without a profile may cut; None for one with a profile."""
     radius_mm, face_mm = job.stock.diameter_mm / 2, job.stock.face_mm
     if isinstance(operation, TurnFace):
-        return wanted_ring((operation.to_z_mm, face_mm + radius_mm), (operation.to_diameter_mm / 2, FAR_MM))
+        z, inner = operation.to_z_mm, operation.to_diameter_mm / 2
+        ring = wanted_ring((z, face_mm + radius_mm), (inner, FAR_MM))
+        return replace(ring, points=np.array([(z, radius_mm), (z, inner)]))
     if isinstance(operation, TurnGroove):
         z = operation.z_mm
         return wanted_ring((z, z + operation.width_mm), (operation.diameter_mm / 2, FAR_MM))
