@@ -11198,6 +11198,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a thread is cut with a threading tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a tolerance must be above 0</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13983,6 +13987,10 @@
         </message>
         <message>
             <source>kind = "parting"</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>kind = "threading"</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -11198,6 +11198,10 @@
             <translation>um texto segue a forma '{shape}', que não está antes dele</translation>
         </message>
         <message>
+            <source>a thread is cut with a threading tool</source>
+            <translation>uma rosca é cortada com uma ferramenta de roscar</translation>
+        </message>
+        <message>
             <source>a tolerance must be above 0</source>
             <translation>uma tolerância deve ser maior que 0</translation>
         </message>
@@ -13984,6 +13988,10 @@
         <message>
             <source>kind = "parting"</source>
             <translation>kind = "parting"</translation>
+        </message>
+        <message>
+            <source>kind = "threading"</source>
+            <translation>kind = "threading"</translation>
         </message>
         <message>
             <source>kind = "turning", hand = "right"</source>

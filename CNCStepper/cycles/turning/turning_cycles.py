@@ -11,8 +11,9 @@ from CNCStepper.cycles.turning.grooves import groove, part
 from CNCStepper.cycles.turning.turn_face import face
 from CNCStepper.cycles.turning.turn_finish import finish
 from CNCStepper.cycles.turning.turn_rough import rough
+from CNCStepper.cycles.turning.turn_thread import thread, thread_warnings
 from CNCStepper.cycles.turning.turning_moves import TurningMoves
-from CNCStepper.cycles.turning.turning_operation import TurningOperation
+from CNCStepper.cycles.turning.turning_operation import TurningOperation, TurnThread
 from CNCStepper.cycles.turning.turning_setup import TurningAnswer, TurningSetup
 from CNCStepper.errors import CycleError, Text
 from CNCStepper.machine.tools.turning_tool import TurningTool
@@ -25,6 +26,7 @@ CUT: dict[str, Callable[[Any, TurningSetup, TurningMoves], dict[str, float]]] = 
     "turn_groove": groove,
     "turn_part": part,
     "turn_rough": rough,
+    "turn_thread": thread,
 }
 ALONG_PROFILES = ("turn_bore", "turn_finish", "turn_rough")
 
@@ -35,7 +37,9 @@ def cut(number: int, operation: TurningOperation, setup: TurningSetup, moves: Tu
     figures = CUT[operation.cycle](operation, setup, moves)
     fillets = figures.get("corners_with_fillet", 0.0)
     what = "the nose leaves a fillet of {nose:g} mm in {count:g} inner corners"
-    warnings = (Text(what, nose=setup.tool.nose_mm, count=fillets),) if fillets else ()
+    warnings: tuple[str, ...] = (Text(what, nose=setup.tool.nose_mm, count=fillets),) if fillets else ()
+    if isinstance(operation, TurnThread):
+        warnings = thread_warnings(operation, setup)
     return TurningAnswer(
         number,
         operation.cycle,

@@ -9,6 +9,8 @@ Places are those of the nose's centre; the table gets the control point in the p
 
 from __future__ import annotations
 
+from math import hypot
+
 from CNCStepper.cycles.turning.turned_coordinates import Placement
 from CNCStepper.cycles.turning.turning_setup import TurningSetup
 from CNCStepper.geometry.curve import Curve
@@ -55,6 +57,26 @@ class TurningMoves:
                 kind = ARC_CW if clockwise else ARC_CCW
                 self._table.arc(kind, self._place(z, r), centre, self._setup.feed_mm_min, plane=ZX)
                 self.z_mm, self.r_mm = z, r
+
+    def rapid_tip(self, z_mm: float, r_mm: float) -> None:
+        """Rapid with the control point to a place of the part."""
+        self.rapid(*self.tip(z_mm, r_mm))
+
+    def thread_tip(self, z_mm: float, r_mm: float, lead_mm: float, rpm: float) -> None:
+        """Cut straight with the control point to a place of the part; Z follows the spindle by `lead_mm` a turn."""
+        z, r = self.tip(z_mm, r_mm)
+        share = hypot(z - self.z_mm, r - self.r_mm) / abs(z - self.z_mm)
+        self._table.event("synchronised", lead_mm * share, "G33")
+        self._table.feed(self._place(z, r), lead_mm * share * rpm)
+        self.z_mm, self.r_mm = z, r
+
+    def open_cycle(self, name: str, words: dict[str, float]) -> None:
+        """Begin the span of a cycle."""
+        self._table.open_span("turning_cycle", name, **words)
+
+    def close_cycle(self) -> None:
+        """End it."""
+        self._table.close_span()
 
     def dwell(self, seconds: float) -> None:
         """Wait."""

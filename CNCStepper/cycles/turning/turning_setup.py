@@ -6,6 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from CNCStepper.geometry.curve import Curve
+from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tools.turning_tool import TurningTool
 
 
@@ -14,7 +15,8 @@ class TurningSetup:
     """The tool, the stock and the speeds of one operation; lengths in mm in the part's coordinates.
 
     radius_mm, face_mm: of the raw bar and its end. bore_mm: diameter of what is hollow already, 0 for none. start: z
-    and radius at which the tool stands before and after the operation. feed_mm_rev, rpm: of the operation.
+    and radius at which the tool stands before and after the operation. feed_mm_rev, rpm: of the operation. machine:
+    whose axes must follow the spindle.
     """
 
     tool: TurningTool
@@ -25,6 +27,7 @@ class TurningSetup:
     feed_mm_rev: float
     rpm: float
     profile: Curve | None = None
+    machine: Machine | None = None
 
     @property
     def feed_mm_min(self) -> float:

@@ -11,16 +11,18 @@ from typing import Any
 
 import numpy as np
 
+from CNCStepper.cycles.turning.turn_thread import thread_form
 from CNCStepper.cycles.turning.turned_coordinates import Placement
 from CNCStepper.cycles.turning.turning_cycles import cut
 from CNCStepper.cycles.turning.turning_moves import TurningMoves
-from CNCStepper.cycles.turning.turning_operation import TurnDrill, TurningOperation
+from CNCStepper.cycles.turning.turning_operation import TurnDrill, TurningOperation, TurnThread
 from CNCStepper.cycles.turning.turning_setup import TurningAnswer, TurningSetup
 from CNCStepper.errors import CNCStepperError, CycleError, JobError, Place
 from CNCStepper.gcode.dialects import Dialect, dialect
 from CNCStepper.gcode.writer.write import WriteOptions, write, write_split
 from CNCStepper.job.turning.turning_job import TurningJob
 from CNCStepper.machine.profile import Machine
+from CNCStepper.machine.tools.turning_tool import TurningTool
 from CNCStepper.machine.turning_forces import nearest_preset_rpm
 from CNCStepper.state import Start, State
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, TableBuilder, Toolpath
@@ -113,7 +115,8 @@ def _cut(
     job: TurningJob,
 ) -> TurningAnswer:
     flood, mist = job.coolant == "flood", job.coolant == "mist"
-    turning: dict[str, Any] = {"spindle": "cw", "spindle_rpm": setup.rpm, "feed_mode": "per_turn"}
+    left = isinstance(operation, TurnThread) and thread_form(operation).left
+    turning: dict[str, Any] = {"spindle": "ccw" if left else "cw", "spindle_rpm": setup.rpm, "feed_mode": "per_turn"}
     table.set_state(replace(table.state, tool=setup.tool.number, flood=flood, mist=mist, **turning))
     name = operation.cycle.replace("_", " ")
     table.open_span("operation", name)
@@ -137,16 +140,23 @@ def _setups(job: TurningJob, machine: Machine) -> Iterator[tuple[TurningOperatio
         tool, profile = job.tools[operation.tool], job.curves.get(getattr(operation, "profile", ""))
         try:
             rpm = spindle_speed(operation, job, machine)
-            feed_mm_rev = operation.feed_mm_rev or tool.feed_mm_rev
+            feed_mm_rev = _feed_mm_rev(operation, tool)
             if feed_mm_rev <= 0:
                 what, advice = "the operation has no feed", "give it or its tool a feed_mm_rev"
                 raise CycleError("feed-missing", what, value="0 mm", limit="above 0 mm", advice=advice)
         except CycleError as error:
             raise error.at(Place(f"operation {number} ({operation.cycle.replace('_', ' ')})")) from error
         raw = (job.stock.diameter_mm / 2, job.stock.face_mm, bore_mm)
-        yield operation, TurningSetup(tool, *raw, job.start_zr, feed_mm_rev, rpm, profile)
+        yield operation, TurningSetup(tool, *raw, job.start_zr, feed_mm_rev, rpm, profile, machine)
         if isinstance(operation, TurnDrill):
             bore_mm = max(bore_mm, tool.diameter_mm)
+
+
+def _feed_mm_rev(operation: TurningOperation, tool: TurningTool) -> float:
+    """Return the feed a turn: of a thread its lead."""
+    if isinstance(operation, TurnThread):
+        return thread_form(operation).lead_mm
+    return operation.feed_mm_rev or tool.feed_mm_rev
 
 
 def spindle_speed(operation: TurningOperation, job: TurningJob, machine: Machine) -> float:
@@ -195,4 +205,5 @@ def _options(
         rapid_mm_min=machine.fastest_mm_min,
         x_is=job.x_is,
         incremental=job.distance == "incremental",
+        turning_cycles=job.canned,
     )

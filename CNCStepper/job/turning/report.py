@@ -8,11 +8,13 @@ program read back ─► moves_of ─► judge ─► TurnedVerdict: findings ·
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from math import cos, radians
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from CNCStepper.cycles.turning.turn_thread import thread_cut, thread_form
 from CNCStepper.cycles.turning.turning_operation import (
     TurnDrill,
     TurnFace,
@@ -21,6 +23,7 @@ from CNCStepper.cycles.turning.turning_operation import (
     TurningOperation,
     TurnPart,
     TurnRough,
+    TurnThread,
 )
 from CNCStepper.job.turning.turning_job import TurningJob
 from CNCStepper.simulation.finding import Finding, refused
@@ -123,12 +126,20 @@ def setup_of(job: TurningJob, file: str = "") -> TurningSetup:
         obstacles["tailstock"] = tailstock_region(stock.face_mm, centre.diameter_mm, centre.angle_deg, centre.hole_mm)
     return TurningSetup(
         bar(stock.diameter_mm, stock.length_mm, stock.face_mm, stock.bore_mm),
-        {number: ToolSection.of(tool) for number, tool in job.tools.items()},
+        {number: ToolSection.of(tool, _pitch_mm(job, number)) for number, tool in job.tools.items()},
         obstacles,
         wanted_of(job),
         2.0 if job.x_is == "diameter" else 1.0,
         file,
     )
+
+
+def _pitch_mm(job: TurningJob, tool: int) -> float:
+    """Return the travel a turn with which a tool's feeds follow the spindle, along its way; 0 for none."""
+    for operation in job.operation:
+        if isinstance(operation, TurnThread) and operation.tool == tool:
+            return thread_form(operation).lead_mm / cos(radians(operation.taper_deg))
+    return 0.0
 
 
 def wanted_of(job: TurningJob) -> list[WantedProfile]:
@@ -174,7 +185,16 @@ def _of_operation(job: TurningJob, operation: TurningOperation) -> WantedProfile
         ends = np.array([(-operation.depth_mm, 0.0), (face_mm + radius_mm, 0.0)])
         region = swept_at(outline, ends)
         return WantedProfile(region, (-operation.depth_mm, face_mm), np.asarray(region.exterior.coords))
-    return None
+    return _of_thread(job, operation) if isinstance(operation, TurnThread) else None
+
+
+def _of_thread(job: TurningJob, operation: TurnThread) -> WantedProfile:
+    """Return what a thread may cut: all above its floor, half a pitch beyond its end for the insert's flank."""
+    inside = job.tools[operation.tool].is_inside
+    cut = thread_cut(operation, inside, 1.0, job.curves.get(operation.profile))
+    ends = np.array([cut.z_start_mm + cut.form.pitch_mm, cut.z_end_mm - cut.form.pitch_mm / 2.0])
+    floors = cut.floor_radius_mm + cut.slope * (cut.z_start_mm - ends)
+    return wanted_chain(np.column_stack([ends, floors]), inside)
 
 
 def _points(profile: list[tuple[float, float]]) -> list[list[float]]:
