@@ -52,6 +52,7 @@ CUT_TOUCHES_MM = 0.02  # a face of a sheet belongs to a cut whose band comes so 
 SAME_PASS_MM = 0.05  # a pass of a jet begins where the one before did
 SAME_CROSSING_MM = 0.01  # crossings of a drawing that are reported as one
 PICKED_MM = 0.01  # pieces of a path that are as near to a picked point as that lie above each other
+SAME_EDGE_DEG = 0.01  # an insert's edge and a wall of a profile that it just reaches
 SAME_ARC_RAD = 0.02  # sweeps of two arcs that are large enough to have one
 
 # what a machine reports or a judgement finds

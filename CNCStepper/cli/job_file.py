@@ -13,6 +13,27 @@ if TYPE_CHECKING:
     from CNCStepper.machine.profile import Machine
 
 
+def is_turning_file(path: Path) -> bool:
+    """Return whether a job file is a lathe's; one that is no TOML file is not, and is refused where it is read."""
+    from CNCStepper.errors import JobError
+    from CNCStepper.job.turning.turning_job import is_turning
+    from CNCStepper.machine.files.toml_reader import read_toml
+
+    if path.suffix.lower() == ".json":
+        return False
+    try:
+        return is_turning(read_toml(path))
+    except JobError:
+        return False
+
+
+def machine_of_turning(path: Path) -> Machine:
+    """Return the machine of a lathe's job file."""
+    from CNCStepper.job.turning.turning_job import load_turning_job
+
+    return load_turning_job(path)[1]
+
+
 def job_of(path: Path) -> Job:
     """Return the job of a file, without looking for its machine."""
     from CNCStepper.job.model import read_job

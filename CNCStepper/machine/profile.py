@@ -304,7 +304,8 @@ class Machine(_Checked):
 
     @model_validator(mode="after")
     def _has_its_axes(self) -> Machine:
-        missing = [name for name in ("x", "z" if self.is_lathe else "y") if name not in self.axis]
+        second = "z" if self.is_lathe or "z" in self.axis else "y"  # a lathe of another controller has no Y either
+        missing = [name for name in ("x", second) if name not in self.axis]
         if missing:
             raise ValueError(Text("axis.{missing} is missing", missing=missing[0]))
         return self

@@ -9778,6 +9778,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{text}' is no tool of a lathe</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{text}' is not a tool</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10722,6 +10726,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>X is the {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>[ is missing after {keyword}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10907,6 +10915,10 @@
         </message>
         <message>
             <source>a feed of inverse time (G93) cannot stay where the axes are scaled differently</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a feed per revolution needs a speed of the spindle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11418,6 +11430,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a thread is cut with a threading tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a tolerance must be above 0</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11834,6 +11850,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>at least {0} deg: a nose angle of {1} deg or less</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>at least {0} mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11875,6 +11895,14 @@
         </message>
         <message>
             <source>at most</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at most {0} deg</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at most {0} deg: an entering angle of {1} deg or more</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11942,6 +11970,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>back edge at {0} deg</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>back to where the program paused: up, over, down</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11987,6 +12019,10 @@
         </message>
         <message>
             <source>begin farther away</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>begin it at the end face</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12063,6 +12099,10 @@
         </message>
         <message>
             <source>bore_mm must be below diameter_mm, {limit}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>boring takes a tool for the inside</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12918,6 +12958,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>drill first, or turn a tube</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>drill wider</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>drill {0} mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13062,6 +13110,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>facing takes a right-hand tool for the outside</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>feed mode set to inverse time</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13167,6 +13219,10 @@
         </message>
         <message>
             <source>from {begin} at line {first_line}, to {end} at line {last_line}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>front edge at {0} deg</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13334,6 +13390,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give it or its tool a feed_mm_rev</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give its centre</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13362,6 +13422,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give spindle_rpm or surface_speed_m_min</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give the arc's centre with I and J</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13383,6 +13447,10 @@
         </message>
         <message>
             <source>give the path of a file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give the stock a greater face_mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13510,6 +13578,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>grooves and parting take a blade</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>half a notch</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13555,6 +13627,10 @@
         </message>
         <message>
             <source>hole {0} of part {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>holes on the axis take a drill</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14134,6 +14210,30 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>kind "turning" or "boring"</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>kind = "boring"</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>kind = "drill"</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>kind = "parting"</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>kind = "threading"</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>kind = "turning", hand = "right"</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>large cuts are being prepared, once after an installation</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14470,11 +14570,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>lower ap_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lower spindle_rpm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>lower steps/mm or maximum rate</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>lower taper_deg or its length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lower the feed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15170,6 +15282,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>nose radius {0} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>nose {0} mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15558,6 +15674,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>parting off takes a blade for the outside</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>peck_mm must not exceed depth_mm, {limit:g} mm; write 0 to drill in one go</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15678,6 +15798,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>profiles are turned towards the chuck with a right-hand insert</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>programs are not written in the dialect {dialect}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15699,6 +15823,10 @@
         </message>
         <message>
             <source>prove parts of the program alone</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>prove them together: cncstepper run JOB</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15771,6 +15899,10 @@
         </message>
         <message>
             <source>raise the R word of the drilling cycle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>raise the feed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16366,6 +16498,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>spindle_rpm = {0}, for example</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>splines lie in the plane XY</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16638,11 +16774,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>take out inside = true</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>take out the G4, or switch the power off with M5 before it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>take out the inner (</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take out work_offset</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16814,6 +16958,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the back edge of the insert does not reach the profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the bar bends away from the tool</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16839,6 +16987,14 @@
         </message>
         <message>
             <source>the beam is never on during a cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the blade does not reach so deep</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the blade is wider than the groove</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17286,6 +17442,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the depth of cut is above the tool's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the depth over the key</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17438,6 +17598,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the drill does not reach so deep</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the ears</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17506,6 +17670,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the face lies before the stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the factor must be above 0</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17527,6 +17695,14 @@
         </message>
         <message>
             <source>the feed is not the cut chart's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the feed per revolution is above the tool's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the feed per revolution is below the tool's</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17662,6 +17838,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the floor of the groove lies outside the material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the floor of the thread crosses the axis</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17714,6 +17894,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the front edge of the insert does not reach a flat face</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the front edge of the insert does not reach the profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the grid has too many holes</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17762,6 +17950,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the hole is too narrow for the boring bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the inner one</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17775,6 +17967,10 @@
         </message>
         <message>
             <source>the job cannot be read: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the job has a program for each of {count} tools, one after the other</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18138,6 +18334,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the machine has no work offsets</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the machine has no {name} coolant</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18286,6 +18486,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the nose is too large for a hollow of the profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the nose leaves a fillet of {nose:g} mm in {count:g} inner corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the number of a subprogram</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18303,6 +18511,10 @@
         </message>
         <message>
             <source>the object of this program is no longer there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the operation has no feed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18547,6 +18759,10 @@
         </message>
         <message>
             <source>the process that reads the program has ended</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the profile begins behind the stock's end</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19023,6 +19239,10 @@
         </message>
         <message>
             <source>the spindle does not reach its speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the spindle does not turn so fast</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19538,6 +19758,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>there is no hole into which the boring bar gets</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there is no key {key}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19942,6 +20166,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>tool {0}: {1} rpm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>tool {each_number} '{each}' is left out: {notes}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20182,11 +20410,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use a boring bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use a drill or a flat mill</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>use a flat tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use a longer drill</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use a longer one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20198,11 +20438,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use a more pointed insert or a groove</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use a name of your own</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>use a smaller kerf, or widen the web</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use a smaller nose</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20263,6 +20511,22 @@
         </message>
         <message>
             <source>use an engagement_max_deg of {deg} or more with a stepover_mm of {stepover_mm:g} or more, a smaller tool, or another pattern</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use another blade</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use another holder</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use another insert or holder</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use another tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20459,6 +20723,10 @@
         </message>
         <message>
             <source>where the machine is cannot be seen: every report of the controller is damaged</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>where the tool is when a program of {dialect} begins is not known</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20738,11 +21006,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write an insert (CNMG120408, 16ER1.5ISO), boring:CCMT060204, parting:3 or drill:10; 2=drill:10 for tool 2</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write as the first line: {columns}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>write both, as in: NAME = mild-steel 3 mm 45A</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write distance = "absolute"</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20958,6 +21234,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write x_is = "radius"</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write {0} to {1}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20987,6 +21267,14 @@
         </message>
         <message>
             <source>x y width height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>x_is = diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>z {0} mm at most</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21031,6 +21319,10 @@
         </message>
         <message>
             <source>{0} is refused</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} mm deep</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21219,6 +21511,10 @@
         </message>
         <message>
             <source>{dialect} has no programs in {units}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{dialect} has no word for X as a diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

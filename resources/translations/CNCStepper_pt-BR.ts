@@ -9778,6 +9778,10 @@
             <translation>'{text}' move como só o controlador sabe</translation>
         </message>
         <message>
+            <source>'{text}' is no tool of a lathe</source>
+            <translation>'{text}' não é ferramenta de torno</translation>
+        </message>
+        <message>
             <source>'{text}' is not a tool</source>
             <translation>'{text}' não é uma ferramenta</translation>
         </message>
@@ -10722,6 +10726,10 @@
             <translation>X passa do centro</translation>
         </message>
         <message>
+            <source>X is the {0}</source>
+            <translation>X é o {0}</translation>
+        </message>
+        <message>
             <source>[ is missing after {keyword}</source>
             <translation>falta [ depois de {keyword}</translation>
         </message>
@@ -10908,6 +10916,10 @@
         <message>
             <source>a feed of inverse time (G93) cannot stay where the axes are scaled differently</source>
             <translation>um avanço em tempo inverso (G93) não pode ficar onde os eixos têm escalas diferentes</translation>
+        </message>
+        <message>
+            <source>a feed per revolution needs a speed of the spindle</source>
+            <translation>um avanço por volta precisa de uma rotação do fuso</translation>
         </message>
         <message>
             <source>a feed would become 0</source>
@@ -11418,6 +11430,10 @@
             <translation>um texto segue a forma '{shape}', que não está antes dele</translation>
         </message>
         <message>
+            <source>a thread is cut with a threading tool</source>
+            <translation>uma rosca é cortada com uma ferramenta de roscar</translation>
+        </message>
+        <message>
             <source>a tolerance must be above 0</source>
             <translation>uma tolerância deve ser maior que 0</translation>
         </message>
@@ -11834,6 +11850,10 @@
             <translation>no mínimo a largura do corte de {kerf_mm:g} mm</translation>
         </message>
         <message>
+            <source>at least {0} deg: a nose angle of {1} deg or less</source>
+            <translation>no mínimo {0} graus: um ângulo de ponta de {1} graus ou menos</translation>
+        </message>
+        <message>
             <source>at least {0} mm</source>
             <translation>no mínimo {0} mm</translation>
         </message>
@@ -11876,6 +11896,14 @@
         <message>
             <source>at most</source>
             <translation>no máximo</translation>
+        </message>
+        <message>
+            <source>at most {0} deg</source>
+            <translation>no máximo {0} graus</translation>
+        </message>
+        <message>
+            <source>at most {0} deg: an entering angle of {1} deg or more</source>
+            <translation>no máximo {0} graus: um ângulo de posição de {1} graus ou mais</translation>
         </message>
         <message>
             <source>at most {largest_tool}</source>
@@ -11942,6 +11970,10 @@
             <translation>volta pelo corte</translation>
         </message>
         <message>
+            <source>back edge at {0} deg</source>
+            <translation>aresta de trás a {0} graus</translation>
+        </message>
+        <message>
             <source>back to where the program paused: up, over, down</source>
             <translation>volta ao ponto em que o programa pausou: sobe, desloca, desce</translation>
         </message>
@@ -11988,6 +12020,10 @@
         <message>
             <source>begin farther away</source>
             <translation>comece mais longe</translation>
+        </message>
+        <message>
+            <source>begin it at the end face</source>
+            <translation>comece-o na face</translation>
         </message>
         <message>
             <source>begin lower or take smaller steps</source>
@@ -12064,6 +12100,10 @@
         <message>
             <source>bore_mm must be below diameter_mm, {limit}</source>
             <translation>bore_mm deve ser menor que diameter_mm, {limit}</translation>
+        </message>
+        <message>
+            <source>boring takes a tool for the inside</source>
+            <translation>o mandrilamento usa uma ferramenta interna</translation>
         </message>
         <message>
             <source>both radii must be positive</source>
@@ -12918,6 +12958,14 @@
             <translation>desenhos com o sufixo '{suffix}' não podem ser escritos</translation>
         </message>
         <message>
+            <source>drill first, or turn a tube</source>
+            <translation>fure antes, ou torneie um tubo</translation>
+        </message>
+        <message>
+            <source>drill wider</source>
+            <translation>fure mais largo</translation>
+        </message>
+        <message>
             <source>drill {0} mm</source>
             <translation>broca de {0} mm</translation>
         </message>
@@ -13062,6 +13110,10 @@
             <translation>expressões entre colchetes não fazem parte deste dialeto</translation>
         </message>
         <message>
+            <source>facing takes a right-hand tool for the outside</source>
+            <translation>o faceamento usa uma ferramenta externa direita</translation>
+        </message>
+        <message>
             <source>feed mode set to inverse time</source>
             <translation>modo de avanço: tempo inverso</translation>
         </message>
@@ -13168,6 +13220,10 @@
         <message>
             <source>from {begin} at line {first_line}, to {end} at line {last_line}</source>
             <translation>de {begin} na linha {first_line} a {end} na linha {last_line}</translation>
+        </message>
+        <message>
+            <source>front edge at {0} deg</source>
+            <translation>aresta da frente a {0} graus</translation>
         </message>
         <message>
             <source>full circles became two arcs</source>
@@ -13334,6 +13390,10 @@
             <translation>dê a ele outro número</translation>
         </message>
         <message>
+            <source>give it or its tool a feed_mm_rev</source>
+            <translation>dê a ela ou à sua ferramenta um feed_mm_rev</translation>
+        </message>
+        <message>
             <source>give its centre</source>
             <translation>dê o seu centro</translation>
         </message>
@@ -13362,6 +13422,10 @@
             <translation>dê peck_mm ou use G81</translation>
         </message>
         <message>
+            <source>give spindle_rpm or surface_speed_m_min</source>
+            <translation>dê spindle_rpm ou surface_speed_m_min</translation>
+        </message>
+        <message>
             <source>give the arc's centre with I and J</source>
             <translation>dê o centro do arco com I e J</translation>
         </message>
@@ -13384,6 +13448,10 @@
         <message>
             <source>give the path of a file</source>
             <translation>dê o caminho de um arquivo</translation>
+        </message>
+        <message>
+            <source>give the stock a greater face_mm</source>
+            <translation>dê ao material um face_mm maior</translation>
         </message>
         <message>
             <source>give the stock and the tools</source>
@@ -13510,6 +13578,10 @@
             <translation>prenda com {force:.4g} N, ou corte {depth:.3g} mm de profundidade</translation>
         </message>
         <message>
+            <source>grooves and parting take a blade</source>
+            <translation>canais e sangramento usam um bedame</translation>
+        </message>
+        <message>
             <source>half a notch</source>
             <translation>meio entalhe</translation>
         </message>
@@ -13556,6 +13628,10 @@
         <message>
             <source>hole {0} of part {1}</source>
             <translation>furo {0} da peça {1}</translation>
+        </message>
+        <message>
+            <source>holes on the axis take a drill</source>
+            <translation>furos no eixo usam uma broca</translation>
         </message>
         <message>
             <source>home all axes with $H</source>
@@ -14134,6 +14210,30 @@
             <translation>kerf_mm não é o que esta ferramenta corta</translation>
         </message>
         <message>
+            <source>kind "turning" or "boring"</source>
+            <translation>kind "turning" ou "boring"</translation>
+        </message>
+        <message>
+            <source>kind = "boring"</source>
+            <translation>kind = "boring"</translation>
+        </message>
+        <message>
+            <source>kind = "drill"</source>
+            <translation>kind = "drill"</translation>
+        </message>
+        <message>
+            <source>kind = "parting"</source>
+            <translation>kind = "parting"</translation>
+        </message>
+        <message>
+            <source>kind = "threading"</source>
+            <translation>kind = "threading"</translation>
+        </message>
+        <message>
+            <source>kind = "turning", hand = "right"</source>
+            <translation>kind = "turning", hand = "right"</translation>
+        </message>
+        <message>
             <source>large cuts are being prepared, once after an installation</source>
             <translation>cortes grandes estão sendo preparados, uma vez após a instalação</translation>
         </message>
@@ -14470,12 +14570,24 @@
             <translation>diminua F; a máquina levará mais tempo do que o avanço indica</translation>
         </message>
         <message>
+            <source>lower ap_mm</source>
+            <translation>diminua ap_mm</translation>
+        </message>
+        <message>
+            <source>lower spindle_rpm</source>
+            <translation>diminua spindle_rpm</translation>
+        </message>
+        <message>
             <source>lower steps/mm or maximum rate</source>
             <translation>diminua os passos/mm ou a velocidade máxima</translation>
         </message>
         <message>
             <source>lower taper_deg or its length</source>
             <translation>reduza taper_deg ou o comprimento</translation>
+        </message>
+        <message>
+            <source>lower the feed</source>
+            <translation>diminua o avanço</translation>
         </message>
         <message>
             <source>lower the feed here, or the axis' rate and acceleration in controller and profile</source>
@@ -15170,6 +15282,10 @@
             <translation>raio de ponta</translation>
         </message>
         <message>
+            <source>nose radius {0} mm</source>
+            <translation>raio de ponta {0} mm</translation>
+        </message>
+        <message>
             <source>nose {0} mm</source>
             <translation>ponta de {0} mm</translation>
         </message>
@@ -15558,6 +15674,10 @@
             <translation>bedame de {0} mm</translation>
         </message>
         <message>
+            <source>parting off takes a blade for the outside</source>
+            <translation>o sangramento usa um bedame externo</translation>
+        </message>
+        <message>
             <source>peck_mm must not exceed depth_mm, {limit:g} mm; write 0 to drill in one go</source>
             <translation>peck_mm não deve exceder depth_mm, {limit:g} mm; escreva 0 para furar de uma vez</translation>
         </message>
@@ -15678,6 +15798,10 @@
             <translation>process deve ser um texto</translation>
         </message>
         <message>
+            <source>profiles are turned towards the chuck with a right-hand insert</source>
+            <translation>perfis são torneados em direção à placa com uma pastilha direita</translation>
+        </message>
+        <message>
             <source>programs are not written in the dialect {dialect}</source>
             <translation>não se escrevem programas no dialeto {dialect}</translation>
         </message>
@@ -15700,6 +15824,10 @@
         <message>
             <source>prove parts of the program alone</source>
             <translation>verifique partes do programa em separado</translation>
+        </message>
+        <message>
+            <source>prove them together: cncstepper run JOB</source>
+            <translation>verifique-os juntos: cncstepper run JOB</translation>
         </message>
         <message>
             <source>pulses are forgotten at rest only, not in state {state}</source>
@@ -15772,6 +15900,10 @@
         <message>
             <source>raise the R word of the drilling cycle</source>
             <translation>aumente a palavra R do ciclo de furação</translation>
+        </message>
+        <message>
+            <source>raise the feed</source>
+            <translation>aumente o avanço</translation>
         </message>
         <message>
             <source>raise the feed, or turn the spindle slower</source>
@@ -16366,6 +16498,10 @@
             <translation>spindle, tocha ou feixe podem ainda estar ligados: verifique e desligue-os na máquina</translation>
         </message>
         <message>
+            <source>spindle_rpm = {0}, for example</source>
+            <translation>spindle_rpm = {0}, por exemplo</translation>
+        </message>
+        <message>
             <source>splines lie in the plane XY</source>
             <translation>splines ficam no plano XY</translation>
         </message>
@@ -16638,12 +16774,20 @@
             <translation>retire R</translation>
         </message>
         <message>
+            <source>take out inside = true</source>
+            <translation>tire inside = true</translation>
+        </message>
+        <message>
             <source>take out the G4, or switch the power off with M5 before it</source>
             <translation>tire o G4, ou desligue a potência com M5 antes dele</translation>
         </message>
         <message>
             <source>take out the inner (</source>
             <translation>retire o ( interno</translation>
+        </message>
+        <message>
+            <source>take out work_offset</source>
+            <translation>tire work_offset</translation>
         </message>
         <message>
             <source>take out {word}</source>
@@ -16814,6 +16958,10 @@
             <translation>os eixos são X (radial) e Z (axial)</translation>
         </message>
         <message>
+            <source>the back edge of the insert does not reach the profile</source>
+            <translation>a aresta de trás da pastilha não alcança o perfil</translation>
+        </message>
+        <message>
             <source>the bar bends away from the tool</source>
             <translation>a barra se flexiona para longe da ferramenta</translation>
         </message>
@@ -16840,6 +16988,14 @@
         <message>
             <source>the beam is never on during a cut</source>
             <translation>o feixe nunca está ligado onde deveria cortar</translation>
+        </message>
+        <message>
+            <source>the blade does not reach so deep</source>
+            <translation>o bedame não alcança essa profundidade</translation>
+        </message>
+        <message>
+            <source>the blade is wider than the groove</source>
+            <translation>o bedame é mais largo que o canal</translation>
         </message>
         <message>
             <source>the bore</source>
@@ -17286,6 +17442,10 @@
             <translation>a profundidade passa abaixo do bloco</translation>
         </message>
         <message>
+            <source>the depth of cut is above the tool's</source>
+            <translation>a profundidade de corte é maior que a da ferramenta</translation>
+        </message>
+        <message>
             <source>the depth over the key</source>
             <translation>a profundidade sobre a chaveta</translation>
         </message>
@@ -17438,6 +17598,10 @@
             <translation>os desenhos estão em alturas de Z{least_heights:.4g} a Z{most_heights:.4g} mm; todas as profundidades contam a partir do topo do bloco</translation>
         </message>
         <message>
+            <source>the drill does not reach so deep</source>
+            <translation>a broca não alcança essa profundidade</translation>
+        </message>
+        <message>
             <source>the ears</source>
             <translation>as orelhas</translation>
         </message>
@@ -17506,6 +17670,10 @@
             <translation>o resultado da expressão não é um número finito</translation>
         </message>
         <message>
+            <source>the face lies before the stock</source>
+            <translation>a face fica à frente do material</translation>
+        </message>
+        <message>
             <source>the factor must be above 0</source>
             <translation>o fator deve ser maior que 0</translation>
         </message>
@@ -17528,6 +17696,14 @@
         <message>
             <source>the feed is not the cut chart's</source>
             <translation>o avanço não é o da tabela de corte</translation>
+        </message>
+        <message>
+            <source>the feed per revolution is above the tool's</source>
+            <translation>o avanço por volta é maior que o da ferramenta</translation>
+        </message>
+        <message>
+            <source>the feed per revolution is below the tool's</source>
+            <translation>o avanço por volta é menor que o da ferramenta</translation>
         </message>
         <message>
             <source>the feed would be another</source>
@@ -17662,6 +17838,10 @@
             <translation>a largura das abas</translation>
         </message>
         <message>
+            <source>the floor of the groove lies outside the material</source>
+            <translation>o fundo do canal fica fora do material</translation>
+        </message>
+        <message>
             <source>the floor of the thread crosses the axis</source>
             <translation>o fundo da rosca cruza o eixo</translation>
         </message>
@@ -17714,6 +17894,14 @@
             <translation>faltam letras nas fontes de {count} textos, que são omitidas: {names}</translation>
         </message>
         <message>
+            <source>the front edge of the insert does not reach a flat face</source>
+            <translation>a aresta da frente da pastilha não alcança uma face plana</translation>
+        </message>
+        <message>
+            <source>the front edge of the insert does not reach the profile</source>
+            <translation>a aresta da frente da pastilha não alcança o perfil</translation>
+        </message>
+        <message>
             <source>the grid has too many holes</source>
             <translation>a grade tem furos demais</translation>
         </message>
@@ -17762,6 +17950,10 @@
             <translation>o furo para a cabeça</translation>
         </message>
         <message>
+            <source>the hole is too narrow for the boring bar</source>
+            <translation>o furo é estreito demais para a barra de mandrilar</translation>
+        </message>
+        <message>
             <source>the inner one</source>
             <translation>o interno</translation>
         </message>
@@ -17776,6 +17968,10 @@
         <message>
             <source>the job cannot be read: {error}</source>
             <translation>o trabalho não pode ser lido: {error}</translation>
+        </message>
+        <message>
+            <source>the job has a program for each of {count} tools, one after the other</source>
+            <translation>o trabalho tem um programa para cada uma das {count} ferramentas, um após o outro</translation>
         </message>
         <message>
             <source>the job has ended: {outcome}</source>
@@ -18138,6 +18334,10 @@
             <translation>a máquina não tem esse fuso</translation>
         </message>
         <message>
+            <source>the machine has no work offsets</source>
+            <translation>a máquina não tem sistemas de coordenadas de trabalho</translation>
+        </message>
+        <message>
             <source>the machine has no {name} coolant</source>
             <translation>a máquina não tem refrigeração {name}</translation>
         </message>
@@ -18286,6 +18486,14 @@
             <translation>o nome de um parâmetro contém um comentário</translation>
         </message>
         <message>
+            <source>the nose is too large for a hollow of the profile</source>
+            <translation>a ponta é grande demais para uma concavidade do perfil</translation>
+        </message>
+        <message>
+            <source>the nose leaves a fillet of {nose:g} mm in {count:g} inner corners</source>
+            <translation>a ponta deixa um arredondamento de {nose:g} mm em {count:g} cantos internos</translation>
+        </message>
+        <message>
             <source>the number of a subprogram</source>
             <translation>o número de um subprograma</translation>
         </message>
@@ -18304,6 +18512,10 @@
         <message>
             <source>the object of this program is no longer there</source>
             <translation>o objeto deste programa não existe mais</translation>
+        </message>
+        <message>
+            <source>the operation has no feed</source>
+            <translation>a operação não tem avanço</translation>
         </message>
         <message>
             <source>the operation is too long for one program</source>
@@ -18548,6 +18760,10 @@
         <message>
             <source>the process that reads the program has ended</source>
             <translation>o processo que lê o programa terminou</translation>
+        </message>
+        <message>
+            <source>the profile begins behind the stock's end</source>
+            <translation>o perfil começa atrás da ponta do material</translation>
         </message>
         <message>
             <source>the profile cannot be reached from where the cycle begins</source>
@@ -19024,6 +19240,10 @@
         <message>
             <source>the spindle does not reach its speed</source>
             <translation>o spindle não atinge a rotação</translation>
+        </message>
+        <message>
+            <source>the spindle does not turn so fast</source>
+            <translation>o fuso não gira tão rápido</translation>
         </message>
         <message>
             <source>the spindle does not turn, but the motion goes by its turns</source>
@@ -19538,6 +19758,10 @@
             <translation>não há função {name}</translation>
         </message>
         <message>
+            <source>there is no hole into which the boring bar gets</source>
+            <translation>não há furo em que a barra de mandrilar entre</translation>
+        </message>
+        <message>
             <source>there is no key {key}</source>
             <translation>não há chave {key}</translation>
         </message>
@@ -19942,6 +20166,10 @@
             <translation>tool tem de ser uma lista de tabelas com um número</translation>
         </message>
         <message>
+            <source>tool {0}: {1} rpm</source>
+            <translation>ferramenta {0}: {1} rpm</translation>
+        </message>
+        <message>
             <source>tool {each_number} '{each}' is left out: {notes}</source>
             <translation>a ferramenta {each_number} '{each}' fica de fora: {notes}</translation>
         </message>
@@ -20182,12 +20410,24 @@
             <translation>use X ou Y</translation>
         </message>
         <message>
+            <source>use a boring bar</source>
+            <translation>use uma barra de mandrilar</translation>
+        </message>
+        <message>
             <source>use a drill or a flat mill</source>
             <translation>use uma broca ou uma fresa de topo</translation>
         </message>
         <message>
             <source>use a flat tool</source>
             <translation>use uma fresa de topo reto</translation>
+        </message>
+        <message>
+            <source>use a longer drill</source>
+            <translation>use uma broca mais longa</translation>
+        </message>
+        <message>
+            <source>use a longer one</source>
+            <translation>use um mais longo</translation>
         </message>
         <message>
             <source>use a mill, an engraver, a jet or a wire</source>
@@ -20198,12 +20438,20 @@
             <translation>use uma fresa, ou levante a broca antes disso</translation>
         </message>
         <message>
+            <source>use a more pointed insert or a groove</source>
+            <translation>use uma pastilha mais aguda ou um canal</translation>
+        </message>
+        <message>
             <source>use a name of your own</source>
             <translation>use um nome próprio</translation>
         </message>
         <message>
             <source>use a smaller kerf, or widen the web</source>
             <translation>use um corte mais estreito, ou alargue a parede</translation>
+        </message>
+        <message>
+            <source>use a smaller nose</source>
+            <translation>use uma ponta menor</translation>
         </message>
         <message>
             <source>use a smaller tool</source>
@@ -20264,6 +20512,22 @@
         <message>
             <source>use an engagement_max_deg of {deg} or more with a stepover_mm of {stepover_mm:g} or more, a smaller tool, or another pattern</source>
             <translation>use um engagement_max_deg de {deg} ou mais com um stepover_mm de {stepover_mm:g} ou mais, uma ferramenta menor ou outro padrão</translation>
+        </message>
+        <message>
+            <source>use another blade</source>
+            <translation>use outro bedame</translation>
+        </message>
+        <message>
+            <source>use another holder</source>
+            <translation>use outro suporte</translation>
+        </message>
+        <message>
+            <source>use another insert or holder</source>
+            <translation>use outra pastilha ou outro suporte</translation>
+        </message>
+        <message>
+            <source>use another tool</source>
+            <translation>use outra ferramenta</translation>
         </message>
         <message>
             <source>use entry "helix" or "ramp"</source>
@@ -20460,6 +20724,10 @@
         <message>
             <source>where the machine is cannot be seen: every report of the controller is damaged</source>
             <translation>não é possível ver onde a máquina está: todos os relatórios do controlador chegam danificados</translation>
+        </message>
+        <message>
+            <source>where the tool is when a program of {dialect} begins is not known</source>
+            <translation>não se sabe onde a ferramenta está quando um programa de {dialect} começa</translation>
         </message>
         <message>
             <source>where this move began is not known, so there is no way back along it</source>
@@ -20738,12 +21006,20 @@
             <translation>escreva antes uma palavra F maior que 0</translation>
         </message>
         <message>
+            <source>write an insert (CNMG120408, 16ER1.5ISO), boring:CCMT060204, parting:3 or drill:10; 2=drill:10 for tool 2</source>
+            <translation>escreva uma pastilha (CNMG120408, 16ER1.5ISO), boring:CCMT060204, parting:3 ou drill:10; 2=drill:10 para a ferramenta 2</translation>
+        </message>
+        <message>
             <source>write as the first line: {columns}</source>
             <translation>escreva como primeira linha: {columns}</translation>
         </message>
         <message>
             <source>write both, as in: NAME = mild-steel 3 mm 45A</source>
             <translation>escreva os dois, como em: NAME = mild-steel 3 mm 45A</translation>
+        </message>
+        <message>
+            <source>write distance = "absolute"</source>
+            <translation>escreva distance = "absolute"</translation>
         </message>
         <message>
             <source>write each program so that it can run on its own</source>
@@ -20958,6 +21234,10 @@
             <translation>escreva x,y em mm, ou x;y onde a vírgula é o sinal decimal</translation>
         </message>
         <message>
+            <source>write x_is = "radius"</source>
+            <translation>escreva x_is = "radius"</translation>
+        </message>
+        <message>
             <source>write {0} to {1}</source>
             <translation>escreva de {0} a {1}</translation>
         </message>
@@ -20988,6 +21268,14 @@
         <message>
             <source>x y width height</source>
             <translation>x y largura altura</translation>
+        </message>
+        <message>
+            <source>x_is = diameter</source>
+            <translation>x_is = diameter</translation>
+        </message>
+        <message>
+            <source>z {0} mm at most</source>
+            <translation>z {0} mm no máximo</translation>
         </message>
         <message>
             <source>zero of</source>
@@ -21032,6 +21320,10 @@
         <message>
             <source>{0} is refused</source>
             <translation>{0} foi recusado</translation>
+        </message>
+        <message>
+            <source>{0} mm deep</source>
+            <translation>{0} mm de profundidade</translation>
         </message>
         <message>
             <source>{0} mm each where the axes are square</source>
@@ -21220,6 +21512,10 @@
         <message>
             <source>{dialect} has no programs in {units}</source>
             <translation>{dialect} não tem programas em {units}</translation>
+        </message>
+        <message>
+            <source>{dialect} has no word for X as a diameter</source>
+            <translation>{dialect} não tem palavra para X como diâmetro</translation>
         </message>
         <message>
             <source>{dialect} has no word {letter}</source>

@@ -19,7 +19,7 @@ from CNCStepper.cli.common.options import (
     stock_options,
 )
 from CNCStepper.cli.common.start_state_options import StartOptions, start_options
-from CNCStepper.cli.job_file import job_and_machine
+from CNCStepper.cli.job_file import is_turning_file, job_and_machine, machine_of_turning
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tools.tool import Tool
 
@@ -50,9 +50,11 @@ class ProgramOptions:
         check_stock(self.stock_mm, self.tool, self.job_path, required)
 
     def job_and_machine(self) -> tuple[Job | None, Machine | None]:
-        """Return the job and the machine: the command line's own, else that of the job."""
+        """Return the job and the machine: the command line's own, else that of the job; of a lathe's job no more."""
         if not self.job_path:
             return None, self.machine
+        if is_turning_file(self.job_path):
+            return None, self.machine or machine_of_turning(self.job_path)
         job, machine = job_and_machine(self.job_path)
         return job, self.machine or machine
 

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from CNCStepper.cli.common.findings_output import save, show_findings
+from CNCStepper.cli.common.lathe_options import show_x
 from CNCStepper.cli.common.options import (
     check_stock,
     dialect_name,
@@ -94,6 +95,7 @@ def reading_options(function: Callable[..., None]) -> Callable[..., None]:
         text, form = decoded(program_bytes(program))
         start = given.start()
         opened = Opened(program, text, form, dialect_name(dialect, machine), start, machine, stock, origin, tool)
+        show_x(program, text, opened.dialect, machine, err=True)
         function(opened, **more)
 
     return command

@@ -19,6 +19,7 @@ import click
 
 from CNCStepper.cli.common.chart_options import ChartOptions, chart_options
 from CNCStepper.cli.common.findings_output import show_figures, show_findings, write_report
+from CNCStepper.cli.common.lathe_options import LatheOptions, lathe_options, show_x_of_file
 from CNCStepper.cli.common.option_hints import add_conversion, show_hints
 from CNCStepper.cli.common.options import program_argument, read_program
 from CNCStepper.cli.common.path_types import OutputPath
@@ -72,6 +73,7 @@ STAGES = {
 @click.command("check", cls=Verb)
 @program_argument
 @program_options(machine_required=True)
+@lathe_options
 @chart_options
 @click.option(
     "--part", type=click.IntRange(1), help="Which program of the job it is, where the machine wants one a tool."
@@ -84,10 +86,11 @@ def command(
     json_path: Path | None,
     certificate: Path | None,
     given: ProgramOptions,
+    lathe: LatheOptions,
     cut: ChartOptions,
 ) -> None:
     """Check PROGRAM against a machine: travel, feeds, spindle; with --stock and --tool also rapids and plunges, with
-    --job gouge and material left, clamps and the sheet's edge too.
+    --job gouge and material left, clamps and the sheet's edge too. --bar and --turning-tool are those of a lathe.
 
     A job that is split into a program a tool needs --part: the programs before it are made anew and taken as cut.
     A block that moves is a line of PROGRAM, counted once however often it is run.
@@ -98,6 +101,12 @@ def command(
     machine, start = given.machine, given.start_options.start()
     assert machine  # the option is required
     asked = _Asked(program, machine, cut.language(given.dialect, machine), start, json_path, certificate)
+    show_x_of_file(program, asked.language, machine)
+    if lathe.turns(given):
+        text = read_program(program)
+        _conclude(
+            lathe.prove(text, given, machine, str(program), asked.language, start)[0], program, json_path, certificate
+        )
     job = job_of(given.job_path) if given.job_path else None
     with Progress(f"{STAGES['make']} {program.name}"):
         earlier = prior_parts(job, machine, part) if job else []

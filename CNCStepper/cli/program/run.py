@@ -15,7 +15,8 @@ from CNCStepper.cli.common.options import FilePath, ReproduceOptions, plain_opti
 from CNCStepper.cli.common.path_types import OutputFolder
 from CNCStepper.cli.common.progress import Progress
 from CNCStepper.cli.common.verb import Verb
-from CNCStepper.cli.job_file import job_and_machine
+from CNCStepper.cli.job_file import is_turning_file, job_and_machine
+from CNCStepper.cli.program.run_turning import run_turning
 from CNCStepper.output_files import MADE_BY
 
 if TYPE_CHECKING:
@@ -43,11 +44,15 @@ def command(job: Path, out: Path) -> None:
 
     Where the machine wants a file a tool (tool_change = "split"), there is one of each for each tool: program-1-T1.nc,
     report-1-T1.json and so on; run them in their order. Each program is read back, timed, simulated and checked, the
-    later ones against the stock that the earlier ones have cut; exit 1 when a check refuses one.
+    later ones against the stock that the earlier ones have cut; exit 1 when a check refuses one. The job of a lathe
+    (process = "turning") gives the part's profile in report.json and its half section as the picture.
     """
     from CNCStepper.job.estimate import long_work
     from CNCStepper.job.make import is_split
 
+    if is_turning_file(job):
+        out.mkdir(parents=True, exist_ok=True)
+        sys.exit(1 if run_turning(job, out) else 0)
     loaded, machine = job_and_machine(job)
     for sentence in long_work(loaded):
         click.echo(f"cncstepper: {sentence}; Ctrl+C ends it", err=True)

@@ -4,16 +4,17 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NoReturn
 
 import click
 import numpy as np
 
 from CNCStepper.cli.common.findings_output import show_findings, write_report
-from CNCStepper.cli.common.options import program_argument, read_program
+from CNCStepper.cli.common.lathe_options import LatheOptions, lathe_options, show_x
+from CNCStepper.cli.common.options import NumberType, program_argument, read_program
 from CNCStepper.cli.common.path_types import OutputPath
 from CNCStepper.cli.common.program_options import ProgramOptions, program_options
 from CNCStepper.cli.common.verb import Verb
@@ -33,6 +34,7 @@ ANIMATION_S = 6.0
 @click.command("simulate", cls=Verb)
 @program_argument
 @program_options()
+@lathe_options
 @click.option(
     "-o",
     "--out",
@@ -44,6 +46,13 @@ ANIMATION_S = 6.0
 @click.option("--at", "at_s", type=click.FloatRange(min=0), help="Show the part after that many seconds.")
 @click.option("--line", type=click.IntRange(min=1), help="Show the part after that line of the program.")
 @click.option("--stl", type=OutputPath("mesh"), help="Also write the part there, as STL in mm.")
+@click.option(
+    "--read-at",
+    "read_at_mm",
+    multiple=True,
+    type=NumberType(),
+    help="Say the turned part's diameter and bore at this Z.",
+)
 @click.option("--json", "json_path", type=OutputPath("report"), help="Also write the report there.")
 def command(
     program: Path,
@@ -52,18 +61,27 @@ def command(
     at_s: float | None,
     line: int | None,
     stl: Path | None,
+    read_at_mm: tuple[float, ...],
     json_path: Path | None,
     given: ProgramOptions,
+    lathe: LatheOptions,
 ) -> None:
     """Draw what PROGRAM leaves of the stock, at its end or at a moment; times are the job's machine's
     or table-a's unless told.
 
     A PNG of the end stands there at once, plain, until the full one takes its place. With --work-zero the pictures
-    of one view show the machine's work surface. Exit 1 when a finding is an error.
+    of one view show the machine's work surface. --bar and --turning-tool, or the job of a lathe, give the half section
+    of a turned part. Exit 1 when a finding is an error.
     """
     from CNCStepper.job.prove import prove, prove_job
 
+    if lathe.turns(given):
+        if view or stl or (at_s is not None and line is not None):
+            raise click.UsageError("a turned part is drawn as its half section: leave --view and --stl out")
+        _Turned(program, given, lathe).conclude(out, at_s, line, read_at_mm, json_path)
     given.check_stock(required=True)
+    if read_at_mm:
+        raise click.UsageError("--read-at is for a turned part: give --bar")
     if at_s is not None and line is not None:
         raise click.UsageError("give either --at or --line")
     job, named = given.job_and_machine()
@@ -94,6 +112,47 @@ def _show_first(out: Path, part: HeightMap) -> None:
     from CNCStepper.simulation.views.quick_picture import save_first_picture
 
     save_first_picture(out, part)
+
+
+class _Turned:
+    """A lathe program's proof, to be drawn as a half section."""
+
+    def __init__(self, program: Path, given: ProgramOptions, lathe: LatheOptions):
+        machine = given.job_and_machine()[1] or load_machine("mini-lathe")
+        text, language = read_program(program), given.dialect_on(machine)
+        show_x(program, text, language, machine)
+        start = given.start_options.start()
+        self._title = program.stem
+        self._proof, self._verdict = lathe.prove(text, given, machine, str(program), language, start)
+
+    def conclude(
+        self, out: Path, at_s: float | None, line: int | None, read_at_mm: Iterable[float], json_path: Path | None
+    ) -> NoReturn:
+        """Draw the part at a time or line, else at the end, say what was asked for, and end the command."""
+        from CNCStepper.simulation.views.picture_style import duration_text
+
+        out.parent.mkdir(parents=True, exist_ok=True)
+        self._verdict.draw(out, self._title, duration_text(self._proof.report["time_s"]), self._row(at_s, line))
+        if json_path:
+            write_report(json_path, self._proof.report)
+        show_findings(self._proof.findings)
+        for z_mm in read_at_mm:
+            outer_mm, bore_mm = self._verdict.dimension_at(z_mm)
+            click.echo(f"Z{z_mm:g}: diameter {outer_mm:.4f} mm, bore {bore_mm:.4f} mm")
+        removed = self._proof.report["removed_volume_mm3"] / 1000
+        click.echo(f"{out}: {removed:.1f} cm³ removed in {self._proof.report['time_s']:.1f} s")
+        sys.exit(1 if self._proof.refused else 0)
+
+    def _row(self, at_s: float | None, line: int | None) -> int | None:
+        """Return the last row that is done at a time or with a line, None for the end; -1 before the first."""
+        if line is not None:
+            done = self._proof.toolpath.table().line <= line
+        elif at_s is not None:
+            done = self._proof.times_s <= at_s
+        else:
+            return None
+        rows = np.flatnonzero(done)
+        return int(rows[-1]) if len(rows) else -1
 
 
 class _Show:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import click
 
 from CNCStepper.cli.common.chart_options import ChartOptions, chart_options
+from CNCStepper.cli.common.lathe_options import show_x_of_file
 from CNCStepper.cli.common.options import dialect_option, machine_option, program_argument, read_program
 from CNCStepper.cli.common.progress import Progress
 from CNCStepper.cli.common.start_state_options import StartOptions, start_options
@@ -33,12 +34,13 @@ def command(program: Path, machine: Machine, dialect: str | None, given: StartOp
     """Print the seconds that PROGRAM takes on the machine, from its planner; one number on the last line.
 
     Unless told, the machine stands at the work zero when the program begins, as in `check` and in the report of `run`.
-    Pauses (M0) count as no time.
+    Pauses (M0) count as no time. Of a lathe program it says whether X is a diameter or a radius.
     """
     from CNCStepper.errors import ProgramError
     from CNCStepper.state import Start
 
     language = cut.language(dialect, machine)
+    show_x_of_file(program, language, machine, err=True)
     text = None if program.is_file() else read_program(program)  # a pipe can be read only once
 
     def taken_s(start: Start) -> float:

@@ -55,12 +55,11 @@ class TurnRough(TurningOperation):
 
 
 class TurnFinish(TurningOperation):
-    """Follow a profile in one pass; compensation of the nose in the program, or G41 and G42 of the controller."""
+    """Follow a profile in one pass, the radius of the nose compensated in the program."""
 
     cycle: Literal["turn_finish"]
     profile: str
     stock_to_leave_mm: WidthOr0 = 0.0
-    compensation: Literal["expanded", "controller"] = "expanded"
 
 
 class TurnGroove(TurningOperation):
@@ -107,6 +106,33 @@ class TurnDrill(TurningOperation):
         return self
 
 
+class TurnThread(TurningOperation):
+    """Cut a thread from z_mm over length_mm towards the chuck, outside or in a bore as the tool does.
+
+    thread: its designation, such as "M20x2.5", "1/2-13 UNC", "G1/2", "Tr20x4" or "Tr40x14P7". diameter_mm: of the crest
+    at z_mm, 0 for that of the profile or of the thread's usual fit. taper_deg: by which the radius grows towards the
+    chuck. starts: 0 for those of the designation. approach_mm: in front of z_mm, where the spindle is caught up with.
+    infeed_deg: 0 for one degree less than the flank. degression: 2 takes the same area in every pass. spring_passes: at
+    the full depth besides the last. pull_out_mm: the length over which the tool comes out at the end.
+    """
+
+    cycle: Literal["turn_thread"]
+    thread: str
+    profile: str = ""
+    z_mm: Coordinate = 0.0
+    length_mm: Width
+    diameter_mm: WidthOr0 = 0.0
+    taper_deg: Annotated[float, Bounds("angle", -45.0, 45.0)] = 0.0
+    starts: Annotated[int, Bounds("number", 0, 100)] = 0
+    approach_mm: Width = 5.0
+    first_depth_mm: Width = 0.2
+    infeed: Literal["radial", "flank", "alternating"] = "flank"
+    infeed_deg: Annotated[float, Bounds("angle", 0.0, 45.0)] = 0.0
+    degression: Annotated[float, Bounds("ratio", 1.0, 10.0)] = 2.0
+    spring_passes: Annotated[int, Bounds("number", 0, 100)] = 1
+    pull_out_mm: WidthOr0 = 0.0
+
+
 TURNING_OPERATIONS: dict[str, type[TurningOperation]] = {
     "turn_bore": TurnRough,
     "turn_drill": TurnDrill,
@@ -115,6 +141,7 @@ TURNING_OPERATIONS: dict[str, type[TurningOperation]] = {
     "turn_groove": TurnGroove,
     "turn_part": TurnPart,
     "turn_rough": TurnRough,
+    "turn_thread": TurnThread,
 }
 
 

@@ -120,11 +120,17 @@ def _found(shape: Any, kind: str) -> list[Any]:
     from OCP.TopAbs import TopAbs_ShapeEnum
     from OCP.TopExp import TopExp
     from OCP.TopoDS import TopoDS
-    from OCP.TopTools import TopTools_IndexedMapOfShape
 
-    found = TopTools_IndexedMapOfShape()
+    try:
+        from OCP.TopTools import TopTools_IndexedMapOfShape as IndexedMap  # OCCT 7, which CadQuery has
+    except ImportError:
+        from OCP.collections import (
+            IndexedMap_TopoDS_Shape_TopTools_ShapeMapHasher as IndexedMap,
+        )  # OCCT 8, of build123d
+
+    found = IndexedMap()
     TopExp.MapShapes_s(shape, getattr(TopAbs_ShapeEnum, f"TopAbs_{kind.upper()}"), found)
-    cast = getattr(TopoDS, f"{kind.capitalize()}_s")
+    cast = getattr(TopoDS, f"{kind.capitalize()}_s", None) or getattr(TopoDS, kind.capitalize())
     return [cast(found.FindKey(number)) for number in range(1, found.Extent() + 1)]
 
 

@@ -144,6 +144,7 @@ class Dialect:
     spindles: int = 1  # that the word $ may name
     waits_for_index: bool = False  # each run of G1 begins at the spindle's index, so that thread passes meet
     starts_at_work_zero: bool = False  # an unknown tool position is taken as the work zero
+    z_sign: float = 1.0  # of a lathe: -1 where Z falls away from the chuck
 
     def motion_code(self, motion: int) -> Code | None:
         """Return the code that selects the kind of move `motion`, or None."""

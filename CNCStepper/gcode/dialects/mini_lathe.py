@@ -78,5 +78,6 @@ MINI_LATHE = Dialect(
     repeats=frozenset((RAPID, LINE)),
     distance="incremental",
     starts_at_work_zero=True,
+    z_sign=-1.0,
     feed_unit_mm_min=60.0,
 )

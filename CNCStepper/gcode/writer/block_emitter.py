@@ -165,6 +165,9 @@ class BlockEmitter:
         self._cut_feed_mm_min, self._share = 0.0, "Q0"
         self._distance = "absolute"
         self.distance = "absolute"  # of the moves to come
+        self.x_factor = 1  # of X words: 2 where they are diameters
+        self.incremental = False  # coordinates are given from where the machine is
+        self.turn_rpm = 0.0  # F is in mm a turn at this speed; 0: a minute
         self.lead_mm = 0.0
 
     @property
@@ -305,6 +308,16 @@ class BlockEmitter:
             self._motion = "" if self._motion == cycle else self._motion  # a move's line has its own word already
             self.line("G80")
 
+    def begin_in(self, plane: int) -> None:
+        """Let a plane be in force that the header has selected."""
+        self._plane = plane
+
+    def use_turn_feed(self, rpm: float) -> None:
+        """Write the feeds to come in mm a turn at a speed, or in mm a minute where it is 0."""
+        if rpm != self.turn_rpm:
+            self.turn_rpm, self._feed = rpm, ""
+            self._feeds.clear()
+
     def select_plane(self, plane: int) -> None:
         """Write the plane word where it is not in force."""
         if plane != self._plane:
@@ -334,8 +347,8 @@ class BlockEmitter:
             what = Text("{dialect} has no axis {letter}", dialect=self.dialect.title, letter=letter)
             value = f"{letter}{self.grid.text(count)}"
             raise ProgramError("axes", what, value=value, advice="lay the work in its axes")
-        origin = (self.at[axis] or 0) if self._distance == "incremental" else 0
-        return f"{letter}{self.grid.text(count - origin)}"
+        origin = (self.at[axis] or 0) if self.incremental or self._distance == "incremental" else 0
+        return f"{letter}{self.grid.text((count - origin) * (self.x_factor if axis == 0 else 1))}"
 
     def _name(self, kind: int) -> str:
         if kind == LINE and self._distance == "incremental":
@@ -399,12 +412,13 @@ class BlockEmitter:
 
     def _spelled_feed(self, feed_mm_min: float) -> str:
         """Return a feed as a word; raises ProgramError for none, and for one that the digits cannot hold."""
-        number = self.grid.short(feed_mm_min / self.dialect.feed_unit_mm_min)
+        unit_mm_min = self.turn_rpm or self.dialect.feed_unit_mm_min
+        number = self.grid.short(feed_mm_min / unit_mm_min)
         if number in ("", "0") or not feed_mm_min > 0:
             raise ProgramError(
                 "no-feed", "a cutting move has no feed", value=Text("{feed_mm_min:g} mm/min", feed_mm_min=feed_mm_min)
             )
-        self._check_feed(float(number) * self.grid.unit_mm * self.dialect.feed_unit_mm_min, feed_mm_min)
+        self._check_feed(float(number) * self.grid.unit_mm * unit_mm_min, feed_mm_min)
         word = self._feeds[feed_mm_min] = f"F{number}" + "." * (self.writing.pointed and "." not in number)
         return word
 

@@ -16,7 +16,8 @@ from CNCStepper.gcode.writer.move_rows import RowWriter
 from CNCStepper.toolpath import Event, Toolpath
 
 THREAD = "G76"
-LENGTHS = "PIJKE"  # words of G76 in units of the text
+LENGTHS = "PE"  # words of G76 in units of the text
+DEPTHS = "IJK"  # as X: diameters where that is one
 NO_FEED = "the feed does not follow the spindle: choose a machine whose controller has G33"
 
 
@@ -46,14 +47,15 @@ class ThreadWriter:
     def write(self, row: int, last: int) -> int:
         """Write the thread that begins at `row` as one block and return the row after it; 0 where there is none."""
         span = self._spans.get(row)
-        if span is None or span.last > last:
+        if span is None or span.last > last or self.page.incremental:
             return 0
         grid, words = self.page.grid, []
         for letter, value in span.words.items():
             if letter == "Z":
                 words.append(f"Z{grid.text(self.rows.end_counts(span.last - 1)[2])}")
-            elif letter in LENGTHS:
-                words.append(f"{letter}{value / grid.unit_mm:.6f}".rstrip("0").rstrip("."))
+            elif letter in LENGTHS or letter in DEPTHS:
+                factor = self.page.x_factor if letter in DEPTHS else 1
+                words.append(f"{letter}{factor * value / grid.unit_mm:.6f}".rstrip("0").rstrip("."))
             else:
                 words.append(f"{letter}{value:g}")
         self.page.thread(THREAD, words, self.rows.end_counts(span.last - 1))

@@ -27,6 +27,7 @@ from CNCStepper.gcode.writer.move_rows import RowWriter
 from CNCStepper.gcode.writer.plasma_words import PlasmaSwitches
 from CNCStepper.gcode.writer.state_changes import Switches
 from CNCStepper.gcode.writer.thread_blocks import ThreadWriter
+from CNCStepper.gcode.writer.turning_words import begin_turning, follow_feed_mode, turned_words
 from CNCStepper.gcode.writer.write_options import Note, WriteOptions
 from CNCStepper.state import State
 from CNCStepper.toolpath import PLANE_NAMES, RAPID, Event, Toolpath
@@ -205,6 +206,8 @@ class _Writer:
         self.page.distance = state.distance if self.writing.keeps_distance else "absolute"
         self.switches.follow(state)
         self.switches.settle()
+        if self.options.x_is:
+            follow_feed_mode(self.page, state)
         self.rows.lift_first()
 
     def _change_tool(self, events: list[Event], state: State, row: int) -> list[Event]:
@@ -289,7 +292,10 @@ class _Writer:
         if self.writing.rapid_feed and not self.options.rapid_mm_min:
             self.page.notes.add("rapids move at the feed in force: no F for them was given")
         for line in self.writing.header:
-            self.page.line(*line.format(units=self.writing.units[self.options.units]).split())
+            words = line.format(units=self.writing.units[self.options.units]).split()
+            self.page.line(*(turned_words(words, self.page.dialect, self.options) if self.options.x_is else words))
+        if self.options.x_is:
+            begin_turning(self.page, self.options)
         self.switches.begin()
         if not self.options.retract and first < last:
             self.rows.begin(first)

@@ -28,7 +28,9 @@ class WriteOptions:
     moves only. leave_out: what may be missing where the dialect lacks it: "spindle", "coolant", "dwell", "pause" and
     "tool" (it is refused otherwise). chord_mm: how far lines may be from an arc that the dialect lacks. rapid_mm_min:
     the F of rapids where they heed it (0: the last one). An empty work_offset is the table's own. cut_data: the
-    material of a controller that knows such. turning_cycles: threads are written as G76 where the dialect has it.
+    material of a controller that knows such. x_is: of a lathe's program, whose plane is ZX: how it gives X; "" is no
+    lathe. incremental: all moves are given from where the tool is. turning_cycles: threads are written as G76 where the
+    dialect has it.
     """
 
     units: Literal["mm", "inch"] = "mm"
@@ -48,6 +50,8 @@ class WriteOptions:
     chord_mm: float = 0.002
     rapid_mm_min: float = 0.0
     cut_data: CutData | None = None
+    x_is: Literal["", "radius", "diameter"] = ""
+    incremental: bool = False
     turning_cycles: bool = False
 
 

@@ -25,7 +25,7 @@ LONGEST = 34  # characters of a part's name
 COLUMNS = (  # title, place of its end in inches, or of its begin where the text is on its left
     ("Part", 0.8, "left"),
     ("Material", 3.6, "left"),
-    ("Thickness", 5.35, "right"),
+    ("Thickness", 5.2, "right"),
     ("Count", 5.85, "right"),
     ("Each", 6.6, "right"),
     ("Price", 7.47, "right"),

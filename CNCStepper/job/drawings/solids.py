@@ -42,17 +42,17 @@ def require_readable(path: Path) -> None:
         raise JobError("solid-file", "the file is empty", advice="export it again", place=Place(str(path)))
 
 
-def read_script(path: Path, options: ReadOptions, share: Share, limit_s: float = LIMIT_S) -> Drawing:
+def read_script(path: Path, options: ReadOptions, share: Share, limit_s: float | None = None) -> Drawing:
     """Run a CadQuery or build123d script that the person has named, and return its solid as a drawing.
 
-    A script is a program: never call this for a file that a document or a job names. It ends after `limit_s`, and as
-    soon as it takes too much memory, writes a file, starts a process or opens a connection.
+    A script is a program: never call this for a file that a document or a job names. It ends after `limit_s`,
+    LIMIT_S for None, and as soon as it takes too much memory, writes a file, starts a process or opens a connection.
     """
     if path.suffix.casefold() != ".py":
         advice = "name a script with the suffix .py"
         raise JobError("solid-script", "this is no Python script", advice=advice, place=Place(str(path)))
     read_input(path, MOST_SCRIPT_BYTES)
-    return _drawing(path, options, share, limit_s)
+    return _drawing(path, options, share, LIMIT_S if limit_s is None else limit_s)
 
 
 def _drawing(path: Path, options: ReadOptions, share: Share, limit_s: float) -> Drawing:

@@ -82,8 +82,15 @@ def _draw(axes: Axes, order: Order, layout: Layout, number: int, box: tuple[floa
     axes.tick_params(labelsize=7, colors=GREY)
     for side in axes.spines.values():
         side.set_visible(False)
-    title = "strip" if order.strip_height_mm else f"sheet {number}: {order.sheets[number].name}"
-    axes.set_title(title, fontsize=9, color=GREY, loc="left")
+    axes.set_title(_title(order, number), fontsize=9, color=GREY, loc="left")
+
+
+def _title(order: Order, number: int) -> str:
+    """Return the number of a sheet, and its name where it says more."""
+    name = order.sheets[number].name
+    if order.strip_height_mm:
+        return "strip"
+    return f"sheet {number}" if name in ("sheet", f"sheet {number}") else f"sheet {number}: {name}"
 
 
 def _patch(polygon: Polygon, **style: object) -> PathPatch:

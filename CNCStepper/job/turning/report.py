@@ -7,12 +7,14 @@ program read back ─► moves_of ─► judge ─► TurnedVerdict: findings ·
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from math import cos, radians
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from CNCStepper.cycles.turning.turn_thread import thread_cut, thread_form
 from CNCStepper.cycles.turning.turning_operation import (
     TurnDrill,
     TurnFace,
@@ -21,6 +23,7 @@ from CNCStepper.cycles.turning.turning_operation import (
     TurningOperation,
     TurnPart,
     TurnRough,
+    TurnThread,
 )
 from CNCStepper.job.turning.turning_job import TurningJob
 from CNCStepper.simulation.finding import Finding, refused
@@ -28,9 +31,9 @@ from CNCStepper.simulation.turning.half_section import HalfSection, bar
 from CNCStepper.simulation.turning.obstacles import chuck_region, tailstock_region
 from CNCStepper.simulation.turning.swept_outline import Moves, swept_at
 from CNCStepper.simulation.turning.tool_section import CHORD_MM, ToolSection
-from CNCStepper.simulation.turning.turned_part import TurnedPart, turned_part
+from CNCStepper.simulation.turning.turned_part import CONTACT_MM, TurnedPart, turned_part
 from CNCStepper.simulation.turning.turning_checks import TurningSetup, check_turning
-from CNCStepper.simulation.turning.wanted_profile import FAR_MM, WantedProfile, wanted_chain, wanted_ring
+from CNCStepper.simulation.turning.wanted_profile import FAR_MM, WantedProfile, gouge, wanted_chain, wanted_ring
 
 DECIMALS = 6
 
@@ -52,8 +55,13 @@ class TurnedVerdict:
     def report(self) -> dict[str, Any]:
         """Return the keys of report.json about the part; "profile" holds points [z_mm, diameter_mm], z growing."""
         section, stock = self.part.section, self.part.stock
+        worst = gouge(section, stock, self.setup.wanted) if self.setup.wanted else None
+        left_mm = [one.value for one in self.findings if one.code == "left-over" and one.value is not None]
         return {
             "x_is": self.x_is,
+            **self._lengths(),
+            "gouge_mm": _number(worst.depth_mm if worst else 0.0) if self.setup.wanted else None,
+            "left_over_mm": _number(max(left_mm, default=0.0)) if self.setup.wanted else None,
             "profile": _points(section.outer_profile),
             "bore_profile": _points(section.bore_profile),
             "volume_mm3": _number(section.volume_mm3),
@@ -61,6 +69,14 @@ class TurnedVerdict:
             "deepest_cut_mm": _number(float(self.part.depths_mm.max(initial=0.0))),
             "pieces": [self._piece(one.section, one.move) for one in self.part.fallen],
         }
+
+    def _lengths(self) -> dict[str, float]:
+        """Return how far the feeds go in material and in air."""
+        moves = self.part.moves
+        length_mm = np.hypot(*(moves.end - moves.begin).T)
+        cuts = (self.part.depths_mm > CONTACT_MM) | (moves.pitch_mm > 0)
+        feeds = {"cut_length_mm": ~moves.rapid & cuts, "air_length_mm": ~moves.rapid & ~cuts}
+        return {name: _number(length_mm[mine].sum()) for name, mine in feeds.items()}
 
     def dimension_at(self, z_mm: float) -> tuple[float, float]:
         """Return outer diameter and bore of the part as cut at a z, mm; 0 for none."""
@@ -110,12 +126,20 @@ def setup_of(job: TurningJob, file: str = "") -> TurningSetup:
         obstacles["tailstock"] = tailstock_region(stock.face_mm, centre.diameter_mm, centre.angle_deg, centre.hole_mm)
     return TurningSetup(
         bar(stock.diameter_mm, stock.length_mm, stock.face_mm, stock.bore_mm),
-        {number: ToolSection.of(tool) for number, tool in job.tools.items()},
+        {number: ToolSection.of(tool, _pitch_mm(job, number)) for number, tool in job.tools.items()},
         obstacles,
         wanted_of(job),
         2.0 if job.x_is == "diameter" else 1.0,
         file,
     )
+
+
+def _pitch_mm(job: TurningJob, tool: int) -> float:
+    """Return the travel a turn with which a tool's feeds follow the spindle, along its way; 0 for none."""
+    for operation in job.operation:
+        if isinstance(operation, TurnThread) and operation.tool == tool:
+            return thread_form(operation).lead_mm / cos(radians(operation.taper_deg))
+    return 0.0
 
 
 def wanted_of(job: TurningJob) -> list[WantedProfile]:
@@ -147,7 +171,9 @@ def _of_operation(job: TurningJob, operation: TurningOperation) -> WantedProfile
     """Return what an operation without a profile may cut; None for one with a profile."""
     radius_mm, face_mm = job.stock.diameter_mm / 2, job.stock.face_mm
     if isinstance(operation, TurnFace):
-        return wanted_ring((operation.to_z_mm, face_mm + radius_mm), (operation.to_diameter_mm / 2, FAR_MM))
+        z, inner = operation.to_z_mm, operation.to_diameter_mm / 2
+        ring = wanted_ring((z, face_mm + radius_mm), (inner, FAR_MM))
+        return replace(ring, points=np.array([(z, radius_mm), (z, inner)]))
     if isinstance(operation, TurnGroove):
         z = operation.z_mm
         return wanted_ring((z, z + operation.width_mm), (operation.diameter_mm / 2, FAR_MM))
@@ -159,7 +185,16 @@ def _of_operation(job: TurningJob, operation: TurningOperation) -> WantedProfile
         ends = np.array([(-operation.depth_mm, 0.0), (face_mm + radius_mm, 0.0)])
         region = swept_at(outline, ends)
         return WantedProfile(region, (-operation.depth_mm, face_mm), np.asarray(region.exterior.coords))
-    return None
+    return _of_thread(job, operation) if isinstance(operation, TurnThread) else None
+
+
+def _of_thread(job: TurningJob, operation: TurnThread) -> WantedProfile:
+    """Return what a thread may cut: all above its floor, half a pitch beyond its end for the insert's flank."""
+    inside = job.tools[operation.tool].is_inside
+    cut = thread_cut(operation, inside, 1.0, job.curves.get(operation.profile))
+    ends = np.array([cut.z_start_mm + cut.form.pitch_mm, cut.z_end_mm - cut.form.pitch_mm / 2.0])
+    floors = cut.floor_radius_mm + cut.slope * (cut.z_start_mm - ends)
+    return wanted_chain(np.column_stack([ends, floors]), inside)
 
 
 def _points(profile: list[tuple[float, float]]) -> list[list[float]]:

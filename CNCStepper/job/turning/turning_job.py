@@ -6,6 +6,7 @@
     process = "turning"
     x_is = "diameter"               how this file gives X in points and `start`, and the program too: or "radius"
     distance = "absolute"           of the program, or "incremental"
+    canned = false                  true: threads as G76, where the controller has it
     material = "pvc"                of the materials of turning, for forces
     start = [80, 10]                x, z where the tool is when the program begins and between two tools
     [stock]                         z = 0 is the finished end face, z < 0 towards the chuck
@@ -29,7 +30,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Field, PrivateAttr, model_validator
+from pydantic import BaseModel, ConfigDict, Field, PrivateAttr, StrictBool, model_validator
 
 from CNCStepper.cycles.turning.turning_operation import TurningOperation, turning_operation_class
 from CNCStepper.errors import JobError, Place, Text, placed
@@ -93,6 +94,7 @@ class TurningJob(_Checked):
     process: Literal["turning"]
     x_is: Xis = "diameter"
     distance: Literal["absolute", "incremental"] = "absolute"
+    canned: StrictBool = False
     material: str = ""
     coolant: Literal["none", "mist", "flood"] = "none"
     work_offset: str = "G54"
@@ -117,7 +119,7 @@ class TurningJob(_Checked):
                 known = ", ".join(map(str, self.tools))
                 raise ValueError(Text(what, number=number, tool=operation.tool, tools=known))
             profile = getattr(operation, "profile", None)
-            if profile is not None and profile not in names:
+            if profile and profile not in names:
                 what = "operation {number} turns the profile '{profile}', which the job does not have: it has {names}"
                 known = ", ".join(names) or "none"
                 raise ValueError(Text(what, number=number, profile=profile, names=known))

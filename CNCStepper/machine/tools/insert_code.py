@@ -36,7 +36,7 @@ PROFILES_DEG = {"ISO": 60.0, "UN": 60.0, "W": 55.0, "BSPT": 55.0, "NPT": 60.0, "
 SHORT_OF_WHOLE_MM = 0.01  # T11 has an edge of 10.998 mm
 
 _CODE = re.compile(
-    r"([A-Z])([A-Z])([A-Z])([A-Z])\s*(\d\d)(\d\d|T\d)(\d\d|M0)(?:[\s\-/].*|[A-Z]{1,4}(?:[\s\-/].*)?)?",
+    r"([A-Z]{4})\s*(\d\d)(\d\d|T\d)(\d\d|M0)(?:[\s\-/].*|[A-Z]{1,4}(?:[\s\-/].*)?)?",
 )
 _THREAD = re.compile(r"(06|08|11|16|22|27)\s*([EI])([RL])\s*(?:(\d+(?:\.\d+)?)\s*(ISO|TR)|(AG?|G|N)(55|60))")
 
@@ -74,7 +74,7 @@ def insert_of(code: str) -> Insert:
     if not (match := _CODE.fullmatch(text)):
         what = Text("'{code}' is no insert of ISO 1832", code=code[:40])
         raise JobError("insert-code", what, advice="write four letters and six digits, for example CNMG 120408")
-    shape, clearance, _, _, edge, thickness, nose = match.groups()
+    (shape, clearance, *_), edge, thickness, nose = match.groups()
     _require(shape in NOSE_ANGLES_DEG or shape == "R", code, "shape", shape, f"{', '.join(NOSE_ANGLES_DEG)}, R")
     _require(clearance in CLEARANCES_DEG, code, "clearance", clearance, ", ".join(CLEARANCES_DEG))
     _require(thickness in THICKNESSES_MM, code, "thickness", thickness, ", ".join(THICKNESSES_MM))

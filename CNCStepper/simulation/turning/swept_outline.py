@@ -104,9 +104,9 @@ def swept(parts: list[np.ndarray], moves: Moves) -> np.ndarray:
 
 
 def outlines_at(parts: list[np.ndarray], places: np.ndarray) -> np.ndarray:
-    """Return the outline at each place, float64[n, 2]: an array of n shapely geometries."""
+    """Return the outline at each place, float64[n, 2], on both sides of the axis: an array of n shapely geometries."""
     of_parts = [hulls(part, places, places) for part in parts]
-    return of_parts[0] if len(parts) == 1 else shapely.union_all(of_parts, axis=0)
+    return _mirrored_at_axis(of_parts[0] if len(parts) == 1 else np.asarray(shapely.union_all(of_parts, axis=0)))
 
 
 def hulls(part: np.ndarray, begin: np.ndarray, end: np.ndarray) -> np.ndarray:

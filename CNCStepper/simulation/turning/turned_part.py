@@ -26,6 +26,7 @@ from CNCStepper.tolerances import NO_LENGTH_MM
 
 CONTACT_MM = 0.002  # how deep a tool must be in material to touch it: chords and rounding are below
 LONGEST_PASS = 512  # moves that are taken off together
+SLIVER_MM2 = 1e-6  # an area that rounding leaves between two moves
 DUST_MM3 = 1e-3  # what falls and is smaller was left between two chords
 
 Sections = Mapping[int, ToolSection]
@@ -162,7 +163,9 @@ def _depths_mm(part: TurnedPart, met: np.ndarray, tool: ToolSection) -> np.ndarr
     """
     begin, end = part.moves.begin[met], part.moves.end[met]
     fresh = shapely.difference(part.areas[met], outlines_at(tool.cutting_parts, begin))
-    points, index = shapely.get_coordinates(shapely.intersection(fresh, part.region), return_index=True)
+    cut = shapely.intersection(fresh, part.region)
+    cut[shapely.area(cut) < SLIVER_MM2] = None
+    points, index = shapely.get_coordinates(cut, return_index=True)
     way = end - begin
     length = np.hypot(*way.T)
     across = np.column_stack([-way[:, 1], way[:, 0]]) / np.maximum(length, NO_LENGTH_MM)[:, None]

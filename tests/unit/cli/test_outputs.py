@@ -32,6 +32,7 @@ IN_FOLDERS = {
     ("nest",): ["sheet-0.dxf", "remnant-0-1.dxf", "placements.json", "nest.png"],
 }
 WORDS = {"PROFILE": "m.toml", "DIALECT": "grbl", "SHAPE:MM": "flat:3", "NUMBER": "1", "X,Y": "1,1", "X,Y,Z": "1,1,1"}
+WORDS["HEIGHT,D1,D2,D3"] = "1,1,1,1"
 
 
 def commands(holder: click.Command = group, *names: str) -> Iterator[tuple[tuple[str, ...], click.Command]]:
@@ -88,6 +89,7 @@ def test_the_walk_finds_the_verbs_that_write() -> None:
         "arrange",
         "slice",
         "batch",
+        "part-records",
     }
     assert {names[0] for names in WRITING} == writers <= set(FAMILY_OF)
 

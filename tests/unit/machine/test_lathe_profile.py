@@ -25,7 +25,7 @@ def test_a_sender_expects_its_settings_of_x_and_z_only() -> None:
     assert {number for number in wanted if number >= 100} == {100, 102, 110, 112, 120, 122}
 
 
-@pytest.mark.parametrize(("controller", "axes", "missing"), [("mini-lathe", "xy", "z"), ("grbl", "xz", "y")])
+@pytest.mark.parametrize(("controller", "axes", "missing"), [("mini-lathe", "xy", "z"), ("grbl", "x", "y")])
 def test_each_machine_needs_its_own_axes(controller: str, axes: str, missing: str) -> None:
     content = load_machine("mini-lathe").model_dump() | {"controller": controller}
     content["axis"] = dict.fromkeys(axes, content["axis"]["x"])

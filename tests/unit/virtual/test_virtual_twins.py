@@ -24,6 +24,7 @@ from CNCStepper.virtual.server.ports import TcpPort
 from CNCStepper.virtual.server.step_trace import StepTrace
 from CNCStepper.virtual.server.twin_faults import PARPORT_KINDS, TWIN_KINDS
 from CNCStepper.virtual.server.twin_server import Notes, TwinServer
+from helpers.cli.command_line import called, command, forked
 
 LIMIT_S = 20.0
 STEPS_PER_MM = 40
@@ -49,7 +50,6 @@ travel_max_mm = 600
 motors = ["x", "y"]
 pins = {{ x_step = 2, x_direction = 3, y_step = 4, y_direction = 5, enable = 17 }}
 """
-COMMAND = (sys.executable, "-u", "-m", "CNCStepper.cli.main", "virtual")
 ON = 0b0011  # control register: pins 1 and 14 low, the enable on 17 high: all three are turned round
 
 
@@ -57,7 +57,9 @@ ON = 0b0011  # control register: pins 1 and 14 low, the enable on 17 high: all t
 def twin(*options: str, stdin: int | None = None) -> Iterator[tuple[str, subprocess.Popen[str]]]:
     """Yield the address of a virtual machine in a process of its own; it must end well."""
     pipe = subprocess.PIPE
-    running = subprocess.Popen([*COMMAND, *options], stdout=pipe, stderr=pipe, stdin=stdin, text=True)
+    words = ("virtual", *options)
+    pipes = {"stdout": pipe, "stderr": pipe, "stdin": stdin, "text": True}
+    running = subprocess.Popen(command(*words), preexec_fn=forked(*words), **pipes)
     try:
         assert running.stdout
         line = running.stdout.readline()
@@ -131,7 +133,7 @@ def test_board_over_tcp_takes_the_published_bytes(tmp_path):
 
 def test_a_killed_twin_leaves_what_it_had(tmp_path):
     options = ("--tcp", "127.0.0.1:0", "--machine", "table-a", *files(tmp_path))
-    running = subprocess.Popen([*COMMAND, "board", *options], stdout=subprocess.PIPE, text=True)
+    running = subprocess.Popen(command("virtual", "board", *options), stdout=subprocess.PIPE, text=True)
     assert running.stdout
     with connect(running.stdout.readline().split()[-1]) as client:
         client.sendall(bytes.fromhex("0A 10 09"))
@@ -213,7 +215,7 @@ def test_grbl_has_no_motors_to_stall(tmp_path):
 
 def test_each_option_of_a_port_is_needed_once(tmp_path):
     for options in ((), ("--pty", str(tmp_path / "p"), "--tcp", "127.0.0.1:0")):
-        run = subprocess.run([*COMMAND, "lathe", *options], capture_output=True, text=True, timeout=LIMIT_S)
+        run = called("virtual", "lathe", *options)
         assert run.returncode == 2 and "either --pty PATH or --tcp" in run.stderr
 
 

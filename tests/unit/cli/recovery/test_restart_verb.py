@@ -3,11 +3,9 @@
 
 from __future__ import annotations
 
-import os
 import shlex
 import signal
 import subprocess
-import sys
 import time
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
@@ -23,6 +21,7 @@ from CNCStepper.control.journal.replay import FirstProgram
 from CNCStepper.control.journal.store import replays
 from CNCStepper.control.program.certificate import Certificate, digest_of_text
 from CNCStepper.control.service.connection_session import attach, jobs_running
+from helpers.cli.command_line import command, forked
 
 PROGRAM = (
     "G21 G90\nT1\nM3 S12000\nG4 P1\nG0 Z10\nX0 Y0\nG1 Z-1 F300\nX20 F2000\nY10\nX0\nG0 Z10\nG92 X5 Y5\nX10 Y10\n"
@@ -127,14 +126,8 @@ def test_a_dry_run_says_that_it_goes_up_and_never_down(program: Path) -> None:
 def table(tmp_path: Path) -> Iterator[tuple[str, Path]]:
     """A running virtual grbl: its port and its trace."""
     trace = tmp_path / "trace.csv"
-    arguments = ["virtual", "grbl", "--tcp", "127.0.0.1:0", "--speed", "50", "--trace", str(trace)]
-    environment = {**os.environ, "PYTHONIOENCODING": "utf-8"}
-    process = subprocess.Popen(
-        [sys.executable, "-m", "CNCStepper.cli", *arguments],
-        stdout=subprocess.PIPE,
-        encoding="utf-8",
-        env=environment,
-    )
+    words = ("virtual", "grbl", "--tcp", "127.0.0.1:0", "--speed", "50", "--trace", trace)
+    process = subprocess.Popen(command(*words), stdout=subprocess.PIPE, encoding="utf-8", preexec_fn=forked(*words))
     assert process.stdout
     yield f"socket://{process.stdout.readline().strip().rpartition(' ')[2].removeprefix('socket://')}", trace
     process.terminate()

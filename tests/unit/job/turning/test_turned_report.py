@@ -62,6 +62,8 @@ def test_the_report_has_profile_and_dimensions() -> None:
     assert found.dimension_at(-15) == (pytest.approx(36), 0)
     assert found.dimension_at(0.5) == (0, 0)
     assert report["removed_volume_mm3"] == pytest.approx(np.pi * (400 + 76 * 30) - fillet, rel=1e-4)
+    assert (report["gouge_mm"], report["left_over_mm"]) == (0, 0)
+    assert report["cut_length_mm"] == pytest.approx(30.8 + 32 + 4)  # whole moves that cut
     assert report["deepest_cut_mm"] == pytest.approx(2.0)
 
 

@@ -31,7 +31,7 @@ def job_of(points: str, head: str = HEAD) -> TurningJob:
 def test_the_example_is_a_job_in_the_lathes_own_coordinates():
     job, machine = load_turning_job(ROOT / "examples" / "jobs" / "lathe-cylinder.toml")
     assert machine.is_lathe and job.start_zr == (6.0, 32.5)
-    assert job.curves["cylinder"].xy.tolist() == [[0, 25], [-150, 25]]
+    assert job.curves["cylinder"].xy.tolist() == [[0, 25], [-152, 25]]
 
 
 def test_x_is_a_diameter_where_nothing_is_said():

@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What `cncstepper run` does with the job file of a lathe: programs, reports, certificates and pictures of the part."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from CNCStepper.cli.common.findings_output import save, show_figures, show_findings, write_report
+from CNCStepper.cli.common.progress import Progress
+from CNCStepper.output_files import MADE_BY
+
+
+def run_turning(path: Path, out: Path) -> bool:
+    """Make and prove the programs of a lathe's job file; return whether one is refused."""
+    from CNCStepper.job.make_certificate import certificate_of
+    from CNCStepper.job.turning.make_turning import make_turning
+    from CNCStepper.job.turning.prove_turning import prove_turning
+    from CNCStepper.job.turning.turning_job import load_turning_job
+
+    refused = False
+    with Progress(f"making the programs of {path.name}"):
+        job, machine = load_turning_job(path)
+        programs = make_turning(job, machine, f"{MADE_BY}: {path.stem}")
+    for program in programs:
+        save(out / program.file_name, program.program.encode("ascii"))
+    for proven in prove_turning(job, machine, programs, out):
+        proof, file = proven.proof, out / proven.program.file_name
+        suffix = file.stem.removeprefix("program")
+        report, picture = out / f"report{suffix}.json", out / f"part{suffix}.png"
+        write_report(report, proof.report)
+        certificate_of(proof).write(out / f"certificate{suffix}.zip")
+        proven.verdict.draw(picture, path.stem, f"{proof.report['time_s'] / 60:.1f} min")
+        show_findings(proof.findings)
+        show_figures(proof.report)
+        blocks, minutes = proof.report["blocks"], proof.report["time_s"] / 60
+        click.echo(f"{file}: {blocks} blocks that move, {minutes:.1f} min; {report}; {picture}")
+        refused |= proof.refused
+    return refused

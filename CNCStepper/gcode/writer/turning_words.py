@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The words of a lathe's program: plane ZX, X as radius or diameter, feeds a turn.
+
+LinuxCNC    G18, G7 (diameter) or G8 (radius), G95 while the spindle turns
+mini-lathe  its own words for both; every coordinate from where the tool is after G91
+others      G18, X as radius, feeds a minute
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from CNCStepper.errors import ProgramError, Text
+from CNCStepper.gcode.dialects import Dialect
+from CNCStepper.gcode.dialects.codes import RS274
+from CNCStepper.gcode.writer.block_emitter import BlockEmitter
+from CNCStepper.gcode.writer.write_options import WriteOptions
+from CNCStepper.state import State
+from CNCStepper.toolpath import ZX
+
+MODES = {"diameter": RS274["G7"], "radius": RS274["G8"]}
+
+
+def turned_words(words: Sequence[str], dialect: Dialect, options: WriteOptions) -> list[str]:
+    """Return the words of a line of the header as a lathe's program has them."""
+    words_of = {name: code for name, code in dialect.codes.items() if code in MODES.values()}
+    own = [name for name, code in words_of.items() if code == MODES[options.x_is or "radius"]]
+    instead = {"G17": "G18"} | dict.fromkeys(words_of, own[0] if own else "")
+    if options.incremental:
+        instead["G90"] = "G91"
+    return [instead.get(word, word) for word in words]
+
+
+def begin_turning(page: BlockEmitter, options: WriteOptions) -> None:
+    """Bring the mode of X into force behind the header; raises ProgramError for diameters that a dialect lacks."""
+    dialect = page.dialect
+    if "G18" in dialect.codes:
+        page.begin_in(ZX)
+    word = {"diameter": "G7", "radius": "G8"}[options.x_is or "radius"]
+    if dialect.codes.get(word) == RS274[word]:
+        page.line(word)
+    elif options.x_is == "diameter" and MODES["diameter"] not in dialect.codes.values():
+        what = Text("{dialect} has no word for X as a diameter", dialect=dialect.title)
+        raise ProgramError("diameter", what, value="x_is = diameter", limit="radius", advice='write x_is = "radius"')
+    if options.incremental and not dialect.starts_at_work_zero:
+        what = Text("where the tool is when a program of {dialect} begins is not known", dialect=dialect.title)
+        raise ProgramError("incremental", what, value="incremental", advice='write distance = "absolute"')
+    page.x_factor = 2 if options.x_is == "diameter" else 1
+    page.incremental = options.incremental
+
+
+def follow_feed_mode(page: BlockEmitter, state: State) -> None:
+    """Write G95 before the first feed a turn, where the dialect has it; feeds a minute are those of the header."""
+    if state.feed_mode == "per_turn" and state.spindle_rpm > 0 and "G95" in page.dialect.codes:
+        if not page.turn_rpm:
+            page.line("G95")
+        page.use_turn_feed(state.spindle_rpm)

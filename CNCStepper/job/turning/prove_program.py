@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The proof of a lathe program without its job: bar and tools come from whoever asks, and no profile is wanted."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from CNCStepper.errors import JobError, Text
+from CNCStepper.gcode.dialects import dialect as dialect_named
+from CNCStepper.gcode.lathe.diameter_mode import x_is
+from CNCStepper.job.prove import Proof, prove, with_findings
+from CNCStepper.job.turning.make_turning import in_part, placement_of
+from CNCStepper.job.turning.report import TurnedVerdict, judge_turning, setup_of
+from CNCStepper.job.turning.turning_job import TurningJob, load_turning_job
+from CNCStepper.machine.profile import Machine
+from CNCStepper.machine.tools.turning_tool import TurningTool
+from CNCStepper.machine.tools.turning_tool_text import EVERY_NUMBER
+from CNCStepper.simulation.turning.half_section import bar
+from CNCStepper.simulation.turning.obstacles import chuck_region
+from CNCStepper.simulation.turning.swept_outline import moves_of
+from CNCStepper.simulation.turning.tool_section import ToolSection
+from CNCStepper.simulation.turning.turning_checks import TurningSetup
+from CNCStepper.state import Start, ToolEntry
+
+CHUCK_SHARE = 2.0  # diameter of the chuck where it is not known, by that of the bar
+
+
+@dataclass(frozen=True)
+class TurnedBar:
+    """Raw stock in a chuck, mm: its length from the chuck's face to z = 0, face_mm beyond that; 0 for a solid bar."""
+
+    diameter_mm: float
+    length_mm: float
+    bore_mm: float = 0.0
+    face_mm: float = 0.0
+
+
+def prove_turned(
+    text: str,
+    machine: Machine,
+    stock: TurnedBar,
+    tools: Mapping[int, TurningTool],
+    *,
+    file: str = "",
+    dialect: str = "",
+    start: Start | None = None,
+) -> tuple[Proof, TurnedVerdict]:
+    """Return the proof of a lathe program's text, with the findings about its part, and the verdict on that part.
+
+    tools: by number; that of EVERY_NUMBER stands for the others. Those of a lathe in the start's tool table count too.
+    The work zero is on the axis, at the finished end face. Raises ProgramError for a text that cannot be read.
+    """
+    language = dialect_named(machine.language(dialect))
+    proof = prove(text, machine, file=file, dialect=dialect, start=start)
+    moves = moves_of(proof.toolpath, chuck_at_minus_z=language.z_sign > 0)
+    known = {**(tools_of_table(start.tools) if start else {}), **tools}
+    usual = known.get(EVERY_NUMBER)
+    used = {number: known.get(number, usual) for number in set(moves.tool.tolist())}
+    sections = {number: ToolSection.of(tool) for number, tool in used.items() if tool is not None}
+    given = x_is(text, language.name)
+    setup = TurningSetup(
+        bar(stock.diameter_mm, stock.length_mm, stock.face_mm, stock.bore_mm),
+        sections,
+        {"chuck": chuck_region(stock.length_mm, CHUCK_SHARE * stock.diameter_mm)},
+        x_factor=2.0 if given == "diameter" else 1.0,
+        file=file,
+    )
+    return _joined(proof, judge_turning(moves, setup, given))
+
+
+def prove_text_of_job(
+    text: str, job_path: Path, *, file: str = "", dialect: str = "", start: Start | None = None
+) -> tuple[Proof, TurnedVerdict]:
+    """Return the same of the whole program of a lathe's job file; raises JobError and ProgramError."""
+    job, machine = load_turning_job(job_path)
+    if "T" not in dialect_named(machine.language(dialect)).letters:
+        start = replace(start or Start(), tool=_only_tool(job))
+    proof = prove(text, machine, file=file, dialect=dialect, start=start)
+    path = in_part(proof.toolpath, placement_of(job, machine))
+    return _joined(proof, judge_turning(moves_of(path), setup_of(job, file), job.x_is))
+
+
+def _only_tool(job: TurningJob) -> int:
+    """Return the tool of a job whose programs name none; raises JobError where each of several has its own program."""
+    numbers = sorted({operation.tool for operation in job.operation})
+    if len(numbers) > 1:
+        what = Text("the job has a program for each of {count} tools, one after the other", count=len(numbers))
+        raise JobError("turning-part", what, advice="prove them together: cncstepper run JOB")
+    return int(numbers[0])
+
+
+def tools_of_table(entries: Mapping[int, ToolEntry]) -> dict[int, TurningTool]:
+    """Return a LinuxCNC tool table's lathe tools: those with orientation and angles; the diameter is the nose's."""
+    return {
+        number: TurningTool(
+            number=number,
+            orientation=entry.orientation,
+            front_deg=entry.front_deg,
+            back_deg=entry.back_deg,
+            nose_radius_mm=entry.diameter_mm / 2,
+        )
+        for number, entry in entries.items()
+        if entry.orientation and not math.isnan(entry.diameter_mm) and entry.front_deg != entry.back_deg
+    }
+
+
+def _joined(proof: Proof, verdict: TurnedVerdict) -> tuple[Proof, TurnedVerdict]:
+    told = replace(proof, report={**proof.report, **verdict.report()})
+    return with_findings(told, verdict.findings), verdict

@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Random jobs of a lathe: shafts and bores of steps, cones, arcs and valleys that their insert reaches."""
+
+from __future__ import annotations
+
+import math
+import random
+from pathlib import Path
+from typing import Any
+
+from CNCStepper.job.turning.turning_job import TurningJob, turning_job_of
+
+INSERTS = {"CNMG 120408": 4.0, "DCMT 11T304": 28.0, "VBMT 160404": 48.0, "TNMG 160408": 22.0}  # deepest slope down
+SMALL_INSERTS = {"CCMT 060204": 4.0, "DCMT 070202": 28.0}  # those of boring bars
+STOCK_MM = 30.0  # radius of the bar
+
+
+def random_points(choice: random.Random, slope_deg: float, radii: tuple[float, float], side: float) -> list[Any]:
+    """Return rows of a profile, x as radius: rising from `radii[0]`, falling no steeper than the slope."""
+    low, high = radii
+    z, r = 0.0, choice.uniform(low, low + 0.3 * (high - low)) if side > 0 else high
+    rows: list[Any] = [[r, z]]
+    for _ in range(choice.randint(2, 7)):
+        kind = choice.choice(["along", "step", "cone", "arc", "valley"])
+        run = choice.uniform(2.0, 12.0)
+        room = (high - r) if side > 0 else (r - low)
+        if kind == "along":
+            z -= run
+        elif kind == "step" and room > 1.0:
+            r += side * choice.uniform(0.5, room * 0.8)
+        elif kind == "cone" and room > 1.0:
+            r += side * choice.uniform(0.2, room * 0.7)
+            z -= run
+        elif kind == "arc" and room > 4.0:
+            size = choice.uniform(1.5, min(room, 8.0) * 0.9)
+            r, z = r + side * size, z - size
+            hollow = choice.random() < 0.5
+            clockwise = hollow if side > 0 else not hollow
+            rows.append({"to": [r, z], "arc": "cw" if clockwise else "ccw", "radius_mm": size * 1.0000001})
+            continue
+        elif kind == "valley":
+            fall = min(math.tan(math.radians(slope_deg)) * run * 0.9, 5.0, (r - low) if side > 0 else (high - r))
+            r, z = r - side * fall, z - run
+        rows.append([r, z])
+    rows.append([r, z - 1.0])
+    kept = [rows[0]]
+    for row in rows[1:]:
+        before = kept[-1]["to"] if isinstance(kept[-1], dict) else kept[-1]
+        if isinstance(row, dict) or math.dist(row, before) > 0.01:
+            kept.append(row)
+    return kept
+
+
+def random_job(seed: int, machine: str, *, inside: bool = False, along: str = "z") -> TurningJob:
+    """Return a job that faces, roughs and finishes a random profile; inside: a tube is bored."""
+    choice = random.Random(seed)
+    insert, slope_deg = choice.choice(list((SMALL_INSERTS if inside else INSERTS).items()))
+    if along == "x":
+        slope_deg = min(slope_deg, 20.0)
+    side = -1.0 if inside else 1.0
+    radii = (12.0, 25.0) if inside else (4.0, STOCK_MM - 1.0)
+    points = random_points(choice, slope_deg, radii, side)
+    ap_mm, leave_mm = choice.uniform(0.5, 3.0), choice.choice([0.0, 0.2, 0.5])
+    tool: dict[str, Any] = {"number": 1, "insert": insert, "lead_deg": 95.0 if insert[0] in "CT" else 93.0}
+    tool |= {"kind": "boring" if inside else "turning", "feed_mm_rev": 0.2, "spindle_rpm": 500.0}
+    one = {"tool": 1, "profile": "part"}
+    face = [] if inside else [{"cycle": "turn_face", "tool": 1, "ap_mm": 1.0}]
+    return turning_job_of(
+        {
+            "machine": machine,
+            "process": "turning",
+            "x_is": "radius",
+            "start": [40.0 if not inside else 8.0, 10.0],
+            "stock": {"diameter_mm": 2 * STOCK_MM, "face_mm": 0.0 if inside else 1.0, "length_mm": 150.0}
+            | ({"form": "tube", "bore_mm": 20.0} if inside else {}),
+            "tool": [tool],
+            "profile": [{"name": "part", "points": points}],
+            "operation": [
+                *face,
+                {"cycle": "turn_rough", "along": along, "ap_mm": ap_mm, "stock_to_leave_mm": leave_mm, **one},
+                {"cycle": "turn_finish", **one},
+            ],
+        },
+        Path("random.toml"),
+    )
