@@ -14626,6 +14626,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>make and prove it with `cncstepper run`</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>make finish_{name} smaller</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19955,6 +19959,10 @@
         </message>
         <message>
             <source>this is switched off in the controller's configuration</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this is the job of a lathe, not of a table</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -14626,6 +14626,10 @@
             <translation>faça dele um perfil seu: cncstepper machine new NAME --from FILE</translation>
         </message>
         <message>
+            <source>make and prove it with `cncstepper run`</source>
+            <translation>faça-o e prove-o com `cncstepper run`</translation>
+        </message>
+        <message>
             <source>make finish_{name} smaller</source>
             <translation>diminua finish_{name}</translation>
         </message>
@@ -19956,6 +19960,10 @@
         <message>
             <source>this is switched off in the controller's configuration</source>
             <translation>isto está desligado na configuração do controlador</translation>
+        </message>
+        <message>
+            <source>this is the job of a lathe, not of a table</source>
+            <translation>este é o trabalho de um torno, não de uma mesa</translation>
         </message>
         <message>
             <source>this is {kind}, not a file</source>

@@ -13,7 +13,7 @@ from typing import Any
 
 from CNCStepper.errors import CNCStepperError, Place
 from CNCStepper.workbench.document.drawing_files import Reading
-from CNCStepper.workbench.features.base import proxy_type
+from CNCStepper.workbench.features.base import edit, proxy_type
 from CNCStepper.workbench.features.drawings.drawing import Drawing, path_of
 from CNCStepper.workbench.features.drawings.slices import asked_of, key_of, take_answer
 
@@ -103,14 +103,14 @@ def drawings_of(obj: Any, sheets: list[Path]) -> list[Any]:
 
     Drawings of sheets that are no longer made are deleted with their objects.
     """
-    from CNCStepper.workbench import api
-
     before = {path_of(each): each for each in obj.Group if proxy_type(each) == Drawing.Type}
     found = []
     for path in sheets:
         drawing = before.pop(path, None)
         if drawing is None:
-            drawing = api.add_drawing(obj.Document, path, split="chain")
+            drawing = obj.Document.addObject("App::DocumentObjectGroupPython", Drawing.Type)
+            Drawing(drawing)
+            edit(drawing, file=str(path), split="chain")
             drawing.Label = f"{obj.Label} {path.stem}"
             obj.addObject(drawing)
         found.append(drawing)
