@@ -34,7 +34,7 @@ def test_every_job_comes_back_as_it_was(path: Path, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("path", LATHE_JOBS, ids=lambda path: path.stem)
 def test_the_job_of_a_lathe_is_refused_by_its_name(path: Path) -> None:
-    with pytest.raises(JobError, match="job of a lathe.*cncstepper run"):
+    with pytest.raises(JobError, match=r"job of a lathe.*cncstepper run"):
         Job.load(path)
 
 
