@@ -74,7 +74,7 @@ class TurnedVerdict:
         }
 
     def lengths(self, first: int, last: int | None = None) -> dict[str, float]:
-        """Return how far the feeds go in material and in air, of rows from `first` to before `last`, None: to the end."""
+        """Return how far the feeds go in material and in air, in the rows [first, last); None: to the end."""
         moves = self.part.moves
         mine = (moves.row >= first) & (moves.row < (np.inf if last is None else last))
         length_mm = np.hypot(*(moves.end - moves.begin).T)
