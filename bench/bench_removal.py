@@ -164,6 +164,8 @@ def main() -> None:
     for tool in tools[:2]:
         print_timeline(f"a million level moves, {tool.shape}", million, ends_s, tool, Stock((300, 300, 6)), CELL_MM)
     for path in sorted((Path(__file__).parents[1] / "examples" / "jobs").glob("*.toml")):
+        if path.stem.startswith("lathe-"):
+            continue
         print_timeline(path.stem, *of_job(path))
     print_engagement(tools[0])
 

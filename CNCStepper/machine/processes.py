@@ -80,10 +80,14 @@ PROCESSES: dict[str, Process] = {
     )
 }
 MILLING = PROCESSES["milling"]
+TURNING = "turning"  # of a lathe's jobs, which have a model of their own: job/turning
 
 
 def process_named(name: str) -> Process:
     """Return the process of that name; raises JobError that names those there are."""
+    if name == TURNING:
+        what, advice = "this is the job of a lathe, not of a table", "make and prove it with `cncstepper run`"
+        raise JobError("process-turning", what, advice=advice)
     if name not in PROCESSES:
         raise JobError(
             "process-unknown",

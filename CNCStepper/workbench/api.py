@@ -33,6 +33,7 @@ from CNCStepper.workbench.features.base import Feature, edit, require_parts
 from CNCStepper.workbench.features.catalogue import operation_class
 from CNCStepper.workbench.features.drawings.drawing import Drawing
 from CNCStepper.workbench.features.drawings.shape import Shape
+from CNCStepper.workbench.features.drawings.slices import Slices
 from CNCStepper.workbench.features.drawings.text import Text as TextObject
 from CNCStepper.workbench.features.freehand import Freehand
 from CNCStepper.workbench.features.job import Job
@@ -50,6 +51,7 @@ __all__ = [
     "add_freehand",
     "add_operation",
     "add_shape",
+    "add_slices",
     "add_text",
     "add_tool",
     "chart_tool",
@@ -63,6 +65,7 @@ __all__ = [
     "reload_drawing",
     "require_valid",
     "save_program",
+    "slice_solid",
 ]
 
 
@@ -227,6 +230,22 @@ def add_shape(document: Any, kind: str, **values: Any) -> Any:
         raise
     obj.Label = kind
     return obj
+
+
+def add_slices(document: Any, solid: Any, **values: Any) -> Any:
+    """Return a new CNCStepper_Slices of a body or a mesh, an empty group until it is sliced; `values` by its keys."""
+    return _add(document, "App::DocumentObjectGroupPython", Slices, {"solid": solid, **values})
+
+
+def slice_solid(slices: Any) -> None:
+    """Cut the solid of a CNCStepper_Slices into sheets, nest their pieces, and read the drawings of that.
+
+    Raises CNCStepperError for a solid that cannot be sliced or a bad value, and then changes nothing.
+    """
+    packages.require()
+    from CNCStepper.workbench.document.slice_files import slice_now
+
+    slice_now(slices)
 
 
 def add_text(document: Any, text: str, **values: Any) -> Any:

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The process that reads drawings for the window: `python -m CNCStepper.workers.drawing_reader`.
+"""The process that reads drawings and slices solids for the window: `python -m CNCStepper.workers.drawing_reader`.
 
 It knows nothing of FreeCAD. Each line on standard input is a question in JSON; a newer one ends the work on the one
 before. Each line on standard output is about the newest:
 
     {"mark": 3, "drawing": {"file": PATH, "form": {...}, "limits": {...}}}
+    {"mark": 3, "slices": {"solid": PATH, "folder": PATH, "title": TEXT, "form": {...}}}
 
     {"mark": 3, "share": 0.4}                     what share is done
     {"mark": 3, "answer": {...}}                  the end of it
@@ -80,7 +81,16 @@ def _drawing(question: dict[str, Any], share: Callable[[float], None]) -> dict[s
     return packed(read_imported(Path(asked["file"]), form, limits, share))
 
 
-WORK: dict[str, Callable[[dict[str, Any], Callable[[float], None]], dict[str, Any]]] = {"drawing": _drawing}
+def _slices(question: dict[str, Any], share: Callable[[float], None]) -> dict[str, Any]:
+    from CNCStepper.job.slicing.make_slices import answer_of
+
+    return answer_of(question["slices"], share)
+
+
+WORK: dict[str, Callable[[dict[str, Any], Callable[[float], None]], dict[str, Any]]] = {
+    "drawing": _drawing,
+    "slices": _slices,
+}
 
 
 if __name__ == "__main__":

@@ -100,6 +100,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Along which the sheets are stacked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Amperes</source>
             <translation type="unfinished"></translation>
         </message>
@@ -168,6 +172,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Below thickness times</source>
             <translation type="unfinished"></translation>
         </message>
@@ -185,6 +193,10 @@
         </message>
         <message>
             <source>Between the two sides of a drill's point; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Between two pieces</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -644,6 +656,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Folder</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Font</source>
             <translation type="unfinished"></translation>
         </message>
@@ -688,6 +704,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>From a piece to the edge of the sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>From chart</source>
             <translation type="unfinished"></translation>
         </message>
@@ -709,6 +729,10 @@
         </message>
         <message>
             <source>From the tip to the holder; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Gap</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -960,6 +984,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How many seconds a denser nest is looked for</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How many tabs hold the part</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1192,6 +1220,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Length X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Length in</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1416,6 +1448,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Of a sheet of material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of its curves</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1445,6 +1481,10 @@
         </message>
         <message>
             <source>Of the grid about its first hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the sheets</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1796,6 +1836,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Registration Hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Registration holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Repair</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1856,6 +1904,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Search Time</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Search time</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Seconds at the bottom</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1880,6 +1936,34 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Sheet Count</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Sheet X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Sheet Y</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Sheets</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Sheets of material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Sheets of material that the pieces take</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Sheets of the stack</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Shorter than</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1897,6 +1981,14 @@
         </message>
         <message>
             <source>Slant</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Slice Count</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Slices</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1941,6 +2033,10 @@
         </message>
         <message>
             <source>Smooth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Solid</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2384,6 +2480,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The solid and the values</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The speed of cutting moves; 0: that of the job's material</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2469,6 +2569,14 @@
         </message>
         <message>
             <source>The work coordinate system</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Their diameter; pins through them align the sheets; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Thickness</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2572,6 +2680,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>What is cut into sheets</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>What is written; several lines are set below each other</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2588,6 +2700,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>What was made</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>What was read</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2597,6 +2713,10 @@
         </message>
         <message>
             <source>Where the arc begins; counter-clockwise from X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the drawings are written; empty: beside the document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2669,6 +2789,10 @@
         </message>
         <message>
             <source>Width</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width Y</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3155,6 +3279,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Along which the sheets are stacked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Also follow the selected lines</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3320,6 +3448,10 @@
         </message>
         <message>
             <source>Between the two sides of a drill's point; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Between two pieces</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3708,6 +3840,10 @@
         </message>
         <message>
             <source>Cut off at the right angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cut the solid into sheets and nest their pieces</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4231,6 +4367,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Folder</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Follow only the selected lines</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4312,6 +4452,10 @@
         </message>
         <message>
             <source>From X to the lines of the pattern</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From a piece to the edge of the sheet</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4859,6 +5003,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How many seconds a denser nest is looked for</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How many tabs hold the part</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5204,6 +5352,10 @@
         </message>
         <message>
             <source>Length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Length X</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5579,6 +5731,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Nesting the pieces: {0} %</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Never farther off than, mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5691,6 +5847,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Of a sheet of material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of its curves</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5728,6 +5888,10 @@
         </message>
         <message>
             <source>Of the pulley that drives the belt</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the sheets</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6323,6 +6487,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Registration holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Regular polygon</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6547,6 +6715,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Search time</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Second eye</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6655,6 +6827,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Sheets</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Sheets of material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Sheets of material that the pieces take</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Sheets of the stack</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Shield</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6719,6 +6907,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Slice</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Slices</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Slicing…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Slot</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6744,6 +6944,10 @@
         </message>
         <message>
             <source>Smooth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Solid</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7483,6 +7687,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The solid and the values</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The speed of cutting moves; 0: that of the job's material</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7620,6 +7828,10 @@
         </message>
         <message>
             <source>The working plane is seen from its edge: turn the view to draw on it.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Their diameter; pins through them align the sheets; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7923,6 +8135,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>What is cut into sheets</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>What is one step: a line of the program, a move, or a pulse of the motors</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7943,6 +8159,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>What was made</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>What was read</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7952,6 +8172,10 @@
         </message>
         <message>
             <source>Where the arc begins; counter-clockwise from X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the drawings are written; empty: beside the document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8028,6 +8252,10 @@
         </message>
         <message>
             <source>Width</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width Y</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9348,6 +9576,10 @@
         </message>
         <message>
             <source>{0} rpm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} slices, {1} pieces on {2} sheets of material; volume {3} % of the solid</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12070,6 +12302,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>choose a body or a mesh of the document</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>choose a folder that exists and that you may write to</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14390,6 +14626,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>make and prove it with `cncstepper run`</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>make finish_{name} smaller</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14774,6 +15014,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>name one, or save the document</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>name the machine (--machine)</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14971,6 +15215,10 @@
         </message>
         <message>
             <source>no screw and rotor has more</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no solid is chosen</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16211,6 +16459,10 @@
         </message>
         <message>
             <source>simulated on the stock that the earlier moves have left; the wanted shape is unknown and was not compared</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>slice it again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18978,6 +19230,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the solid or a value has changed since the sheets were made</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the spindle cannot turn at this speed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19494,6 +19750,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>there is no folder for the drawings</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there is no font '{family}'</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19699,6 +19959,10 @@
         </message>
         <message>
             <source>this is switched off in the controller's configuration</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this is the job of a lathe, not of a table</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22408,6 +22672,17 @@
         </message>
         <message>
             <source>Checks the program of the job and shows what it cuts</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Slices</name>
+        <message>
+            <source>Cuts a solid into sheets with registration holes, and nests their pieces</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Slice a solid…</source>
             <translation type="unfinished"></translation>
         </message>
     </context>

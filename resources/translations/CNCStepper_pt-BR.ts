@@ -100,6 +100,10 @@
             <translation>Ao longo de uma linha ou arco</translation>
         </message>
         <message>
+            <source>Along which the sheets are stacked</source>
+            <translation>Ao longo do qual as chapas são empilhadas</translation>
+        </message>
+        <message>
             <source>Amperes</source>
             <translation>Ampères</translation>
         </message>
@@ -168,6 +172,10 @@
             <translation>Onde o caminho vira menos, o fio nem para nem vai mais devagar</translation>
         </message>
         <message>
+            <source>Axis</source>
+            <translation>Eixo</translation>
+        </message>
+        <message>
             <source>Below thickness times</source>
             <translation>Abaixo de × espessura</translation>
         </message>
@@ -186,6 +194,10 @@
         <message>
             <source>Between the two sides of a drill's point; 0: not given</source>
             <translation>Entre os dois lados da ponta de uma broca; 0: não informado</translation>
+        </message>
+        <message>
+            <source>Between two pieces</source>
+            <translation>Entre duas peças</translation>
         </message>
         <message>
             <source>Beyond</source>
@@ -644,6 +656,10 @@
             <translation>Dentes</translation>
         </message>
         <message>
+            <source>Folder</source>
+            <translation>Pasta</translation>
+        </message>
+        <message>
             <source>Font</source>
             <translation>Fonte</translation>
         </message>
@@ -688,6 +704,10 @@
             <translation>De X às linhas do padrão</translation>
         </message>
         <message>
+            <source>From a piece to the edge of the sheet</source>
+            <translation>De uma peça à borda da chapa</translation>
+        </message>
+        <message>
             <source>From chart</source>
             <translation>Da tabela</translation>
         </message>
@@ -710,6 +730,10 @@
         <message>
             <source>From the tip to the holder; 0: not given</source>
             <translation>Da ponta ao porta-ferramenta; 0: não informado</translation>
+        </message>
+        <message>
+            <source>Gap</source>
+            <translation>Vão</translation>
         </message>
         <message>
             <source>Gaps up to this are closed</source>
@@ -960,6 +984,10 @@
             <translation>Número de pontos do arame</translation>
         </message>
         <message>
+            <source>How many seconds a denser nest is looked for</source>
+            <translation>Por quantos segundos se procura um encaixe mais denso</translation>
+        </message>
+        <message>
             <source>How many tabs hold the part</source>
             <translation>Quantas pontes seguram a peça</translation>
         </message>
@@ -1192,6 +1220,10 @@
             <translation>Correção de comprimento</translation>
         </message>
         <message>
+            <source>Length X</source>
+            <translation>Comprimento X</translation>
+        </message>
+        <message>
             <source>Length in</source>
             <translation>Comprimento entrada</translation>
         </message>
@@ -1416,6 +1448,10 @@
             <translation>De uma fresa toroidal; 0: não informado</translation>
         </message>
         <message>
+            <source>Of a sheet of material</source>
+            <translation>De uma chapa de material</translation>
+        </message>
+        <message>
             <source>Of its curves</source>
             <translation>De suas curvas</translation>
         </message>
@@ -1446,6 +1482,10 @@
         <message>
             <source>Of the grid about its first hole</source>
             <translation>Da grade em torno do seu primeiro furo</translation>
+        </message>
+        <message>
+            <source>Of the sheets</source>
+            <translation>Das chapas</translation>
         </message>
         <message>
             <source>Of the written program</source>
@@ -1796,6 +1836,14 @@
             <translation>Região</translation>
         </message>
         <message>
+            <source>Registration Hole</source>
+            <translation>Furo de registro</translation>
+        </message>
+        <message>
+            <source>Registration holes</source>
+            <translation>Furos de registro</translation>
+        </message>
+        <message>
             <source>Repair</source>
             <translation>Reparo</translation>
         </message>
@@ -1856,6 +1904,14 @@
             <translation>Regras</translation>
         </message>
         <message>
+            <source>Search Time</source>
+            <translation>Tempo de busca</translation>
+        </message>
+        <message>
+            <source>Search time</source>
+            <translation>Tempo de busca</translation>
+        </message>
+        <message>
             <source>Seconds at the bottom</source>
             <translation>Segundos no fundo</translation>
         </message>
@@ -1880,6 +1936,34 @@
             <translation>Como é a matéria-prima</translation>
         </message>
         <message>
+            <source>Sheet Count</source>
+            <translation>Número de chapas</translation>
+        </message>
+        <message>
+            <source>Sheet X</source>
+            <translation>Chapa X</translation>
+        </message>
+        <message>
+            <source>Sheet Y</source>
+            <translation>Chapa Y</translation>
+        </message>
+        <message>
+            <source>Sheets</source>
+            <translation>Chapas</translation>
+        </message>
+        <message>
+            <source>Sheets of material</source>
+            <translation>Chapas de material</translation>
+        </message>
+        <message>
+            <source>Sheets of material that the pieces take</source>
+            <translation>Chapas de material que as peças ocupam</translation>
+        </message>
+        <message>
+            <source>Sheets of the stack</source>
+            <translation>Chapas da pilha</translation>
+        </message>
+        <message>
             <source>Shorter than</source>
             <translation>Mais curtos que</translation>
         </message>
@@ -1898,6 +1982,14 @@
         <message>
             <source>Slant</source>
             <translation>Inclinação</translation>
+        </message>
+        <message>
+            <source>Slice Count</source>
+            <translation>Número de fatias</translation>
+        </message>
+        <message>
+            <source>Slices</source>
+            <translation>Fatias</translation>
         </message>
         <message>
             <source>Small Holes By</source>
@@ -1942,6 +2034,10 @@
         <message>
             <source>Smooth</source>
             <translation>Suavizar</translation>
+        </message>
+        <message>
+            <source>Solid</source>
+            <translation>Sólido</translation>
         </message>
         <message>
             <source>Solids that hold the work down, which the tool must not touch</source>
@@ -2384,6 +2480,10 @@
             <translation>O esboço, fios ou faces cujas linhas são seguidas</translation>
         </message>
         <message>
+            <source>The solid and the values</source>
+            <translation>O sólido e os valores</translation>
+        </message>
+        <message>
             <source>The speed of cutting moves; 0: that of the job's material</source>
             <translation>A velocidade dos movimentos de corte; 0: a do material do trabalho</translation>
         </message>
@@ -2470,6 +2570,14 @@
         <message>
             <source>The work coordinate system</source>
             <translation>O sistema de coordenadas da peça</translation>
+        </message>
+        <message>
+            <source>Their diameter; pins through them align the sheets; 0: none</source>
+            <translation>Seu diâmetro; pinos por eles alinham as chapas; 0: nenhum</translation>
+        </message>
+        <message>
+            <source>Thickness</source>
+            <translation>Espessura</translation>
         </message>
         <message>
             <source>Threshold</source>
@@ -2572,6 +2680,10 @@
             <translation>O que vira um objeto</translation>
         </message>
         <message>
+            <source>What is cut into sheets</source>
+            <translation>O que é cortado em chapas</translation>
+        </message>
+        <message>
             <source>What is written; several lines are set below each other</source>
             <translation>O que se escreve; várias linhas ficam uma abaixo da outra</translation>
         </message>
@@ -2588,6 +2700,10 @@
             <translation>O que foi achado nele</translation>
         </message>
         <message>
+            <source>What was made</source>
+            <translation>O que foi feito</translation>
+        </message>
+        <message>
             <source>What was read</source>
             <translation>O que foi lido</translation>
         </message>
@@ -2598,6 +2714,10 @@
         <message>
             <source>Where the arc begins; counter-clockwise from X</source>
             <translation>Onde o arco começa; anti-horário a partir de X</translation>
+        </message>
+        <message>
+            <source>Where the drawings are written; empty: beside the document</source>
+            <translation>Onde os desenhos são gravados; vazio: ao lado do documento</translation>
         </message>
         <message>
             <source>Where the line begins</source>
@@ -2670,6 +2790,10 @@
         <message>
             <source>Width</source>
             <translation>Largura</translation>
+        </message>
+        <message>
+            <source>Width Y</source>
+            <translation>Largura Y</translation>
         </message>
         <message>
             <source>Work Offset</source>
@@ -3155,6 +3279,10 @@
             <translation>Ao longo de uma linha ou arco</translation>
         </message>
         <message>
+            <source>Along which the sheets are stacked</source>
+            <translation>Ao longo do qual as chapas são empilhadas</translation>
+        </message>
+        <message>
             <source>Also follow the selected lines</source>
             <translation>Seguir também o que está selecionado</translation>
         </message>
@@ -3321,6 +3449,10 @@
         <message>
             <source>Between the two sides of a drill's point; 0: not given</source>
             <translation>Entre os dois lados da ponta de uma broca; 0: não informado</translation>
+        </message>
+        <message>
+            <source>Between two pieces</source>
+            <translation>Entre duas peças</translation>
         </message>
         <message>
             <source>Beyond</source>
@@ -3709,6 +3841,10 @@
         <message>
             <source>Cut off at the right angle</source>
             <translation>Corte no ângulo reto</translation>
+        </message>
+        <message>
+            <source>Cut the solid into sheets and nest their pieces</source>
+            <translation>Corta o sólido em chapas e encaixa suas peças</translation>
         </message>
         <message>
             <source>Cutting</source>
@@ -4231,6 +4367,10 @@
             <translation>Dentes</translation>
         </message>
         <message>
+            <source>Folder</source>
+            <translation>Pasta</translation>
+        </message>
+        <message>
             <source>Follow only the selected lines</source>
             <translation>Seguir o que está selecionado, e nada mais</translation>
         </message>
@@ -4313,6 +4453,10 @@
         <message>
             <source>From X to the lines of the pattern</source>
             <translation>De X às linhas do padrão</translation>
+        </message>
+        <message>
+            <source>From a piece to the edge of the sheet</source>
+            <translation>De uma peça à borda da chapa</translation>
         </message>
         <message>
             <source>From above</source>
@@ -4859,6 +5003,10 @@
             <translation>Número de pontos do arame</translation>
         </message>
         <message>
+            <source>How many seconds a denser nest is looked for</source>
+            <translation>Por quantos segundos se procura um encaixe mais denso</translation>
+        </message>
+        <message>
             <source>How many tabs hold the part</source>
             <translation>Quantas pontes seguram a peça</translation>
         </message>
@@ -5205,6 +5353,10 @@
         <message>
             <source>Length</source>
             <translation>Comprimento livre</translation>
+        </message>
+        <message>
+            <source>Length X</source>
+            <translation>Comprimento X</translation>
         </message>
         <message>
             <source>Length in</source>
@@ -5579,6 +5731,10 @@
             <translation>Arcos estreitos</translation>
         </message>
         <message>
+            <source>Nesting the pieces: {0} %</source>
+            <translation>Encaixando as peças: {0} %</translation>
+        </message>
+        <message>
             <source>Never farther off than, mm</source>
             <translation>Nunca mais longe que, mm</translation>
         </message>
@@ -5691,6 +5847,10 @@
             <translation>De uma fresa toroidal; 0: não informado</translation>
         </message>
         <message>
+            <source>Of a sheet of material</source>
+            <translation>De uma chapa de material</translation>
+        </message>
+        <message>
             <source>Of its curves</source>
             <translation>De suas curvas</translation>
         </message>
@@ -5729,6 +5889,10 @@
         <message>
             <source>Of the pulley that drives the belt</source>
             <translation>Da polia que aciona a correia</translation>
+        </message>
+        <message>
+            <source>Of the sheets</source>
+            <translation>Das chapas</translation>
         </message>
         <message>
             <source>Of the written program</source>
@@ -6323,6 +6487,10 @@
             <translation>Região</translation>
         </message>
         <message>
+            <source>Registration holes</source>
+            <translation>Furos de registro</translation>
+        </message>
+        <message>
             <source>Regular polygon</source>
             <translation>Polígono regular</translation>
         </message>
@@ -6547,6 +6715,10 @@
             <translation>Riscador</translation>
         </message>
         <message>
+            <source>Search time</source>
+            <translation>Tempo de busca</translation>
+        </message>
+        <message>
             <source>Second eye</source>
             <translation>Segundo olhal</translation>
         </message>
@@ -6655,6 +6827,22 @@
             <translation>Chapa, Y</translation>
         </message>
         <message>
+            <source>Sheets</source>
+            <translation>Chapas</translation>
+        </message>
+        <message>
+            <source>Sheets of material</source>
+            <translation>Chapas de material</translation>
+        </message>
+        <message>
+            <source>Sheets of material that the pieces take</source>
+            <translation>Chapas de material que as peças ocupam</translation>
+        </message>
+        <message>
+            <source>Sheets of the stack</source>
+            <translation>Chapas da pilha</translation>
+        </message>
+        <message>
             <source>Shield</source>
             <translation>Escudo</translation>
         </message>
@@ -6719,6 +6907,18 @@
             <translation>Inclinação</translation>
         </message>
         <message>
+            <source>Slice</source>
+            <translation>Fatiar</translation>
+        </message>
+        <message>
+            <source>Slices</source>
+            <translation>Fatias</translation>
+        </message>
+        <message>
+            <source>Slicing…</source>
+            <translation>Fatiando…</translation>
+        </message>
+        <message>
             <source>Slot</source>
             <translation>Rasgo</translation>
         </message>
@@ -6745,6 +6945,10 @@
         <message>
             <source>Smooth</source>
             <translation>Suavizar</translation>
+        </message>
+        <message>
+            <source>Solid</source>
+            <translation>Sólido</translation>
         </message>
         <message>
             <source>Solids that hold the work down, which the tool must not touch</source>
@@ -7483,6 +7687,10 @@
             <translation>O esboço, fios ou faces cujas linhas são seguidas</translation>
         </message>
         <message>
+            <source>The solid and the values</source>
+            <translation>O sólido e os valores</translation>
+        </message>
+        <message>
             <source>The speed of cutting moves; 0: that of the job's material</source>
             <translation>A velocidade dos movimentos de corte; 0: a do material do trabalho</translation>
         </message>
@@ -7621,6 +7829,10 @@
         <message>
             <source>The working plane is seen from its edge: turn the view to draw on it.</source>
             <translation>O plano de trabalho é visto de lado: gire a vista para desenhar nele.</translation>
+        </message>
+        <message>
+            <source>Their diameter; pins through them align the sheets; 0: none</source>
+            <translation>Seu diâmetro; pinos por eles alinham as chapas; 0: nenhum</translation>
         </message>
         <message>
             <source>There is no restart to send yet.</source>
@@ -7923,6 +8135,10 @@
             <translation>O que vira um objeto</translation>
         </message>
         <message>
+            <source>What is cut into sheets</source>
+            <translation>O que é cortado em chapas</translation>
+        </message>
+        <message>
             <source>What is one step: a line of the program, a move, or a pulse of the motors</source>
             <translation>O que é um passo: uma linha do programa, um movimento ou um pulso dos motores</translation>
         </message>
@@ -7943,6 +8159,10 @@
             <translation>O que foi achado nele</translation>
         </message>
         <message>
+            <source>What was made</source>
+            <translation>O que foi feito</translation>
+        </message>
+        <message>
             <source>What was read</source>
             <translation>O que foi lido</translation>
         </message>
@@ -7953,6 +8173,10 @@
         <message>
             <source>Where the arc begins; counter-clockwise from X</source>
             <translation>Onde o arco começa; anti-horário a partir de X</translation>
+        </message>
+        <message>
+            <source>Where the drawings are written; empty: beside the document</source>
+            <translation>Onde os desenhos são gravados; vazio: ao lado do documento</translation>
         </message>
         <message>
             <source>Where the line begins</source>
@@ -8029,6 +8253,10 @@
         <message>
             <source>Width</source>
             <translation>Largura</translation>
+        </message>
+        <message>
+            <source>Width Y</source>
+            <translation>Largura Y</translation>
         </message>
         <message>
             <source>Width of each flange</source>
@@ -9349,6 +9577,10 @@
         <message>
             <source>{0} rpm</source>
             <translation>{0} rpm</translation>
+        </message>
+        <message>
+            <source>{0} slices, {1} pieces on {2} sheets of material; volume {3} % of the solid</source>
+            <translation>{0} fatias, {1} peças em {2} chapas de material; volume {3} % do sólido</translation>
         </message>
         <message>
             <source>{0} stays in its job: drop it on another operation, or on the job</source>
@@ -12070,6 +12302,10 @@
             <translation>escolha S de {min_rpm:g} a {max_rpm:g}</translation>
         </message>
         <message>
+            <source>choose a body or a mesh of the document</source>
+            <translation>escolha um corpo ou uma malha do documento</translation>
+        </message>
+        <message>
             <source>choose a folder that exists and that you may write to</source>
             <translation>escolha uma pasta que exista e em que você possa gravar</translation>
         </message>
@@ -14390,6 +14626,10 @@
             <translation>faça dele um perfil seu: cncstepper machine new NAME --from FILE</translation>
         </message>
         <message>
+            <source>make and prove it with `cncstepper run`</source>
+            <translation>faça-o e prove-o com `cncstepper run`</translation>
+        </message>
+        <message>
             <source>make finish_{name} smaller</source>
             <translation>diminua finish_{name}</translation>
         </message>
@@ -14774,6 +15014,10 @@
             <translation>indique uma que o sistema tenha: {families}</translation>
         </message>
         <message>
+            <source>name one, or save the document</source>
+            <translation>indique uma, ou salve o documento</translation>
+        </message>
+        <message>
             <source>name the machine (--machine)</source>
             <translation>indique a máquina (--machine)</translation>
         </message>
@@ -14972,6 +15216,10 @@
         <message>
             <source>no screw and rotor has more</source>
             <translation>nenhum fuso com rotor tem mais</translation>
+        </message>
+        <message>
+            <source>no solid is chosen</source>
+            <translation>nenhum sólido foi escolhido</translation>
         </message>
         <message>
             <source>no spindle of a lathe or mill has more than 1 MW</source>
@@ -16212,6 +16460,10 @@
         <message>
             <source>simulated on the stock that the earlier moves have left; the wanted shape is unknown and was not compared</source>
             <translation>cortado no material que os movimentos anteriores deixaram; a forma desejada não é conhecida, por isso não é julgado</translation>
+        </message>
+        <message>
+            <source>slice it again</source>
+            <translation>fatie de novo</translation>
         </message>
         <message>
             <source>smooth_mm belongs to points</source>
@@ -18978,6 +19230,10 @@
             <translation>o sólido não está fechado</translation>
         </message>
         <message>
+            <source>the solid or a value has changed since the sheets were made</source>
+            <translation>o sólido ou um valor mudou desde que as chapas foram feitas</translation>
+        </message>
+        <message>
             <source>the spindle cannot turn at this speed</source>
             <translation>o spindle não pode girar nesta rotação</translation>
         </message>
@@ -19494,6 +19750,10 @@
             <translation>não há dialeto '{base}'</translation>
         </message>
         <message>
+            <source>there is no folder for the drawings</source>
+            <translation>não há pasta para os desenhos</translation>
+        </message>
+        <message>
             <source>there is no font '{family}'</source>
             <translation>não há nenhuma fonte '{family}'</translation>
         </message>
@@ -19700,6 +19960,10 @@
         <message>
             <source>this is switched off in the controller's configuration</source>
             <translation>isto está desligado na configuração do controlador</translation>
+        </message>
+        <message>
+            <source>this is the job of a lathe, not of a table</source>
+            <translation>este é o trabalho de um torno, não de uma mesa</translation>
         </message>
         <message>
             <source>this is {kind}, not a file</source>
@@ -22409,6 +22673,17 @@
         <message>
             <source>Checks the program of the job and shows what it cuts</source>
             <translation>Verifica o programa do trabalho e mostra o que ele usina</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Slices</name>
+        <message>
+            <source>Cuts a solid into sheets with registration holes, and nests their pieces</source>
+            <translation>Corta um sólido em chapas com furos de registro e encaixa suas peças</translation>
+        </message>
+        <message>
+            <source>Slice a solid…</source>
+            <translation>Fatiar um sólido…</translation>
         </message>
     </context>
     <context>

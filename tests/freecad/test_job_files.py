@@ -13,10 +13,10 @@ from CNCStepper.job.model import load_job
 from CNCStepper.workbench import api
 from CNCStepper.workbench.document.job_files import export_job, open_job
 from CNCStepper.workbench.features.base import problem_of
+from helpers.job.example_jobs import TABLE_JOBS as JOBS
 
 ROOT = Path(__file__).parents[2]
 SIGN = ROOT / "examples" / "jobs" / "sign.toml"
-JOBS = sorted((ROOT / "examples" / "jobs").rglob("*.toml"))
 
 CROSSING = """
 [[shape]]

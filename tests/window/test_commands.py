@@ -24,6 +24,7 @@ LABELS = {
     "CNCStepper_ImportDrawing": "Import drawing…",
     "CNCStepper_Text": "Text",
     "CNCStepper_Shapes": "Shapes…",
+    "CNCStepper_Slices": "Slice a solid…",
     "CNCStepper_Freehand": "Freehand",
     "CNCStepper_Face": "Face",
     "CNCStepper_Pocket": "Pocket",
@@ -51,6 +52,7 @@ LABELS = {
     DRAWING,
     TEXT,
     SHAPES,
+    SLICES,
     FREEHAND,
     *OPERATIONS,
     EDIT,
@@ -62,6 +64,7 @@ LABELS = {
     LETTERS,
 ) = LABELS
 ALWAYS = (DRAWING, TEXT, SHAPES)  # what needs neither a document nor a job
+IN_DOCUMENT = (SLICES, FREEHAND)  # what needs a document alone
 DRAWN = ("CNCStepper_Pocket", "CNCStepper_Contour", "CNCStepper_Engrave")  # cannot be without a drawing
 OF_SHEETS = ("CNCStepper_SheetCut", "CNCStepper_WireCut")  # not of milling, which these jobs are cut by
 MILLED = [name for name in LABELS if name not in OF_SHEETS]
@@ -141,7 +144,7 @@ def test_toolbar_and_menu_stand_in_the_order_of_the_road(hand: Hand) -> None:
 
 def test_without_a_document(hand: Hand) -> None:
     expect_enabled(hand, NEW_JOB, *ALWAYS, OPEN, CONTROLLER, MACHINES, LETTERS)
-    assert reason(hand, FREEHAND) == "Open or make a document first"
+    assert {reason(hand, name) for name in IN_DOCUMENT} == {"Open or make a document first"}
     assert {reason(hand, name) for name in (IMPORT, *OPERATIONS, EDIT, SIMULATE, SEND)} == {
         "Make a job first, with New job"
     }
@@ -169,12 +172,12 @@ def test_the_tooltip_is_seen_on_the_disabled_button(hand: Hand) -> None:
 
 def test_an_empty_document_can_be_drawn_in(hand: Hand) -> None:
     hand.main(new_document)
-    expect_enabled(hand, NEW_JOB, *ALWAYS, FREEHAND, OPEN, CONTROLLER, MACHINES, LETTERS)
+    expect_enabled(hand, NEW_JOB, *ALWAYS, *IN_DOCUMENT, OPEN, CONTROLLER, MACHINES, LETTERS)
 
 
 def test_a_job_without_operations(hand: Hand) -> None:
     hand.main(lambda: api.new_job(new_document()))
-    expect_enabled(hand, NEW_JOB, IMPORT, *ALWAYS, FREEHAND, *BY_NUMBERS, OPEN, CONTROLLER, MACHINES, LETTERS)
+    expect_enabled(hand, NEW_JOB, IMPORT, *ALWAYS, *IN_DOCUMENT, *BY_NUMBERS, OPEN, CONTROLLER, MACHINES, LETTERS)
     assert reason(hand, SEND) == "Job has nothing to cut: add an operation"
     assert {reason(hand, name).partition(":")[0] for name in DRAWN} == {
         "Select the area to clear", "Select the lines to cut", "Select the lines to engrave",
@@ -184,7 +187,19 @@ def test_a_job_without_operations(hand: Hand) -> None:
 def test_a_job_with_a_program(hand: Hand) -> None:
     job = hand.main(lambda: new_job(new_document()))
     expect_enabled(
-        hand, NEW_JOB, IMPORT, *ALWAYS, FREEHAND, *BY_NUMBERS, EDIT, OPEN, SIMULATE, SEND, CONTROLLER, MACHINES, LETTERS
+        hand,
+        NEW_JOB,
+        IMPORT,
+        *ALWAYS,
+        *IN_DOCUMENT,
+        *BY_NUMBERS,
+        EDIT,
+        OPEN,
+        SIMULATE,
+        SEND,
+        CONTROLLER,
+        MACHINES,
+        LETTERS,
     )
     hand.main(lambda: select(sketch_of(job.Document, ellipse())))
     expect_enabled(hand, *MILLED)
@@ -195,14 +210,26 @@ def test_of_several_jobs_one_must_be_meant(hand: Hand) -> None:
     document = hand.main(new_document)
     jobs = hand.main(lambda: [new_job(document), new_job(document)])
     hand.main(select)
-    expect_enabled(hand, NEW_JOB, *ALWAYS, FREEHAND, OPEN, CONTROLLER, MACHINES, LETTERS)
+    expect_enabled(hand, NEW_JOB, *ALWAYS, *IN_DOCUMENT, OPEN, CONTROLLER, MACHINES, LETTERS)
     hand.wait(lambda: reason(hand, SEND) == "Select the job in the tree: this document has several")
     hand.main(select, jobs[1].Operations[0])
     expect_enabled(
-        hand, NEW_JOB, IMPORT, *ALWAYS, FREEHAND, *BY_NUMBERS, EDIT, OPEN, SIMULATE, SEND, CONTROLLER, MACHINES, LETTERS
+        hand,
+        NEW_JOB,
+        IMPORT,
+        *ALWAYS,
+        *IN_DOCUMENT,
+        *BY_NUMBERS,
+        EDIT,
+        OPEN,
+        SIMULATE,
+        SEND,
+        CONTROLLER,
+        MACHINES,
+        LETTERS,
     )
     hand.main(select, *jobs)
-    expect_enabled(hand, NEW_JOB, *ALWAYS, FREEHAND, OPEN, CONTROLLER, MACHINES, LETTERS)
+    expect_enabled(hand, NEW_JOB, *ALWAYS, *IN_DOCUMENT, OPEN, CONTROLLER, MACHINES, LETTERS)
 
 
 def test_a_job_that_cannot_be_made_says_what_is_wrong(hand: Hand) -> None:
@@ -224,7 +251,19 @@ class Panel:
 def test_one_task_panel_at_a_time(hand: Hand) -> None:
     hand.main(lambda: new_job(new_document()))
     expect_enabled(
-        hand, NEW_JOB, IMPORT, *ALWAYS, FREEHAND, *BY_NUMBERS, EDIT, OPEN, SIMULATE, SEND, CONTROLLER, MACHINES, LETTERS
+        hand,
+        NEW_JOB,
+        IMPORT,
+        *ALWAYS,
+        *IN_DOCUMENT,
+        *BY_NUMBERS,
+        EDIT,
+        OPEN,
+        SIMULATE,
+        SEND,
+        CONTROLLER,
+        MACHINES,
+        LETTERS,
     )
     hand.main(lambda: FreeCADGui.Control.showDialog(Panel()))
     expect_enabled(hand, OPEN, CONTROLLER, MACHINES, LETTERS)

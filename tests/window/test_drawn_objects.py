@@ -160,3 +160,37 @@ def test_a_job_file_is_opened_and_exported(hand: Hand, document: Any, tmp_path: 
     hand.wait(lambda: (tmp_path / "saída.toml").exists(), 20, "the file")
     hand.undo()
     hand.wait(lambda: not document.Objects, 10, "the job to be undone")
+
+
+def box() -> None:
+    """Put a block of 40 x 30 x 12 mm into the document."""
+    import Part
+
+    block = FreeCAD.ActiveDocument.addObject("Part::Feature", "Block")
+    block.Shape = Part.makeBox(40, 30, 12)
+    FreeCAD.ActiveDocument.recompute()
+
+
+def test_a_body_is_sliced_beside_the_window(hand: Hand, document: Any, language: str, tmp_path: Path) -> None:
+    hand.main(box)
+    with hand.watchdog() as watch:
+        hand.command("CNCStepper_Slices")
+        hand.wait(lambda: hand.exists("CNCStepper_Panel_thickness_mm"), 10)
+        hand.fill("CNCStepper_Panel_thickness_mm", "4")
+        hand.fill("CNCStepper_Panel_time_s", "1")
+        hand.click("CNCStepper_Panel_slice")
+        hand.wait(lambda: hand.exists("CNCStepper_Panel_problem"), 10, "the missing folder to be told")
+        hand.fill("CNCStepper_Panel_folder", str(tmp_path / "fatias"))
+        hand.click("CNCStepper_Panel_slice")
+        hand.wait(lambda: of_type(document, "CNCStepper_Slices").SheetCount, 60, "the sheets")
+        hand.wait(lambda: hand.exists("CNCStepper_Panel_slices_report"), 20)
+    print(f"slices: at most {watch.max_ms:.0f} ms")
+    hand.shot(f"slices-{language}")
+    assert hand.main(cut_texts) == [] and "3" in hand.text("CNCStepper_Panel_slices_report")
+    hand.fill("CNCStepper_Panel_thickness_mm", "3")
+    hand.button("OK")
+    hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 60, "the panel to close when it is sliced anew")
+    slices = of_type(document, "CNCStepper_Slices")
+    assert hand.main(lambda: (problem_of(slices), slices.SliceCount, len(slices.Group))) == ("", 4, 1)
+    hand.undo()
+    hand.wait(lambda: [each.Name for each in document.Objects] == ["Block"], 10, "the slices to be undone")

@@ -25,6 +25,7 @@ COMMANDS = {
     "CNCStepper_ImportDrawing": "Importar desenho…",
     "CNCStepper_Text": "Texto",
     "CNCStepper_Shapes": "Formas…",
+    "CNCStepper_Slices": "Fatiar um sólido…",
     "CNCStepper_Freehand": "À mão livre",
     "CNCStepper_Face": "Facear",
     "CNCStepper_Pocket": "Bolsão",

@@ -17,12 +17,10 @@ from CNCStepper.cli.common.verb import Verb
 from CNCStepper.cli.sheets.arrange import SizeType
 
 if TYPE_CHECKING:
-    from CNCStepper.job.slicing.sections import Sections
     from CNCStepper.job.slicing.solid_slices import Stack
     from CNCStepper.job.templates.template import Template
     from CNCStepper.nesting.nesting_model import Layout
 
-SOLIDS = (".step", ".stp", ".brep", ".brp", ".fcstd")
 PARTS = "front,middle,back"
 
 
@@ -86,10 +84,13 @@ def command(
     the layers CUT, REGISTRATION and MARK. Exit 1 when a piece has no place or a sheet no sound program.
     """
     from CNCStepper.job.batch.sheet_template import sheet_size_mm
+    from CNCStepper.job.slicing.make_slices import SOLIDS, sections_of
     from CNCStepper.job.slicing.slice_files import write_stack
     from CNCStepper.job.slicing.slice_programs import on_sheets
     from CNCStepper.job.slicing.solid_slices import stack_of
 
+    if scale != 1.0 and solid.suffix.casefold() in SOLIDS:
+        raise click.UsageError(f"--scale is for STL; {solid.name} says its unit itself")
     names = tuple(filter(None, (part.strip() for part in parts.split(",")))) or ("part",)
     shop = _template(template, machine)
     size_mm = (sheet[0], sheet[1]) if sheet else None
@@ -97,7 +98,7 @@ def command(
         size_mm = sheet_size_mm(shop, size_mm)
         shop = on_sheets(shop, size_mm)
     with Progress("slicing"):
-        stack = stack_of(_sections(solid, axis.lower(), thickness_mm, scale), names, hole_mm)
+        stack = stack_of(sections_of(solid, axis.lower(), thickness_mm, scale), names, hole_mm)
     for note in stack.notes:
         click.echo(f"   note: {note}", err=True)
     paths = write_stack(stack, out, f"{solid.stem}, axis {axis.upper()}")
@@ -120,37 +121,17 @@ def _template(path: Path | None, machine: str) -> Template | None:
     return with_machine(read_template(path), machine) if path else None
 
 
-def _sections(solid: Path, axis: str, thickness_mm: float, scale: float) -> Sections:
-    """Return the sections of a file; raises UsageError for a scale of one that has its unit."""
-    from CNCStepper.drawing.solids.stl import MOST_BYTES, read_triangles
-    from CNCStepper.errors import Place, placed
-    from CNCStepper.input_file import read_input
-    from CNCStepper.job.slicing.sections import mesh_sections, solid_sections
-
-    if solid.suffix.casefold() in SOLIDS:
-        if scale != 1.0:
-            raise click.UsageError(f"--scale is for STL; {solid.name} says its unit itself")
-        return solid_sections(solid, axis, thickness_mm)
-    with placed(Place(str(solid))):
-        triangles = read_triangles(read_input(solid, MOST_BYTES), Place(str(solid)))
-        return mesh_sections(triangles * scale, axis, thickness_mm)
-
-
 def _nest(
     stack: Stack, size_mm: tuple[float, float], gap_mm: float, margin_mm: float, time_s: float, out: Path
 ) -> Layout:
-    from CNCStepper.job.nesting.nest_files import write_nest
+    from CNCStepper.job.slicing.make_slices import nest_stack
     from CNCStepper.job.slicing.slice_files import nest_order
-    from CNCStepper.nesting.nest import nest
-    from CNCStepper.nesting.nesting_model import Budget
 
-    order = nest_order(stack, size_mm, gap_mm, margin_mm)
     with Progress("nesting") as progress:
-        budget = Budget(time_s, progress=progress.share)
-        layout = nest(order.items, order.sheets, order.spacing, budget)
-    write_nest(order, layout, out)
-    for each in layout.unplaced:
-        click.echo(f"   not placed: {order.items[each.item].name}: {each.why}", err=True)
+        nested = nest_stack(nest_order(stack, size_mm, gap_mm, margin_mm), time_s, out, progress.share)
+    layout = nested.layout
+    for why in nested.unplaced:
+        click.echo(f"   not placed: {why}", err=True)
     click.echo(f"{len(layout.placements)} pieces on {len(layout.sheets)} sheets of {size_mm[0]:g} x {size_mm[1]:g} mm")
     return layout
 

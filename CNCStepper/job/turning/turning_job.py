@@ -38,11 +38,11 @@ from CNCStepper.geometry.curve import Curve
 from CNCStepper.job.model import machine_path
 from CNCStepper.job.turning.profile_form import Pair, ProfileForm, Xis
 from CNCStepper.machine.files.toml_reader import read_toml
+from CNCStepper.machine.processes import TURNING
 from CNCStepper.machine.profile import Machine, load_machine, validated
 from CNCStepper.machine.tools.turning_tool import TurningTool
 from CNCStepper.quantities import MOST_ITEMS, Bounds, Length, LengthOr0, TipAngle, Width, WidthOr0
 
-TURNING = "turning"
 START_CLEAR_MM = 5.0  # of the tool before the program begins, from the raw end and the bar
 WHOLE_TURN_TIP_DEG = 60.0  # of a tailstock's centre
 

@@ -74,7 +74,8 @@ def insert_of(code: str) -> Insert:
     if not (match := _CODE.fullmatch(text)):
         what = Text("'{code}' is no insert of ISO 1832", code=code[:40])
         raise JobError("insert-code", what, advice="write four letters and six digits, for example CNMG 120408")
-    (shape, clearance, *_), edge, thickness, nose = match.groups()
+    letters, edge, thickness, nose = match.groups()
+    shape, clearance = letters[0], letters[1]
     _require(shape in NOSE_ANGLES_DEG or shape == "R", code, "shape", shape, f"{', '.join(NOSE_ANGLES_DEG)}, R")
     _require(clearance in CLEARANCES_DEG, code, "clearance", clearance, ", ".join(CLEARANCES_DEG))
     _require(thickness in THICKNESSES_MM, code, "thickness", thickness, ", ".join(THICKNESSES_MM))

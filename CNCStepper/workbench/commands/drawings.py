@@ -48,6 +48,33 @@ def _group(document: Any, path: str) -> Any:
     return labelled(api.add_drawing(document, path), Path(path).stem)
 
 
+class Slice(Command):
+    """Cuts a body or a mesh into sheets."""
+
+    name = "CNCStepper_Slices"
+    menu_text = QT_TRANSLATE_NOOP("CNCStepper_Slices", "Slice a solid…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "CNCStepper_Slices", "Cuts a solid into sheets with registration holes, and nests their pieces"
+    )
+
+    def why_not(self) -> str:
+        """Return why nothing can be sliced."""
+        return missing_packages.why_not() or targets.why_no_view() or targets.why_no_panel()
+
+    def run(self) -> None:
+        """Make the object of the selected solid, or the document's last one, and open its panel, which slices it."""
+        document = targets.document()
+        create(document, self.text(), lambda: _slices(document, [*document.Objects, *targets.selected()]))
+
+
+def _slices(document: Any, objects: list[Any]) -> Any:
+    """Return the slices of the last solid of some objects; raises JobError where there is none."""
+    from CNCStepper.workbench import api
+    from CNCStepper.workbench.features.drawings.slices import last_solid
+
+    return labelled(api.add_slices(document, last_solid(objects)), tr("Slices"))
+
+
 class Text(Command):
     """Adds a text; also a document, when none is open."""
 

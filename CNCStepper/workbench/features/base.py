@@ -21,6 +21,7 @@ from CNCStepper.workbench.services.translation import later
 
 JOB = "CNCStepper_Job"
 FAILED = "object-failed"  # the code of an error that another object has caused
+STALE = "object-stale"  # and of one that says only that something has to be made again
 HIDDEN = 2  # FreeCAD's mode of a property that its editor does not show
 OUTPUT = 8  # FreeCAD's Prop_Output: a change of it makes nothing out of date
 SPEED = "App::PropertySpeed"  # FreeCAD keeps speeds in mm/s, everything of ours is mm/min

@@ -22,6 +22,7 @@ KINDS = {"tool": ToolField, "mark_drawings": MarksField, "pattern_points_mm": Po
 RARE = (FINISH, PATH, TABS, LEADS, RULES)  # groups of operations
 FREEHAND = "CNCStepper_Freehand"
 DRAWING = "CNCStepper_Drawing"
+SLICES = "CNCStepper_Slices"
 OUTLINES = ("CNCStepper_Text", "CNCStepper_Shape")
 HIDDEN = {FREEHAND: ("points_mm",)}
 
@@ -39,6 +40,10 @@ def panel_of(obj: Any) -> Panel:
         from CNCStepper.workbench.panels.drawing import DrawingPanel, FileField
 
         return DrawingPanel(obj, Editor(obj, {"file": FileField}, (REPAIR,)))
+    if name == SLICES:
+        from CNCStepper.workbench.panels.slices import SlicesPanel, SolidField
+
+        return SlicesPanel(obj, Editor(obj, {"solid": SolidField}))
     if name in OUTLINES:
         from CNCStepper.workbench.panels.text import FontField, LinesField, OutlinePanel
 

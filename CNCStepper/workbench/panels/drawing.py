@@ -16,13 +16,12 @@ from CNCStepper import text_json
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.workbench.document.drawing_files import Reading, ask_file, look_now
 from CNCStepper.workbench.features.drawings.drawing import FOUND, is_stale
+from CNCStepper.workbench.panels.background_panel import BackgroundPanel, button_row
 from CNCStepper.workbench.panels.fields import NAME, TextField, WorkNote
 from CNCStepper.workbench.panels.object_form import Editor
-from CNCStepper.workbench.panels.task_panel import Panel
 from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.services.translation import later, tr
-from CNCStepper.workbench.services.view_fit import show_all
 
 ROWS_SEEN = 6
 FOUND_WORDS = {
@@ -129,19 +128,14 @@ def _rest(count: int) -> list[str]:
     return [tr("… and {0} more").format(count)] if count > 0 else []
 
 
-class DrawingPanel(Panel):
+class DrawingPanel(BackgroundPanel):
     """Edits how a drawing is read; all readings while it is open belong to its one undo step."""
 
     def __init__(self, obj: Any, editor: Editor):
-        super().__init__(obj, editor)
-        self.obj, self.editor = obj, editor
         self.report = Report(obj, editor)
+        super().__init__(obj, editor, self.report.work, not obj.ReadWith)
         editor.form.add_widget(FOUND, self.report)
         editor.form.add_widget(FOUND, self._buttons())
-        self.reading: Reading | None = None
-        self.refused = False  # whether the file could not be read with these options
-        self._closing = False  # OK was pressed while it was read
-        self._is_new = not obj.ReadWith
         editor.applied.connect(guarded(self.follow))
         self.follow()
 
@@ -152,80 +146,33 @@ class DrawingPanel(Panel):
 
     def read(self) -> None:
         """Read the file now, in place of a reading that is under way."""
-        if self.reading is not None:
-            self.reading.end()
-        self.refused = False
-        self._say("")
-        self.reading = Reading(self.obj, guarded(self._done), guarded(self._failed), self._share)
-        self.report.work.say(tr("Reading the drawing…"))
-        self.report.work.begin()
-        self.reading.begin()
+        reading = Reading(self.obj, guarded(self.done), guarded(self.failed), self._share)
+        self.begin(reading, tr("Reading the drawing…"))
 
     def mend(self) -> None:
         """Repair the drawing within the limits of the fields."""
         self.editor.take({"mending": True})
 
-    def accept(self) -> bool:
-        """Keep all as one undo step, as soon as the file is read; stay open where it could not be."""
-        self.editor.apply()
-        if self.reading is not None:
-            self._closing = True
-            return False
-        return not self.refused and bool(super().accept())
+    def failed(self, error: CNCStepperError) -> None:
+        """Say why the file could not be read, and whether it is still as it was."""
+        look_now(self.obj)
+        super().failed(error)
 
-    def reject(self) -> bool:
-        """Leave the document as it was before."""
-        if self.reading is not None:
-            self.reading.end()
-            self.reading = None
-        return bool(super().reject())
+    def refresh_report(self) -> None:
+        """Show what was found."""
+        self.report.refresh()
 
     def _buttons(self) -> Any:
-        bar = QtGui.QWidget(self.editor)
-        row = QtGui.QHBoxLayout(bar)
-        row.setContentsMargins(0, 0, 0, 0)
         texts = (
             ("reload", tr("Reload"), tr("Read the file again; operations keep their contours"), self._reload),
             ("mend", tr("Mend"), tr("Repair what is wrong, as far as the values under Repair allow"), self.mend),
         )
-        for name, text, tip, act in texts:
-            button = QtGui.QPushButton(text, bar)
-            button.setObjectName(f"{NAME}_{name}")
-            button.setToolTip(tip)
-            button.setAutoDefault(False)
-            button.clicked.connect(guarded(act))
-            row.addWidget(button)
-        return bar
+        return button_row(texts, self.editor)
 
     def _reload(self) -> None:
         self.editor.apply()
-        if self.reading is None:
+        if self.work is None:
             self.read()
 
     def _share(self, share: float) -> None:
-        self.report.work.say(tr("Reading the drawing: {0} %").format(f"{100 * share:.0f}"))
-
-    def _done(self) -> None:
-        self._end()
-        if self._is_new:
-            self._is_new = False
-            show_all()
-        self.editor.refresh()
-        self.report.refresh()
-        if self._closing:
-            self._closing = False
-            self.accept()
-
-    def _failed(self, error: CNCStepperError) -> None:
-        self._end()
-        look_now(self.obj)
-        self.refused, self._closing = True, False
-        self._say(translated(error.sentence))
-
-    def _end(self) -> None:
-        self.reading = None
-        self.report.work.end()
-
-    def _say(self, sentence: str) -> None:
-        self.editor.problem.setText(sentence)
-        self.editor.problem.setVisible(bool(sentence))
+        self.note.say(tr("Reading the drawing: {0} %").format(f"{100 * share:.0f}"))

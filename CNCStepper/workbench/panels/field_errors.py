@@ -60,6 +60,10 @@ def model_of_type(obj: Any) -> Any:
         from CNCStepper.job.shape_forms.text_form import TextForm
 
         return TextForm
+    if proxy_type(obj) == "CNCStepper_Slices":
+        from CNCStepper.job.slicing.slice_form import SliceForm
+
+        return SliceForm
     if not getattr(obj.Proxy, "CYCLE", ""):
         return None
     from CNCStepper.cycles.catalogue import cycle_class

@@ -22,7 +22,7 @@ from CNCStepper.workbench.calculation import deferred_drawing, kernel_warmup
 from CNCStepper.workbench.calculation.cut_process import CutRequest, process
 from CNCStepper.workbench.calculation.precalculation import Look, look_at
 from CNCStepper.workbench.calculation.recompute import remake, steps
-from CNCStepper.workbench.features.base import FAILED, edit, named, problem_of, values
+from CNCStepper.workbench.features.base import FAILED, STALE, edit, named, problem_of, values
 from CNCStepper.workbench.panels.field_errors import beyond, complaints, key_of, labelled, model_of_type, stock_warnings
 from CNCStepper.workbench.panels.fields import ERROR_COLOUR, NAME, WARNING_COLOUR, Field, note_label
 from CNCStepper.workbench.panels.form import Form
@@ -127,7 +127,7 @@ class Editor(QtGui.QWidget):
         if self.waiting:
             return
         self._taken = {}
-        if tried and (error := look.refusals.get(self.obj.Name)) is not None and error.code != FAILED:
+        if tried and (error := look.refusals.get(self.obj.Name)) is not None and error.code not in (FAILED, STALE):
             self._refuse(error, list(changes))
             self._settled()
         else:
@@ -282,7 +282,7 @@ class Editor(QtGui.QWidget):
         """Return why the object itself cannot be made; what another object has caused is not mended here, nor
         what only has to wait."""
         error = self.obj.Proxy.refusal
-        return None if error is None or error.code in (FAILED, WAITS, LONG) else error
+        return None if error is None or error.code in (FAILED, STALE, WAITS, LONG) else error
 
     def _caused_elsewhere(self) -> str:
         """Return what stands in the way of the program though this object is good, "" when nothing does."""

@@ -11,9 +11,8 @@ from CNCStepper.job.estimate import cut_length_mm, long_work
 from CNCStepper.job.make import make_program
 from CNCStepper.job.model import load_job
 from CNCStepper.toolpath import RAPID
-
-EXAMPLES = Path(__file__).parents[3] / "examples" / "jobs"
-JOBS = sorted([*EXAMPLES.glob("*.toml"), *(EXAMPLES / "cycles").glob("*.toml")])
+from helpers.job.example_jobs import EXAMPLES
+from helpers.job.example_jobs import TABLE_JOBS as JOBS
 
 
 @pytest.mark.parametrize("path", JOBS, ids=lambda path: path.stem)

@@ -15,9 +15,8 @@ from CNCStepper.job.files import job_text
 from CNCStepper.job.files.job_text import save_job_file, write_job_file
 from CNCStepper.job.make import make_program
 from CNCStepper.job.model import Job, load_job, read_job
-
-EXAMPLES = Path(__file__).parents[3] / "examples" / "jobs"
-JOBS = sorted(EXAMPLES.rglob("*.toml"))
+from helpers.job.example_jobs import EXAMPLES, LATHE_JOBS
+from helpers.job.example_jobs import TABLE_JOBS as JOBS
 
 
 def content(job: Job) -> tuple[Any, ...]:
@@ -31,6 +30,12 @@ def test_every_job_comes_back_as_it_was(path: Path, tmp_path: Path) -> None:
     assert content(read_job(tmp_path / "job.toml")) == content(job)
     save_job_file(job, tmp_path / "job.JSON")
     assert content(read_job(tmp_path / "job.JSON")) == content(job)
+
+
+@pytest.mark.parametrize("path", LATHE_JOBS, ids=lambda path: path.stem)
+def test_the_job_of_a_lathe_is_refused_by_its_name(path: Path) -> None:
+    with pytest.raises(JobError, match=r"job of a lathe.*cncstepper run"):
+        Job.load(path)
 
 
 def test_the_program_is_the_same_byte_for_byte(tmp_path: Path) -> None:

@@ -10,9 +10,9 @@ from pathlib import Path
 import pytest
 
 from CNCStepper import kernel_cache, kernels
+from helpers.job.example_jobs import TABLE_JOBS as JOBS
 
 TESTS = Path(__file__).parents[2]
-JOBS = sorted((TESTS.parent / "examples" / "jobs").rglob("*.toml"))
 
 
 @pytest.mark.slow
